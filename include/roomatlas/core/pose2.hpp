@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace roomatlas {
+
+using Point2 = Eigen::Vector2d;  ///< metres, in the frame that the variable's name gives
+
+/// Wraps an angle into [-pi, pi). The only place where angles wrap.
+/// @param angle_rad any finite angle; a NaN stays NaN.
+[[nodiscard]] double wrap_angle(double angle_rad);
+
+constexpr double kPi = 3.14159265358979323846;
+[[nodiscard]] constexpr double degrees(double angle_rad) { return angle_rad * 180.0 / kPi; }
+[[nodiscard]] constexpr double radians(double angle_deg) { return angle_deg * kPi / 180.0; }
+
+/// A rigid transform of the plane, SE(2). A variable `a_from_b` maps coordinates in frame b to
+/// frame a, and equally is the pose of b's origin in a; so `a_from_b * b_from_c == a_from_c`.
+struct Pose2 {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double theta_rad = 0.0;  ///< [-pi, pi) for every pose this library returns
+
+  [[nodiscard]] Point2 position() const { return {x_m, y_m}; }
+  [[nodiscard]] bool operator==(const Pose2&) const = default;
+};
+
+[[nodiscard]] Pose2 operator*(const Pose2& a_from_b, const Pose2& b_from_c);
+[[nodiscard]] Point2 operator*(const Pose2& a_from_b, const Point2& point_b);
+[[nodiscard]] Pose2 inverse(const Pose2& a_from_b);
+
+/// The unit vector at `angle_rad` from the x axis.
+[[nodiscard]] Point2 direction(double angle_rad);
+
+/// The pose part way from `from` to `to`: positions linearly, headings along the shorter arc.
+/// @param fraction 0 gives `from`, 1 gives `to`; values outside extrapolate.
+[[nodiscard]] Pose2 interpolate(const Pose2& from, const Pose2& to, double fraction);
+
+/// A pose with the time at which it held. Logs may step back in time: sequences of these are in
+/// file order, never sorted.
+struct StampedPose {
+  double timestamp_s = 0.0;
+  Pose2 pose;
+};
+
+using Trajectory = std::vector<StampedPose>;
+
+}  // namespace roomatlas

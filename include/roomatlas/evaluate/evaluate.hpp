@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "roomatlas/core/issue.hpp"
+#include "roomatlas/core/pose2.hpp"
+#include "roomatlas/merge/floor_plan.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace roomatlas {
+
+/// The true pose at `t2_s` in the frame of the pose at `t1_s` (Kuemmerle et al., "On measuring
+/// the accuracy of SLAM algorithms", Autonomous Robots 2009).
+struct Relation {
+  double t1_s = 0.0;
+  double t2_s = 0.0;
+  Pose2 pose1_from_pose2;
+};
+
+/// Statistics of absolute values. `count` 0 means that there was nothing to measure; the rest is
+/// then NaN.
+struct Statistics {
+  std::int64_t count = 0;
+  double mean = 0.0;
+  double standard_deviation = 0.0;  ///< of the population (divided by count)
+  double median = 0.0;
+  double maximum = 0.0;
+};
+
+[[nodiscard]] Statistics statistics(std::vector<double> values);
+
+struct RelationSubset {
+  Statistics translation_m;
+  Statistics rotation_deg;
+};
+
+struct RelationErrors {
+  RelationSubset all;
+  RelationSubset local;  ///< |t2 - t1| < split
+  RelationSubset loop;
+  std::int64_t relations = 0;
+  std::int64_t matched = 0;
+  Issues issues;  ///< unmatched relations, counted and the first few named
+};
+
+struct RelationOptions {
+  double split_s = 30.0;  ///< larger counts more relations as local
+};
+
+/// Error of a trajectory against relations. Timestamps match exactly (to half a microsecond,
+/// which is what the files' six decimals carry). Where a timestamp occurs twice, the first holds.
+[[nodiscard]] RelationErrors relation_errors(const Trajectory& trajectory,
+                                             const std::vector<Relation>& relations,
+                                             const RelationOptions& options);
+
+/// Error of a trajectory against true poses, aligned at the first matched pose. True poses are
+/// interpolated between their neighbours in file order; poses outside them are not matched.
+struct TruePoseErrors {
+  Statistics position_m;
+  Statistics heading_deg;
+  std::int64_t poses = 0;
+  std::int64_t matched = 0;
+  Pose2 truth_from_building;  ///< the alignment, for comparing plans
+};
+[[nodiscard]] TruePoseErrors true_pose_errors(const Trajectory& trajectory,
+                                              const Trajectory& truth);
+
+struct RoomMatch {
+  RoomId room = 0;
+  RoomId true_room = 0;
+  double iou = 0.0;
+};
+
+struct DoorMatch {
+  std::int64_t door = 0;
+  std::int64_t true_door = 0;
+  double distance_m = 0.0;
+};
+
+struct PlanErrors {
+  std::int64_t rooms = 0;
+  std::int64_t true_rooms = 0;
+  double precision = 0.0;  ///< of rooms at the IoU threshold
+  double recall = 0.0;
+  double f1 = 0.0;
+  double mean_iou = 0.0;   ///< over matched rooms
+  std::vector<RoomMatch> room_matches;  ///< one to one, IoU at or over the threshold
+  std::vector<DoorMatch> door_matches;  ///< one to one, within the gate
+  std::vector<std::int64_t> used_true_doors;  ///< true doors that the true path went through
+  std::vector<std::int64_t> missed_used_doors;  ///< of those, the ones without a match
+};
+
+struct PlanErrorOptions {
+  double iou_threshold = 0.5;
+  double door_gate_m = 0.5;  ///< doors farther apart than this are not the same
+};
+
+/// Compares a plan with the true plan. Rooms are matched one to one, greatest IoU first, doors
+/// one to one, nearest mid-points first.
+/// @param truth_from_building alignment, as `true_pose_errors` gives it
+/// @param true_path the robot's true path, for the doors that it used; may be empty
+[[nodiscard]] PlanErrors plan_errors(const FloorPlan& plan, const FloorPlan& truth,
+                                     const Pose2& truth_from_building, const Trajectory& true_path,
+                                     const PlanErrorOptions& options);
+
+}  // namespace roomatlas

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "roomatlas/core/pose2.hpp"
+#include "roomatlas/evaluate/evaluate.hpp"
+#include "roomatlas/merge/floor_plan.hpp"
+#include "roomatlas/mission/mission.hpp"
+#include "roomatlas/simulate/simulate.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace roomatlas {
+
+using Path = std::filesystem::path;
+
+/// Opens a mission log, plain or gzip; the format is told by content, not by name. Throws
+/// InputError naming the file when it is missing, empty, binary, or holds no line of a known
+/// format. Reads streaming: nothing but one look-ahead is kept.
+[[nodiscard]] std::unique_ptr<MissionSource> open_mission(const Path& file,
+                                                          const MissionOptions& options);
+
+/// Relations, one `t1 t2 x y z roll pitch yaw` a line. Throws InputError naming file and line.
+[[nodiscard]] std::vector<Relation> read_relations(const Path& file);
+
+/// TUM trajectory: `timestamp tx ty tz qx qy qz qw` a line, numbers in their shortest form that
+/// reads back to the same double.
+void write_tum(const Path& file, const Trajectory& trajectory);
+[[nodiscard]] Trajectory read_tum(const Path& file);
+
+/// The plan as GeoJSON in local metres, and back (docs/formats.md has the attribute schema).
+/// Reading throws InputError naming the feature and property at fault.
+[[nodiscard]] std::string to_geojson(const FloorPlan& plan);
+[[nodiscard]] FloorPlan read_plan(const Path& file);
+
+/// Way-points of a scripted drive: `x y` a line, metres, `#` starts a comment.
+[[nodiscard]] Drive read_drive(const Path& file);
+
+/// Writes a CARMEN log with PARAM, ODOM, SONAR and TRUEPOS lines, step by step.
+class CarmenWriter {
+ public:
+  CarmenWriter(const Path& file, const RangeSensor& ring, const RobotFootprint& footprint);
+  ~CarmenWriter();
+  CarmenWriter(const CarmenWriter&) = delete;
+  CarmenWriter& operator=(const CarmenWriter&) = delete;
+  void write(const SimulatedStep& step);
+  /// Renames the temporary file to its final name. Without it nothing is left behind.
+  void finish();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Renders an SVG document to a PNG. Throws InputError when it cannot be written.
+void write_png(const Path& file, const std::string& svg, double dots_per_inch);
+
+/// Writes to a temporary name beside `file` and renames it.
+void write_file(const Path& file, const std::string& content);
+
+/// SHA-256 of a file's bytes, in hexadecimal.
+[[nodiscard]] std::string sha256_of_file(const Path& file);
+
+}  // namespace roomatlas

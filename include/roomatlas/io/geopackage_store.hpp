@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "roomatlas/asr/store.hpp"
+#include "roomatlas/correct/correction.hpp"
+#include "roomatlas/merge/floor_plan.hpp"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace roomatlas {
+
+/// The store: one GeoPackage per mission (docs/formats.md). While the online stage writes, each
+/// ASR is one transaction in WAL mode; `finish` leaves `journal_mode=DELETE` and rewrites the file
+/// with VACUUM INTO, so that its bytes depend on its content alone.
+class GeoPackageStore : public AsrSink, public AsrSource {
+ public:
+  enum class Mode { create, update, read };
+
+  /// `create` replaces what is there; `update` and `read` throw InputError when the file is
+  /// missing, no store of ours, or of another schema version (naming both versions).
+  GeoPackageStore(const std::filesystem::path& file, Mode mode);
+  ~GeoPackageStore() override;
+
+  void put(const Asr& asr) override;
+  void put(const TruePose& truth) override;
+
+  [[nodiscard]] std::vector<AsrId> ids() const override;
+  [[nodiscard]] Asr get(AsrId id, AsrDetail detail) const override;
+  [[nodiscard]] std::vector<AsrId> neighbors(AsrId id) const override;
+  [[nodiscard]] std::vector<TruePose> truth() const override;
+
+  /// Run metadata: tool and schema version, configuration (TOML), SHA-256 of the input, mission
+  /// counters. Keys are unique; writing one again replaces it.
+  void put_metadata(const std::map<std::string, std::string>& values);
+  [[nodiscard]] std::map<std::string, std::string> metadata() const;
+
+  /// What `assemble` found: replaces what an earlier run left, in one transaction. Also writes
+  /// each ASR's room and the corrected path as a feature layer.
+  void put_assembly(const Correction& correction, const FloorPlan& plan,
+                    const std::map<AsrId, RoomId>& room_of_asr);
+  [[nodiscard]] bool has_assembly() const;
+  [[nodiscard]] Correction correction() const;
+  [[nodiscard]] FloorPlan plan() const;
+
+  /// Closes the store and makes its bytes reproducible.
+  void finish();
+
+  /// Rows fetched from the database so far: lets a test see that reading stays local.
+  [[nodiscard]] std::int64_t rows_read() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace roomatlas

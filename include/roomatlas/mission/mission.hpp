@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "roomatlas/core/issue.hpp"
+#include "roomatlas/core/pose2.hpp"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace roomatlas {
+
+enum class SensorKind { laser, sonar };
+
+/// A set of beams that are read together: a laser scanner or a ring of sonars.
+struct RangeSensor {
+  SensorKind kind = SensorKind::laser;
+  std::vector<Pose2> robot_from_beam;  ///< origin and direction of each beam in the robot's frame
+  double half_cone_rad = 0.0;          ///< half the opening angle of one beam, [0, pi/2)
+  double max_range_m = 0.0;            ///< readings at or beyond it are "no echo": free space
+};
+
+/// One sweep of one sensor, with the robot's odometry pose at that time.
+struct RangeReading {
+  double timestamp_s = 0.0;  ///< as in the log, or the reading's number where the log has no times
+  Pose2 odom_from_robot;     ///< the robot's pose, never the sensor's
+  std::shared_ptr<const RangeSensor> sensor;  ///< never null
+  std::vector<float> ranges_m;  ///< one a beam; NaN, infinite or <= 0 means "no measurement"
+};
+
+/// Ground truth, where a log has it (CARMEN's TRUEPOS).
+struct TruePose {
+  double timestamp_s = 0.0;
+  Pose2 world_from_robot;
+};
+
+using MissionEvent = std::variant<RangeReading, TruePose>;
+
+struct RobotFootprint {
+  double length_m = 0.45;
+  double width_m = 0.40;
+};
+
+/// What the log does not say. Where it does, the log wins.
+struct MissionOptions {
+  double laser_max_range_m = 50.0;  ///< at or beyond: no echo. Lower drops far walls
+  double sonar_max_range_m = 5.0;   ///< at or beyond: no echo
+  double sonar_cone_deg = 30.0;     ///< full opening angle; wider trusts bearings less
+  RobotFootprint footprint;         ///< cells under it are marked as robot path
+};
+
+/// Summary of what has been read so far.
+struct MissionInfo {
+  std::string file;
+  std::string format;                              ///< "CARMEN"
+  std::map<std::string, std::int64_t> line_counts;  ///< lines by tag, those that were read
+  std::map<std::string, std::int64_t> ignored_line_counts;  ///< lines by unknown tag
+  std::int64_t readings = 0;       ///< range readings handed out
+  std::int64_t true_poses = 0;
+  std::int64_t malformed_lines = 0;
+  std::int64_t steps_back_in_time = 0;
+  double path_length_m = 0.0;      ///< along odometry
+  std::optional<double> first_timestamp_s;
+  std::optional<double> last_timestamp_s;
+  bool has_times = true;           ///< false: readings are indexed by their number
+  std::string odometry;            ///< "ODOM lines", "poses in scans" or "none"
+  RobotFootprint footprint;
+  std::vector<std::shared_ptr<const RangeSensor>> sensors;  ///< in order of appearance
+  Issues issues;                   ///< the first hundred, then counted
+  std::int64_t issues_not_listed = 0;
+};
+
+/// A mission as a stream, in file order. Memory does not grow with its length.
+class MissionSource {
+ public:
+  virtual ~MissionSource() = default;
+  /// The next event; nothing at the end.
+  [[nodiscard]] virtual std::optional<MissionEvent> next() = 0;
+  [[nodiscard]] virtual const MissionInfo& info() const = 0;
+  /// Share of the input consumed, [0, 1].
+  [[nodiscard]] virtual double progress() const = 0;
+};
+
+}  // namespace roomatlas

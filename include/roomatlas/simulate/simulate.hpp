@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "roomatlas/merge/floor_plan.hpp"
+#include "roomatlas/mission/mission.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace roomatlas {
+
+/// Errors of simulated wheel odometry, per metre driven.
+struct OdometryErrors {
+  double length_share = 0.005;           ///< each driven length is reported longer by this share
+  double heading_bias_deg_per_m = 0.1;   ///< constant drift
+  double heading_noise_deg_per_sqrt_m = 1.0;  ///< random walk
+};
+
+struct SonarErrors {
+  double range_noise_m = 0.02;    ///< standard deviation
+  double dropout_share = 0.02;    ///< readings lost at random, [0, 1]
+  double specular_limit_deg = 40.0;  ///< beyond this angle of incidence there is no echo
+};
+
+struct SimulationOptions {
+  std::uint64_t seed = 1;        ///< decides everything that is random
+  double speed_m_per_s = 0.4;
+  double turn_rate_deg_per_s = 45.0;
+  double rate_hz = 10.0;         ///< of odometry and of the ring
+  double start_timestamp_s = 1000000000.0;
+  double sonar_max_range_m = 5.0;
+  double sonar_cone_deg = 20.0;
+  RobotFootprint footprint;
+  OdometryErrors odometry;
+  SonarErrors sonar;
+};
+
+/// A scripted drive: way-points in world metres, driven in straight lines and turns on the spot.
+using Drive = std::vector<Point2>;
+
+struct OdometryStep {
+  double timestamp_s = 0.0;
+  Pose2 odom_from_robot;
+  double speed_m_per_s = 0.0;
+  double turn_rate_rad_per_s = 0.0;
+};
+
+struct SimulatedStep {
+  OdometryStep odometry;
+  RangeReading sonar;
+  TruePose truth;
+};
+
+/// The ring of the Pioneer 2: 16 sonars, 8 in front, 8 behind, at their real bearings
+/// (+-90, +-50, +-30, +-10 degrees, and the same behind), on the rim of the robot.
+[[nodiscard]] RangeSensor pioneer_sonar_ring(const SimulationOptions& options);
+
+/// Drives the robot through the world and hands each step to `sink`, in order.
+/// @param world walls and furniture are obstacles; doors are gaps in the walls
+/// Throws InputError when the drive has fewer than two points or passes through a wall (it names
+/// the leg).
+void simulate(const FloorPlan& world, const Drive& drive, const SimulationOptions& options,
+              const std::function<void(const SimulatedStep&)>& sink);
+
+}  // namespace roomatlas

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include "roomatlas/core/geometry.hpp"
+
+namespace roomatlas {
+namespace {
+
+/// Distance to the polygon's boundary, negative outside.
+double clearance(const Polygon& polygon, const Point2& point) {
+  double nearest = distance_to_boundary(polygon.outer, point);
+  for (const Ring& hole : polygon.holes) {
+    nearest = std::min(nearest, distance_to_boundary(hole, point));
+  }
+  return contains(polygon, point) ? nearest : -nearest;
+}
+
+/// A square of the search, with the best clearance that any point in it could have.
+struct SearchCell {
+  Point2 center;
+  double half_m = 0.0;
+  double clearance_m = 0.0;
+  double bound_m = 0.0;
+
+  SearchCell(const Polygon& polygon, const Point2& at, double half)
+      : center(at), half_m(half), clearance_m(clearance(polygon, at)),
+        bound_m(clearance_m + half * std::sqrt(2.0)) {}
+  bool operator<(const SearchCell& other) const { return bound_m < other.bound_m; }
+};
+
+}  // namespace
+
+Point2 interior_point(const Polygon& polygon, double precision_m) {
+  const Box2 box = bounds(polygon.outer);
+  if (box.empty()) return Point2::Zero();
+  const double half = box.size().maxCoeff() / 2.0;
+  SearchCell best(polygon, (box.min + box.max) / 2.0, 0.0);
+  std::priority_queue<SearchCell> queue;
+  queue.emplace(polygon, best.center, half);
+  while (!queue.empty()) {
+    const SearchCell cell = queue.top();
+    queue.pop();
+    if (cell.clearance_m > best.clearance_m) best = cell;
+    if (cell.bound_m - best.clearance_m <= precision_m) continue;
+    const double quarter = cell.half_m / 2.0;
+    for (const double dx : {-quarter, quarter}) {
+      for (const double dy : {-quarter, quarter}) {
+        queue.emplace(polygon, cell.center + Point2(dx, dy), quarter);
+      }
+    }
+  }
+  return best.center;
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/core/pose2.hpp"
+
+#include <cmath>
+
+namespace roomatlas {
+
+double wrap_angle(double angle_rad) {
+  if (angle_rad >= -kPi && angle_rad < kPi) return angle_rad;
+  const double wrapped = angle_rad - 2.0 * kPi * std::floor((angle_rad + kPi) / (2.0 * kPi));
+  return wrapped >= kPi ? -kPi : wrapped;  // rounding may land on +pi
+}
+
+Pose2 operator*(const Pose2& a_from_b, const Pose2& b_from_c) {
+  const Point2 position = a_from_b * b_from_c.position();
+  return {position.x(), position.y(), wrap_angle(a_from_b.theta_rad + b_from_c.theta_rad)};
+}
+
+Point2 operator*(const Pose2& a_from_b, const Point2& point_b) {
+  const double c = std::cos(a_from_b.theta_rad);
+  const double s = std::sin(a_from_b.theta_rad);
+  return {a_from_b.x_m + c * point_b.x() - s * point_b.y(),
+          a_from_b.y_m + s * point_b.x() + c * point_b.y()};
+}
+
+Pose2 inverse(const Pose2& a_from_b) {
+  const double c = std::cos(a_from_b.theta_rad);
+  const double s = std::sin(a_from_b.theta_rad);
+  return {-c * a_from_b.x_m - s * a_from_b.y_m, s * a_from_b.x_m - c * a_from_b.y_m,
+          wrap_angle(-a_from_b.theta_rad)};
+}
+
+Point2 direction(double angle_rad) { return {std::cos(angle_rad), std::sin(angle_rad)}; }
+
+Pose2 interpolate(const Pose2& from, const Pose2& to, double fraction) {
+  return {from.x_m + fraction * (to.x_m - from.x_m), from.y_m + fraction * (to.y_m - from.y_m),
+          wrap_angle(from.theta_rad + fraction * wrap_angle(to.theta_rad - from.theta_rad))};
+}
+
+}  // namespace roomatlas
