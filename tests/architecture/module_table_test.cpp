@@ -31,7 +31,7 @@ std::vector<std::string> broken_rules(const SourceFile& source) {
     const std::string module = included_module(include.name);
     if (module.empty()) {
       if (include.quoted && include.name.find('/') != std::string::npos) {
-        findings.push_back(at + include.name + " is neither public nor in the same folder");
+        findings.push_back(at + "neither public nor in the same folder: " + include.name);
       }
     } else if (module != source.module && !row->second.contains(module)) {
       findings.push_back(at + source.module + " may not include " + module);

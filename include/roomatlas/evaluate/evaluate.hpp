@@ -87,10 +87,10 @@ struct PlanErrors {
   double precision = 0.0;  ///< of rooms at the IoU threshold
   double recall = 0.0;
   double f1 = 0.0;
-  double mean_iou = 0.0;   ///< over matched rooms
-  std::vector<RoomMatch> room_matches;  ///< one to one, IoU at or over the threshold
-  std::vector<DoorMatch> door_matches;  ///< one to one, within the gate
-  std::vector<std::int64_t> used_true_doors;  ///< true doors that the true path went through
+  double mean_iou = 0.0;                        ///< over matched rooms
+  std::vector<RoomMatch> room_matches;          ///< one to one, IoU at or over the threshold
+  std::vector<DoorMatch> door_matches;          ///< one to one, within the gate
+  std::vector<std::int64_t> used_true_doors;    ///< true doors that the true path went through
   std::vector<std::int64_t> missed_used_doors;  ///< of those, the ones without a match
 };
 
