@@ -3,18 +3,13 @@
 #include <cmath>
 #include <set>
 
+#include "load.hpp"
 #include "roomatlas/pipeline/pipeline.hpp"
 
 namespace roomatlas {
 namespace {
 
 constexpr double kDoorReachM = 1.0;  // doors this near an outline are cut into it
-
-std::vector<Asr> load(const AsrSource& source, AsrDetail detail) {
-  std::vector<Asr> asrs;
-  for (const AsrId id : source.ids()) asrs.push_back(source.get(id, detail));
-  return asrs;
-}
 
 void report(const Progress& progress, const char* stage, double done) {
   if (progress && !progress(stage, done)) throw Interrupted("interrupted while assembling");
@@ -105,24 +100,6 @@ Polygon outline_cut_at_doors(const AsrSource& source, const Asr& asr, RoomId roo
   return map_room(whole.path, whole.readings, exits, footprint, options.map).outline;
 }
 
-void place_trajectories(const std::vector<Asr>& asrs, Assembly& assembly) {
-  for (std::size_t i = 0; i < asrs.size(); ++i) {
-    const AsrCorrection& corrected = assembly.correction.asrs[i];
-    for (const PathSample& sample : asrs[i].path) {
-      assembly.odometry.push_back({sample.timestamp_s, sample.odom_from_robot});
-      assembly.corrected.push_back(
-          {sample.timestamp_s, corrected.building_from_asr * sample.asr_from_robot});
-      assembly.path_before.push_back(corrected.building_from_asr_before *
-                                     sample.asr_from_robot.position());
-    }
-    for (const WallPolyline& wall : asrs[i].walls) {
-      assembly.walls_before.push_back(
-          transformed(corrected.building_from_asr_before, wall.vertices_asr));
-      assembly.walls_after.push_back(transformed(corrected.building_from_asr, wall.vertices_asr));
-    }
-  }
-}
-
 }  // namespace
 
 Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
@@ -158,7 +135,6 @@ Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
   }
   report(progress, "merge", 0.0);
   assembly.plan = merge(outlines, doors, options.merge);
-  place_trajectories(asrs, assembly);
   return assembly;
 }
 

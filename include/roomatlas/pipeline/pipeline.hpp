@@ -45,17 +45,25 @@ struct Assembly {
   std::map<AsrId, RoomId> room_of_asr;
   std::vector<BuildingDoor> doors;
   FloorPlan plan;
-  Trajectory odometry;              ///< as in the log, one pose a reading
-  Trajectory corrected;             ///< building metres, parallel to `odometry`
-  std::vector<Polyline> walls_before;  ///< where odometry alone puts them, building metres
-  std::vector<Polyline> walls_after;
-  Polyline path_before;             ///< odometry's path in the building frame
 };
 
 /// Offline stage: ASRs -> room graph -> correction -> floor plan.
 /// @throws NotEnoughError when the source holds no ASR
 [[nodiscard]] Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
                                 const AssembleOptions& options, const Progress& progress = {});
+
+/// A mission's paths and walls, where odometry alone and where the correction puts them.
+struct PlacedMission {
+  Trajectory odometry;                 ///< as in the log, one pose a reading
+  Trajectory corrected;                ///< building metres, parallel to `odometry`
+  Polyline path_before;                ///< odometry's path, building metres
+  std::vector<Polyline> walls_before;  ///< building metres
+  std::vector<Polyline> walls_after;
+};
+[[nodiscard]] PlacedMission place(const AsrSource& source, const Correction& correction);
+
+/// The room graph as the correction left it: what was driven, and the doorways it recognised.
+[[nodiscard]] RoomGraph graph_of(const AsrSource& source, const Correction& correction);
 
 /// What is known of the truth; everything is optional.
 struct Truth {
