@@ -163,13 +163,10 @@ std::vector<std::vector<Polygon>> floors_of(const std::vector<RoomOutlines>& roo
   for (const Absorbed& piece : absorb_small_rooms(map, min_part_area_mm2, labels)) {
     if (piece.area_mm2 >= kHealedArea_mm2) report_absorbed(piece, rooms, issues);
   }
-  std::vector<std::vector<Polygon>> floors_mm(rooms.size());
-  for (std::size_t r = 0; r < rooms.size(); ++r) {
-    for (const Polygon& part : map.trace(chosen(labels, static_cast<Label>(r)))) {
-      if (Polygon whole = rounded(part); whole.outer.size() >= 3) {
-        floors_mm[r].push_back(std::move(whole));
-      }
-    }
+  std::vector<std::vector<Polygon>> floors_mm = map.trace(labels, static_cast<int>(rooms.size()));
+  for (auto& parts : floors_mm) {
+    for (Polygon& part : parts) part = rounded(part);
+    std::erase_if(parts, [](const Polygon& part) { return part.outer.size() < 3; });
   }
   return floors_mm;
 }

@@ -113,18 +113,27 @@ void fill_pinholes(const PlanarMap& map, double max_area_mm2, std::vector<Label>
   }
 }
 
+void clear_wall_crumbs(const PlanarMap& map, double max_area_mm2, std::vector<Label>& labels) {
+  const std::vector<Component> components = components_of(map, labels);
+  for (const Component& crumb : components) {
+    if (crumb.label != kWall || crumb.area_mm2 > max_area_mm2) continue;
+    Label taker = kWall;
+    double longest_mm = 0.0;
+    for (const auto& border : crumb.borders) {
+      const Label label = components[static_cast<std::size_t>(border.region)].label;
+      if (label < 0 || border.length_mm <= longest_mm) continue;
+      taker = label;
+      longest_mm = border.length_mm;
+    }
+    relabel(crumb, taker, labels);
+  }
+}
+
 void fill_wall_cavities(const PlanarMap& map, double max_width_mm, std::vector<Label>& labels) {
   for (const Component& pocket : components_of(map, labels)) {
     if (pocket.label != kUnknown || !pocket.is_bounded) continue;
     if (2.0 * pocket.area_mm2 < max_width_mm * pocket.perimeter_mm) relabel(pocket, kWall, labels);
   }
-}
-
-std::vector<bool> chosen(const std::vector<Label>& labels, Label label) {
-  std::vector<bool> is_chosen;
-  is_chosen.reserve(labels.size());
-  for (const Label other : labels) is_chosen.push_back(other == label);
-  return is_chosen;
 }
 
 }  // namespace roomatlas::planar

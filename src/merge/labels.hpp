@@ -7,7 +7,8 @@
 
 namespace roomatlas::planar {
 
-/// What a region is. Rooms count from 0 in the order of their ids.
+/// What a region is. Rooms count from 0 in the order of their ids; all else is negative, so that
+/// labels are groups for `PlanarMap::trace`.
 using Label = int;
 constexpr Label kUnknown = -1;
 constexpr Label kWall = -2;
@@ -44,10 +45,11 @@ struct Absorbed {
 /// Gives unknown pockets inside one room that are smaller than `max_area_mm2` to the room.
 void fill_pinholes(const PlanarMap& map, double max_area_mm2, std::vector<Label>& labels);
 
+/// Gives crumbs of wall smaller than `max_area_mm2`, left between a door and uneven floors, to the
+/// room with the longest border.
+void clear_wall_crumbs(const PlanarMap& map, double max_area_mm2, std::vector<Label>& labels);
+
 /// Makes wall of unknown pockets that are narrower than `max_width_mm` in the mean.
 void fill_wall_cavities(const PlanarMap& map, double max_width_mm, std::vector<Label>& labels);
-
-/// The regions of one label, as `PlanarMap::trace` wants them.
-[[nodiscard]] std::vector<bool> chosen(const std::vector<Label>& labels, Label label);
 
 }  // namespace roomatlas::planar

@@ -22,6 +22,7 @@ using planar::RoomOutlines;
 constexpr double kMillimetres = 1000.0;
 constexpr double kSquareMillimetres = 1e6;
 constexpr double kMinDoorWidth_m = 0.01;
+constexpr double kWallCrumb_mm2 = 1e4;  // 10 cm x 10 cm
 
 using Floors = std::vector<std::vector<Polygon>>;  // the parts of each room, millimetres
 
@@ -132,15 +133,19 @@ LabelledPlan labelled(const Floors& floors_mm, const std::vector<Polygon>& openi
   }
   (void)planar::absorb_small_rooms(plan.map, options.min_part_area_m2 * kSquareMillimetres,
                                    plan.labels);
+  planar::clear_wall_crumbs(plan.map, kWallCrumb_mm2, plan.labels);
   planar::fill_wall_cavities(plan.map, thickness_mm, plan.labels);
   return plan;
 }
 
-std::vector<Polygon> traced(const LabelledPlan& plan, const std::vector<bool>& chosen,
-                            const MillimetreGrid& grid) {
-  std::vector<Polygon> polygons = plan.map.trace(chosen);
-  for (Polygon& polygon : polygons) polygon = planar::without_straight_vertices(polygon);
-  return grid.to_metres(polygons);
+std::vector<std::vector<Polygon>> traced(const LabelledPlan& plan, const std::vector<int>& group,
+                                         int groups, const MillimetreGrid& grid) {
+  auto polygons = plan.map.trace(group, groups);
+  for (auto& of_group : polygons) {
+    for (Polygon& polygon : of_group) polygon = planar::without_straight_vertices(polygon);
+    of_group = grid.to_metres(of_group);
+  }
+  return polygons;
 }
 
 PlanRoom room_of(const RoomOutlines& outlines, std::vector<Polygon> parts) {
@@ -169,19 +174,22 @@ FloorPlan merge(const std::vector<PlacedOutline>& outlines, const std::vector<Pl
                         options.wall_thickness_m * kMillimetres, openings_mm);
   const LabelledPlan final_map = labelled(floors_mm, openings_mm, options);
 
-  std::vector<bool> is_free;
+  const int room_count = static_cast<int>(rooms.size());
+  std::vector<int> body;  // of each region: its room, or one more for walls
+  std::vector<int> free;
   for (const Label label : final_map.labels) {
-    is_free.push_back(label >= 0 || label == planar::kDoor);
+    body.push_back(label == planar::kWall ? room_count : std::max(label, -1));
+    free.push_back(label >= 0 || label == planar::kDoor ? 0 : -1);
   }
-  plan.free_space = traced(final_map, is_free, grid);
-  plan.walls = traced(final_map, planar::chosen(final_map.labels, planar::kWall), grid);
+  auto bodies = traced(final_map, body, room_count + 1, grid);
+  plan.walls = std::move(bodies.back());
+  plan.free_space = std::move(traced(final_map, free, 1, grid).front());
   for (std::size_t r = 0; r < rooms.size(); ++r) {
-    auto parts = traced(final_map, planar::chosen(final_map.labels, static_cast<Label>(r)), grid);
-    if (parts.empty()) {
+    if (bodies[r].empty()) {
       plan.issues.push_back({Severity::warning, "", 0, "room " + std::to_string(rooms[r].id),
                              "has no place of its own: not in the plan"});
     } else {
-      plan.rooms.push_back(room_of(rooms[r], std::move(parts)));
+      plan.rooms.push_back(room_of(rooms[r], std::move(bodies[r])));
     }
   }
   return plan;

@@ -153,13 +153,15 @@ void PlanarMap::find_borders() {
   }
 }
 
-std::vector<Polygon> PlanarMap::trace(const std::vector<bool>& chosen) const {
-  std::vector<bool> chosen_triangles(mesh_.triangles.size());
-  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    const int region = region_of_triangle_[t];
-    chosen_triangles[t] = region != kOutside && chosen[static_cast<std::size_t>(region)];
+std::vector<std::vector<Polygon>> PlanarMap::trace(const std::vector<int>& group_of_region,
+                                                   int groups) const {
+  std::vector<int> group_of_triangle;
+  group_of_triangle.reserve(region_of_triangle_.size());
+  for (const int region : region_of_triangle_) {
+    group_of_triangle.push_back(
+        region == kOutside ? -1 : group_of_region[static_cast<std::size_t>(region)]);
   }
-  return trace_boundary(mesh_, chosen_triangles);
+  return trace_boundaries(mesh_, group_of_triangle, groups);
 }
 
 }  // namespace roomatlas::planar

@@ -33,10 +33,12 @@ class PlanarMap {
   /// Each neighbour once, ascending.
   [[nodiscard]] const std::vector<Border>& borders(int region) const { return at(region).borders; }
 
-  /// The chosen regions as polygons: outer rings counter-clockwise, holes clockwise, no ring
-  /// meets itself even in a vertex; largest polygon first. The unbounded region cannot be chosen.
-  /// @param chosen one a region.
-  [[nodiscard]] std::vector<Polygon> trace(const std::vector<bool>& chosen) const;
+  /// The regions of each group as polygons: outer rings counter-clockwise, holes clockwise, no
+  /// ring meets itself even in a vertex; largest polygon first.
+  /// @param group_of_region 0 to `groups` - 1, or -1 for what is left out. The unbounded region
+  ///   always is.
+  [[nodiscard]] std::vector<std::vector<Polygon>> trace(const std::vector<int>& group_of_region,
+                                                        int groups) const;
 
  private:
   struct Region {
@@ -57,8 +59,8 @@ class PlanarMap {
   std::vector<Region> regions_;
 };
 
-/// The boundary of the chosen triangles as polygons; see `PlanarMap::trace`.
-[[nodiscard]] std::vector<Polygon> trace_boundary(const TriangleMesh& mesh,
-                                                  const std::vector<bool>& chosen);
+/// The boundaries of groups of triangles as polygons; see `PlanarMap::trace`.
+[[nodiscard]] std::vector<std::vector<Polygon>> trace_boundaries(
+    const TriangleMesh& mesh, const std::vector<int>& group_of_triangle, int groups);
 
 }  // namespace roomatlas::planar

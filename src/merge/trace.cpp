@@ -16,10 +16,10 @@ using VertexLoop = std::vector<int>;
 
 class Tracer {
  public:
-  Tracer(const TriangleMesh& mesh, const std::vector<bool>& chosen)
-      : mesh_(mesh), chosen_(chosen), is_traced_(mesh.triangles.size() * 3, false) {}
+  Tracer(const TriangleMesh& mesh, const std::vector<int>& group)
+      : mesh_(mesh), group_(group), is_traced_(mesh.triangles.size() * 3, false) {}
 
-  std::vector<Polygon> polygons();
+  std::vector<std::vector<Polygon>> polygons(int groups);
 
  private:
   [[nodiscard]] const Triangle& triangle(std::size_t t) const { return mesh_.triangles[t]; }
@@ -28,7 +28,7 @@ class Tracer {
   }
   [[nodiscard]] bool is_boundary(const EdgeRef& e) const {
     const int beyond = triangle(e.triangle).neighbor[e.edge];
-    return beyond < 0 || !chosen_[static_cast<std::size_t>(beyond)];
+    return beyond < 0 || group_[static_cast<std::size_t>(beyond)] != group_[e.triangle];
   }
   [[nodiscard]] EdgeRef next_boundary_edge(EdgeRef e) const;
   [[nodiscard]] VertexLoop loop_from(EdgeRef first);
@@ -37,11 +37,11 @@ class Tracer {
                                                         std::vector<bool>& seen) const;
 
   const TriangleMesh& mesh_;
-  const std::vector<bool>& chosen_;
+  const std::vector<int>& group_;
   std::vector<bool> is_traced_;  ///< three an edge's triangle
 };
 
-/// The boundary edge that follows: turn about the end of `e`, through chosen triangles only.
+/// The boundary edge that follows: turn about the end of `e`, through triangles of its group only.
 EdgeRef Tracer::next_boundary_edge(EdgeRef e) const {
   EdgeRef next{e.triangle, (e.edge + 1) % 3};
   while (!is_boundary(next)) {
@@ -141,23 +141,28 @@ std::vector<std::size_t> Tracer::component_from(std::size_t seed, std::vector<bo
   return component;
 }
 
-std::vector<Polygon> Tracer::polygons() {
-  std::vector<Polygon> found;
+std::vector<std::vector<Polygon>> Tracer::polygons(int groups) {
+  std::vector<std::vector<Polygon>> found(static_cast<std::size_t>(groups));
   std::vector<bool> seen(mesh_.triangles.size(), false);
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    if (!chosen_[t] || seen[t]) continue;
+    if (group_[t] < 0 || seen[t]) continue;
     Polygon polygon = polygon_of(component_from(t, seen));
-    if (!polygon.outer.empty()) found.push_back(std::move(polygon));
+    if (polygon.outer.empty()) continue;
+    found[static_cast<std::size_t>(group_[t])].push_back(std::move(polygon));
   }
-  std::sort(found.begin(), found.end(),
-            [](const Polygon& a, const Polygon& b) { return is_larger(a.outer, b.outer); });
+  for (auto& polygons : found) {
+    std::sort(polygons.begin(), polygons.end(),
+              [](const Polygon& a, const Polygon& b) { return is_larger(a.outer, b.outer); });
+  }
   return found;
 }
 
 }  // namespace
 
-std::vector<Polygon> trace_boundary(const TriangleMesh& mesh, const std::vector<bool>& chosen) {
-  return Tracer(mesh, chosen).polygons();
+std::vector<std::vector<Polygon>> trace_boundaries(const TriangleMesh& mesh,
+                                                   const std::vector<int>& group_of_triangle,
+                                                   int groups) {
+  return Tracer(mesh, group_of_triangle).polygons(groups);
 }
 
 }  // namespace roomatlas::planar

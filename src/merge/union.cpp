@@ -33,11 +33,11 @@ Gridded gridded(const std::vector<Polygon>& first, const std::vector<Polygon>& s
 std::vector<Polygon> union_of(const std::vector<Polygon>& polygons) {
   const Gridded all = gridded(polygons, {});
   const planar::PlanarMap map(all.shapes_mm);
-  std::vector<bool> is_covered;
+  std::vector<int> group;
   for (int region = 0; region < map.region_count(); ++region) {
-    is_covered.push_back(!map.covering(region).empty());
+    group.push_back(map.covering(region).empty() ? -1 : 0);
   }
-  std::vector<Polygon> united_mm = map.trace(is_covered);
+  std::vector<Polygon> united_mm = map.trace(group, 1).front();
   for (Polygon& polygon : united_mm) polygon = planar::without_straight_vertices(polygon);
   return all.grid.to_metres(united_mm);
 }
