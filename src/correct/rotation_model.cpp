@@ -103,12 +103,13 @@ ModelResult solve_rotation_only(const Measurements& measurements, const State& s
     if (measurements.is_fixed[i]) problem.SetParameterBlockConstant(&headings[i]);
   }
 
+  // Values change in place: Ceres knows the parameters by their addresses.
   const std::vector<double> at_start = headings;
-  headings = headings_of(measurements.odom_from_asr);
+  std::ranges::copy(headings_of(measurements.odom_from_asr), headings.begin());
   for (ReportedFactor& factor : factors) {
     factor.report.chi_square_before = chi_square(problem, factor);
   }
-  headings = at_start;
+  std::ranges::copy(at_start, headings.begin());
 
   ModelResult result;
   solve(problem, factors, options, result);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <ceres/loss_function.h>
 
+#include <algorithm>
 #include <array>
 
 #include "factors.hpp"
@@ -59,12 +60,13 @@ ModelResult solve_se2(const Measurements& measurements, const State& start,
     if (measurements.is_fixed[i]) problem.SetParameterBlockConstant(poses[i].data());
   }
 
+  // Values change in place: Ceres knows the parameters by their addresses.
   const std::vector<PoseBlock> at_start = poses;
-  poses = blocks_of(measurements.odom_from_asr);
+  std::ranges::copy(blocks_of(measurements.odom_from_asr), poses.begin());
   for (ReportedFactor& factor : factors) {
     factor.report.chi_square_before = chi_square(problem, factor);
   }
-  poses = at_start;
+  std::ranges::copy(at_start, poses.begin());
 
   ModelResult result;
   solve(problem, factors, options, result);
