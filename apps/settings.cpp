@@ -116,6 +116,8 @@ void add_correction(CLI::App& app, AssembleOptions& assemble) {
                                                       {"rotation", CorrectionModel::rotation_only}});
   stage.flag("wall-directions", correct.use_wall_directions,
              "rectilinear rooms follow the building's direction");
+  stage.flag("heading-bias", correct.use_heading_bias,
+             "estimate the drift of odometry's heading from the walls, and take it out");
   stage.add("odometry-position", correct.odometry_position_m, "m; sigma of a pivot", 1e-4, 10.0);
   stage.add("odometry-position-rate", correct.odometry_position_m_per_m,
             "m per metre driven; sigma of a pivot", 0.0, 1.0);

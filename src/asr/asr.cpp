@@ -14,11 +14,13 @@ double path_length_m(const Asr& asr) {
   return sum;
 }
 
-double turned_rad(const Asr& asr) {
-  double sum = 0.0;
+Turning turning(const Asr& asr) {
+  Turning sum;
   for (std::size_t i = 1; i < asr.path.size(); ++i) {
-    sum += std::abs(wrap_angle(asr.path[i].asr_from_robot.theta_rad -
-                               asr.path[i - 1].asr_from_robot.theta_rad));
+    const double turn = wrap_angle(asr.path[i].asr_from_robot.theta_rad -
+                                   asr.path[i - 1].asr_from_robot.theta_rad);
+    sum.absolute_rad += std::abs(turn);
+    sum.signed_rad += turn;
   }
   return sum;
 }

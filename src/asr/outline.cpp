@@ -13,7 +13,8 @@ namespace roomatlas {
 namespace {
 
 constexpr int kCloseCells = 2;       // gaps between neighbouring beams
-constexpr int kOpenCells = 1;        // slits where a single ray slipped through
+constexpr double kHalfPassageM = 0.5;  // what is seen through narrower gaps is another room
+constexpr double kRegrowM = 0.25;      // gives corners back that the opening rounds off
 constexpr double kBeyondDepthM = 0.8;  // how far the path's footprint reaches over a door line
 constexpr double kJambReachM = 0.35;   // an outline point this near a jamb becomes the jamb
 
@@ -30,30 +31,55 @@ bool is_beyond_any(const std::vector<Exit>& exits, const Point2& point_asr) {
   });
 }
 
-CellMask free_region(const CellMap& cleaned, const std::vector<PathSample>& path,
-                     const std::vector<Exit>& exits, const RoomMapOptions& options) {
+/// Free cells of this side of the doors: empty or path, small gaps between beams closed.
+CellMask free_cells(const CellMap& cleaned, const std::vector<Exit>& exits) {
   CellMask free(cleaned.box);
-  CellMask wall(cleaned.box);
   for_each_cell(cleaned.box, [&](const Cell& cell) {
     const CellState state = cleaned.at(cell);
-    const bool is_free = state == CellState::empty || state == CellState::robot_path;
-    free.set(cell, is_free && !is_beyond_any(exits, cleaned.frame.center_of(cell)));
-    wall.set(cell, state == CellState::occupied);
+    free.set(cell, state == CellState::empty || state == CellState::robot_path);
   });
   CellMask closed = eroded(dilated(free, kCloseCells), kCloseCells);
   for_each_cell(closed.box, [&](const Cell& cell) {
-    if (wall.at(cell) || is_beyond_any(exits, cleaned.frame.center_of(cell))) {
+    if (cleaned.at(cell) == CellState::occupied ||
+        is_beyond_any(exits, cleaned.frame.center_of(cell))) {
       closed.set(cell, false);
     }
   });
-  const CellMask opened = dilated(eroded(closed, kOpenCells), kOpenCells);
+  return closed;
+}
+
+CellMask both(CellMask first, const CellMask& second) {
+  for (std::size_t i = 0; i < first.bits.size(); ++i) first.bits[i] &= second.bits[i];
+  return first;
+}
+
+CellMask either(CellMask first, const CellMask& second) {
+  for (std::size_t i = 0; i < first.bits.size(); ++i) first.bits[i] |= second.bits[i];
+  return first;
+}
+
+/// The free space that the path is in. Space that only opens up behind a gap narrower than a
+/// passage was seen from here, but belongs to a room that the robot did not enter here.
+CellMask free_region(const CellMap& cleaned, const std::vector<PathSample>& path,
+                     const std::vector<Exit>& exits, const RoomMapOptions& options) {
+  const CellMask free = free_cells(cleaned, exits);
+  const auto cells = [&](double length_m) {
+    return static_cast<int>(std::lround(length_m / options.cell_m));
+  };
+  CellMask on_path(cleaned.box);
   std::vector<Cell> seeds;
   for (const PathSample& sample : path) {
     seeds.push_back(cleaned.frame.cell_of(sample.asr_from_robot.position()));
+    on_path.set(seeds.back(), true);
   }
+  const int half = cells(kHalfPassageM);
+  const CellMask wide = both(dilated(eroded(free, half), half), free);
+  const CellMask around_path = both(dilated(on_path, half), free);
+  const CellMask region = connected_to(either(wide, around_path), seeds);
+  const CellMask regrown = both(dilated(region, cells(kRegrowM)), free);
   const auto hole_cells =
       static_cast<std::int64_t>(options.min_hole_m2 / (options.cell_m * options.cell_m));
-  return holes_filled(connected_to(opened, seeds), hole_cells);
+  return holes_filled(connected_to(regrown, seeds), hole_cells);
 }
 
 /// The wall point nearest to a boundary's outer cell, if a wall stands within two cells.

@@ -16,6 +16,8 @@ Measurements measurements_of(const std::vector<Asr>& asrs, const RoomGraph& grap
     measurements.walls.push_back(options.use_wall_directions
                                      ? wall_direction(asr.walls, options.walls)
                                      : std::nullopt);
+    measurements.path_length_m.push_back(path_length_m(asr));
+    measurements.turning.push_back(turning(asr));
   }
   measurements.component = components_of(graph);
   int components = 0;
@@ -28,6 +30,7 @@ Measurements measurements_of(const std::vector<Asr>& asrs, const RoomGraph& grap
         edge.source == EdgeSource::driven ? measurements.driven : measurements.recognised;
     edges.push_back({index_of.at(edge.from), index_of.at(edge.to), edge});
   }
+  if (options.use_heading_bias) remove_bias(measurements, estimate_heading_bias(measurements));
   return measurements;
 }
 
@@ -38,7 +41,7 @@ HeadingAndPosition sigmas_of(const PassageEdge& edge, const CorrectOptions& opti
   const double heading_rad =
       std::hypot(radians(options.odometry_heading_deg),
                  radians(options.odometry_heading_deg_per_m) * edge.path_length_m,
-                 options.odometry_heading_per_turn * edge.turned_rad);
+                 options.odometry_heading_per_turn * edge.turning.absolute_rad);
   return {heading_rad, options.odometry_position_m +
                            options.odometry_position_m_per_m * edge.path_length_m};
 }

@@ -72,7 +72,7 @@ std::vector<PassageEdge> recognise_doorways(const std::vector<Asr>& asrs,
     const bool is_same_way = std::abs(turn) < kPi / 2.0;
     found.push_back({crossings[*best].to, crossings[later].to,
                      {0.0, 0.0, is_same_way ? 0.0 : wrap_angle(kPi)}, PassageKind::doorway,
-                     EdgeSource::recognised, 0.0, 0.0});
+                     EdgeSource::recognised, 0.0, {}});
   }
   return found;
 }

@@ -101,6 +101,9 @@ Correction summary_of(Row& row) {
   correction.initial_cost = row.real();
   correction.final_cost = row.real();
   correction.iterations = static_cast<int>(row.integer());
+  correction.odometry_bias.rad_per_m = row.real();
+  correction.odometry_bias.rad_per_rad = row.real();
+  correction.odometry_bias.pairs = static_cast<int>(row.integer());
   return correction;
 }
 
@@ -115,8 +118,8 @@ Correction GeoPackageStore::correction() const {
   return state_->reading([&](Database& db) {
     const std::vector<Correction> summaries =
         all(db,
-            "SELECT converged, model, message, initial_cost, final_cost, iterations "
-            "FROM assembly",
+            "SELECT converged, model, message, initial_cost, final_cost, iterations, "
+            "heading_bias_rad_per_m, heading_bias_rad_per_rad, heading_bias_pairs FROM assembly",
             summary_of);
     if (summaries.empty()) throw_not_assembled(state_->file);
     Correction correction = summaries.front();

@@ -167,7 +167,10 @@ CREATE TABLE assembly (
   message TEXT NOT NULL,
   initial_cost REAL,
   final_cost REAL,
-  iterations INTEGER NOT NULL);
+  iterations INTEGER NOT NULL,
+  heading_bias_rad_per_m REAL NOT NULL,
+  heading_bias_rad_per_rad REAL NOT NULL,
+  heading_bias_pairs INTEGER NOT NULL);
 
 CREATE TABLE corrections (
   asr INTEGER PRIMARY KEY,

@@ -139,6 +139,10 @@ Json json_of(const Correction& correction) {
           {"initial_cost", finite(correction.initial_cost)},
           {"final_cost", finite(correction.final_cost)},
           {"iterations", correction.iterations},
+          {"odometry_bias",
+           {{"heading_deg_per_m", degrees(correction.odometry_bias.rad_per_m)},
+            {"heading_per_turn", correction.odometry_bias.rad_per_rad},
+            {"pairs", correction.odometry_bias.pairs}}},
           {"asrs", asrs},
           {"factors", factors}};
 }

@@ -36,7 +36,7 @@ RoomGraph graph_of(const AsrSource& source, const Correction& correction) {
     }
     add_edge(graph, {factor.from, factor.to,
                      inverse(placement.at(factor.from)) * placement.at(factor.to),
-                     PassageKind::doorway, EdgeSource::recognised, 0.0, 0.0});
+                     PassageKind::doorway, EdgeSource::recognised, 0.0, {}});
   }
   return graph;
 }

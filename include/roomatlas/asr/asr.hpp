@@ -79,7 +79,12 @@ struct Asr {
 
 /// Length of the path inside the ASR, in metres; 0 when the path was not loaded.
 [[nodiscard]] double path_length_m(const Asr& asr);
-/// Sum of the absolute turns along the path inside the ASR, in radians.
-[[nodiscard]] double turned_rad(const Asr& asr);
+
+/// How much the robot turned along the path inside an ASR.
+struct Turning {
+  double absolute_rad = 0.0;  ///< left and right add up
+  double signed_rad = 0.0;    ///< left less right
+};
+[[nodiscard]] Turning turning(const Asr& asr);
 
 }  // namespace roomatlas

@@ -17,6 +17,7 @@ struct CorrectOptions {
   CorrectionModel model = CorrectionModel::se2;
   bool use_wall_directions = true;  ///< off for buildings without right angles
   WallDirectionOptions walls;
+  bool use_heading_bias = true;  ///< estimate odometry's drift from the walls, and take it out
 
   double odometry_position_m = 0.03;         ///< of a pivot, however short the way to it ...
   double odometry_position_m_per_m = 0.02;   ///< ... plus this for each metre driven in the ASR

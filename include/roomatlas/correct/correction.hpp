@@ -37,6 +37,13 @@ struct AsrCorrection {
   double turned_rad = 0.0;         ///< [-pi, pi)
 };
 
+/// Systematic errors of the odometry's heading, as the mission itself shows them.
+struct HeadingBias {
+  double rad_per_m = 0.0;    ///< drift a metre driven; positive turns the path left
+  double rad_per_rad = 0.0;  ///< share by which turns are reported too large
+  int pairs = 0;             ///< of consecutive ASRs that it was estimated from; 0: not estimated
+};
+
 /// The result of the offline correction, fit to be judged. Starts in a state that cannot pass
 /// for success.
 struct Correction {
@@ -46,6 +53,7 @@ struct Correction {
   double initial_cost = -1.0;
   double final_cost = -1.0;
   int iterations = 0;
+  HeadingBias odometry_bias;
   std::vector<AsrCorrection> asrs;     ///< ascending by ASR
   std::vector<FactorReport> factors;   ///< in the order in which they were added
 };

@@ -32,7 +32,7 @@ struct PassageEdge {
   PassageKind kind = PassageKind::doorway;
   EdgeSource source = EdgeSource::driven;
   double path_length_m = 0.0;  ///< driven inside `from`; 0 for a recognised edge
-  double turned_rad = 0.0;     ///< sum of absolute turns inside `from`; 0 for a recognised edge
+  Turning turning;             ///< inside `from`; none for a recognised edge
 };
 
 /// Paper Fig. 8: rooms as vertices, passages as edges. Vertex i is the i-th ASR, ascending by id.
