@@ -133,6 +133,8 @@ void add_correction(CLI::App& app, AssembleOptions& assemble) {
   stage.add("doorway-heading", correct.doorway_heading_deg, "deg; sigma of a doorway seen twice",
             0.01, 90.0);
   stage.add("wall-heading", correct.wall_heading_deg, "deg; sigma of a room's walls", 0.01, 45.0);
+  stage.add("wall-heading-length", correct.wall_heading_deg_m,
+            "deg m; over the length of the walls, added to it", 0.0, 1000.0);
   stage.add("wall-gate", correct.wall_gate_deg,
             "deg; walls farther off follow no common direction", 0.0, 45.0);
   stage.add("robust-sigmas", correct.robust_sigmas,

@@ -30,7 +30,9 @@ Measurements measurements_of(const std::vector<Asr>& asrs, const RoomGraph& grap
         edge.source == EdgeSource::driven ? measurements.driven : measurements.recognised;
     edges.push_back({index_of.at(edge.from), index_of.at(edge.to), edge});
   }
-  if (options.use_heading_bias) remove_bias(measurements, estimate_heading_bias(measurements));
+  if (options.use_heading_bias) {
+    remove_bias(measurements, estimate_heading_bias(measurements, options));
+  }
   return measurements;
 }
 
@@ -58,34 +60,34 @@ std::optional<double> wall_offset(const Measurements& measurements, const State&
   return wall - (apart - left_over);
 }
 
+double wall_sigma_rad(const WallDirection& wall, const CorrectOptions& options) {
+  return radians(std::hypot(options.wall_heading_deg, options.wall_heading_deg_m / wall.aligned_m));
+}
+
 State initial_guess(const Measurements& measurements, const CorrectOptions& options) {
-  const std::size_t count = measurements.ids.size();
-  std::vector<const Measurements::Edge*> driven_into(count, nullptr);
+  std::vector<const Measurements::Edge*> driven_into(measurements.ids.size(), nullptr);
   for (const Measurements::Edge& edge : measurements.driven) driven_into[edge.to] = &edge;
+  const std::vector<double> turn =
+      smooth_headings(measurements, {}, options).correction_rad;  // `driven` has no bias any more
 
   State state{measurements.odom_from_asr, {}};
-  std::vector<bool> has_direction;
-  for (std::size_t i = 0; i < count; ++i) {
+  std::vector<Point2> direction_votes;  // of each component, at four times the angle
+  for (std::size_t i = 0; i < state.building_from_asr.size(); ++i) {
     const auto component = static_cast<std::size_t>(measurements.component[i]);
-    if (component >= state.direction_rad.size()) {
-      state.direction_rad.resize(component + 1, 0.0);
-      has_direction.resize(component + 1, false);
-    }
+    if (component >= direction_votes.size()) direction_votes.resize(component + 1, {0.0, 0.0});
     Pose2& pose = state.building_from_asr[i];
     if (driven_into[i] != nullptr && driven_into[i]->from < i) {
-      pose = state.building_from_asr[driven_into[i]->from] * driven_into[i]->measured.from_from_to;
+      const std::size_t from = driven_into[i]->from;
+      pose = state.building_from_asr[from] * driven_into[i]->measured.from_from_to;
+      pose.theta_rad = wrap_angle(pose.theta_rad + turn[i] - turn[from]);
     }
     if (!measurements.walls[i]) continue;
-    const double wall_rad = pose.theta_rad + measurements.walls[i]->angle_rad;
-    if (!has_direction[component]) {
-      state.direction_rad[component] = wrap_quarter(wall_rad);
-      has_direction[component] = true;
-      continue;
-    }
-    const double off = wrap_quarter(wall_rad - state.direction_rad[component]);
-    if (!measurements.is_fixed[i] && std::abs(off) <= radians(options.wall_gate_deg)) {
-      pose.theta_rad = wrap_angle(pose.theta_rad - off);
-    }
+    const WallDirection& wall = *measurements.walls[i];
+    direction_votes[component] +=
+        wall.aligned_m * direction(4.0 * (pose.theta_rad + wall.angle_rad));
+  }
+  for (const Point2& votes : direction_votes) {
+    state.direction_rad.push_back(std::atan2(votes.y(), votes.x()) / 4.0);
   }
   return state;
 }

@@ -29,10 +29,24 @@ struct Measurements {
   HeadingBias bias;  ///< of `odom_from_asr`; `driven` is already without it
 };
 
-/// The heading bias that best explains how the walls' direction turns from one ASR to the next,
-/// modulo 90 degrees: the one with most votes over a grid of 3.5 deg/m and 6 % of the turn.
-/// None for fewer than eight pairs of rectilinear ASRs. Local: needs no poses, cannot slip.
-[[nodiscard]] HeadingBias estimate_heading_bias(const Measurements& measurements);
+/// What the walls say of the odometry's heading, see `smooth_headings`.
+struct SmoothedHeadings {
+  std::vector<double> correction_rad;  ///< to add to odometry's heading of each ASR
+  double log_evidence = 0.0;           ///< of the walls' directions, given the bias
+};
+
+/// The heading correction of each ASR along the mission, from the directions of the rooms' walls,
+/// which are known modulo 90 degrees: the posterior mean of a hidden Markov model with a state a
+/// degree, forward and backward, unwrapped along the mission. Each component starts at 0; without
+/// any walls all corrections are 0. A wall direction may be wrong (30 % uniform).
+[[nodiscard]] SmoothedHeadings smooth_headings(const Measurements& measurements,
+                                               const HeadingBias& bias,
+                                               const CorrectOptions& options);
+
+/// The heading bias with the greatest evidence, over a grid of 3.5 deg/m and 6 % of the turn, with
+/// a weak prior at none. None for fewer than eight rectilinear ASRs.
+[[nodiscard]] HeadingBias estimate_heading_bias(const Measurements& measurements,
+                                                const CorrectOptions& options);
 
 /// Takes a heading bias out of the driven edges. An ASR whose path was bent by the bias is placed
 /// by its walls, whose direction it turned by half of what it turned the end of the path.
@@ -47,8 +61,8 @@ struct State {
   std::vector<double> direction_rad;
 };
 
-/// Where to start: odometry from one ASR to the next, each turned into the building's direction
-/// where its walls tell and the turn is within the gate. Without walls this is odometry.
+/// Where to start: odometry from one ASR to the next, each turned as the smoothed headings say.
+/// Without walls this is odometry.
 [[nodiscard]] State initial_guess(const Measurements& measurements, const CorrectOptions& options);
 
 /// The angle to add to an ASR's heading to compare it with the building's direction: its walls'
@@ -57,6 +71,9 @@ struct State {
 [[nodiscard]] std::optional<double> wall_offset(const Measurements& measurements,
                                                 const State& state, std::size_t index,
                                                 const CorrectOptions& options);
+
+/// Standard deviation of a wall direction: long walls tell it well.
+[[nodiscard]] double wall_sigma_rad(const WallDirection& wall, const CorrectOptions& options);
 
 struct HeadingAndPosition {
   double heading_rad = 0.0;

@@ -92,7 +92,7 @@ ModelResult solve_rotation_only(const Measurements& measurements, const State& s
     if (!offset) continue;
     const auto component = static_cast<std::size_t>(measurements.component[i]);
     const auto block = problem.AddResidualBlock(
-        new WallDirectionFactor<1>(*offset, radians(options.wall_heading_deg)), robust(),
+        new WallDirectionFactor<1>(*offset, wall_sigma_rad(*measurements.walls[i], options)), robust(),
         &headings[i], &directions[component]);
     FactorReport report;
     report.kind = FactorKind::wall_direction;

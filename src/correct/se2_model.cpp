@@ -49,7 +49,7 @@ ModelResult solve_se2(const Measurements& measurements, const State& start,
     if (!offset) continue;
     const auto component = static_cast<std::size_t>(measurements.component[i]);
     const auto block = problem.AddResidualBlock(
-        new WallDirectionFactor<3>(*offset, radians(options.wall_heading_deg)),
+        new WallDirectionFactor<3>(*offset, wall_sigma_rad(*measurements.walls[i], options)),
         new ceres::CauchyLoss(options.robust_sigmas), poses[i].data(), &directions[component]);
     FactorReport report;
     report.kind = FactorKind::wall_direction;

@@ -74,7 +74,7 @@ std::optional<WallDirection> wall_direction(const std::vector<WallPolyline>& wal
   if (share < options.min_aligned_share) return std::nullopt;
   double angle = wrap_quarter(best_angle);
   if (angle < 0.0) angle += kPi / 2.0;
-  return WallDirection{angle >= kPi / 2.0 ? 0.0 : angle, share};
+  return WallDirection{angle >= kPi / 2.0 ? 0.0 : angle, share, best.length_m};
 }
 
 }  // namespace roomatlas

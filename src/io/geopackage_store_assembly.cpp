@@ -132,7 +132,7 @@ void GeoPackageStore::put_assembly(const Correction& correction, const FloorPlan
     db.run("INSERT INTO assembly VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", plan.title, correction.converged,
            correction.model, correction.message, correction.initial_cost, correction.final_cost,
            correction.iterations, correction.odometry_bias.rad_per_m,
-           correction.odometry_bias.rad_per_rad, correction.odometry_bias.pairs);
+           correction.odometry_bias.rad_per_rad, correction.odometry_bias.asrs);
     write_correction(db, correction);
     write_plan(db, plan);
     write_path(db, correction.asrs);

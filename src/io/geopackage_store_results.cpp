@@ -103,7 +103,7 @@ Correction summary_of(Row& row) {
   correction.iterations = static_cast<int>(row.integer());
   correction.odometry_bias.rad_per_m = row.real();
   correction.odometry_bias.rad_per_rad = row.real();
-  correction.odometry_bias.pairs = static_cast<int>(row.integer());
+  correction.odometry_bias.asrs = static_cast<int>(row.integer());
   return correction;
 }
 
@@ -119,7 +119,7 @@ Correction GeoPackageStore::correction() const {
     const std::vector<Correction> summaries =
         all(db,
             "SELECT converged, model, message, initial_cost, final_cost, iterations, "
-            "heading_bias_rad_per_m, heading_bias_rad_per_rad, heading_bias_pairs FROM assembly",
+            "heading_bias_rad_per_m, heading_bias_rad_per_rad, heading_bias_asrs FROM assembly",
             summary_of);
     if (summaries.empty()) throw_not_assembled(state_->file);
     Correction correction = summaries.front();

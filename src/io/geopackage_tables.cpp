@@ -170,7 +170,7 @@ CREATE TABLE assembly (
   iterations INTEGER NOT NULL,
   heading_bias_rad_per_m REAL NOT NULL,
   heading_bias_rad_per_rad REAL NOT NULL,
-  heading_bias_pairs INTEGER NOT NULL);
+  heading_bias_asrs INTEGER NOT NULL);
 
 CREATE TABLE corrections (
   asr INTEGER PRIMARY KEY,

@@ -142,7 +142,7 @@ Json json_of(const Correction& correction) {
           {"odometry_bias",
            {{"heading_deg_per_m", degrees(correction.odometry_bias.rad_per_m)},
             {"heading_per_turn", correction.odometry_bias.rad_per_rad},
-            {"pairs", correction.odometry_bias.pairs}}},
+            {"asrs", correction.odometry_bias.asrs}}},
           {"asrs", asrs},
           {"factors", factors}};
 }

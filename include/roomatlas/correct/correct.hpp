@@ -26,7 +26,9 @@ struct CorrectOptions {
   double odometry_heading_per_turn = 0.03;   ///< ... and this share of the turns made
   double doorway_position_m = 0.12;          ///< of a doorway seen twice
   double doorway_heading_deg = 8.0;          ///< two jambs a metre apart, each a cell off
-  double wall_heading_deg = 2.0;             ///< of a room's walls against the building's direction
+  double wall_heading_deg = 2.0;             ///< of a room's walls against the building's direction,
+                                             ///< however long they are ...
+  double wall_heading_deg_m = 15.0;          ///< ... with this over their length beside it
   double wall_gate_deg = 25.0;               ///< walls farther off follow no building direction;
                                              ///< at 45 a wing at an angle is bent into the rest
   double robust_sigmas = 2.0;                ///< doorways and walls off by more lose weight (Cauchy)

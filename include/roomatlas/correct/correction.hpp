@@ -41,7 +41,7 @@ struct AsrCorrection {
 struct HeadingBias {
   double rad_per_m = 0.0;    ///< drift a metre driven; positive turns the path left
   double rad_per_rad = 0.0;  ///< share by which turns are reported too large
-  int pairs = 0;             ///< of consecutive ASRs that it was estimated from; 0: not estimated
+  int asrs = 0;              ///< with walls, that it was estimated from; 0: not estimated
 };
 
 /// The result of the offline correction, fit to be judged. Starts in a state that cannot pass

@@ -18,6 +18,7 @@ struct WallDirectionOptions {
 struct WallDirection {
   double angle_rad = 0.0;      ///< in the ASR's frame, [0, pi/2)
   double aligned_share = 0.0;  ///< of the length of wall, (0, 1]
+  double aligned_m = 0.0;      ///< length of wall that follows it
 };
 
 /// The direction that most of a room's walls follow, modulo 90 degrees, weighted by length.
