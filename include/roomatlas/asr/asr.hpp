@@ -77,4 +77,9 @@ struct Asr {
   AsrCounters counters;
 };
 
+/// Length of the path inside the ASR, in metres; 0 when the path was not loaded.
+[[nodiscard]] double path_length_m(const Asr& asr);
+/// Sum of the absolute turns along the path inside the ASR, in radians.
+[[nodiscard]] double turned_rad(const Asr& asr);
+
 }  // namespace roomatlas

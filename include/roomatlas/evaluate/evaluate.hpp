@@ -6,7 +6,7 @@
 #include "roomatlas/merge/floor_plan.hpp"
 
 #include <cstdint>
-#include <string>
+#include <limits>
 #include <vector>
 
 namespace roomatlas {
@@ -23,12 +23,14 @@ struct Relation {
 /// then NaN.
 struct Statistics {
   std::int64_t count = 0;
-  double mean = 0.0;
-  double standard_deviation = 0.0;  ///< of the population (divided by count)
-  double median = 0.0;
-  double maximum = 0.0;
+  double mean = std::numeric_limits<double>::quiet_NaN();
+  double standard_deviation = std::numeric_limits<double>::quiet_NaN();  ///< of the population
+  double median = std::numeric_limits<double>::quiet_NaN();  ///< even count: mean of the middle two
+  double maximum = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// The values' absolute values in short; the order of the values does not matter, to the last
+/// bit. A NaN among them makes everything but the count NaN: a broken measurement shows.
 [[nodiscard]] Statistics statistics(std::vector<double> values);
 
 struct RelationSubset {
@@ -85,10 +87,10 @@ struct PlanErrors {
   double precision = 0.0;  ///< of rooms at the IoU threshold
   double recall = 0.0;
   double f1 = 0.0;
-  double mean_iou = 0.0;   ///< over matched rooms
-  std::vector<RoomMatch> room_matches;  ///< one to one, IoU at or over the threshold
-  std::vector<DoorMatch> door_matches;  ///< one to one, within the gate
-  std::vector<std::int64_t> used_true_doors;  ///< true doors that the true path went through
+  double mean_iou = 0.0;                        ///< over matched rooms
+  std::vector<RoomMatch> room_matches;          ///< one to one, IoU at or over the threshold
+  std::vector<DoorMatch> door_matches;          ///< one to one, within the gate
+  std::vector<std::int64_t> used_true_doors;    ///< true doors that the true path went through
   std::vector<std::int64_t> missed_used_doors;  ///< of those, the ones without a match
 };
 

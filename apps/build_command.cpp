@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "commands.hpp"
+#include "console.hpp"
+#include "evaluation_report.hpp"
+#include "roomatlas/io/formats.hpp"
+#include "roomatlas/io/geopackage_store.hpp"
+#include "roomatlas/io/summary.hpp"
+#include "store_metadata.hpp"
+
+namespace roomatlas::apps {
+namespace {
+
+/// True when an earlier run of `build` left a finished map of this log.
+bool is_mapped_already(const Settings& settings, const Path& log, const Path& store_file) {
+  if (!std::filesystem::exists(store_file)) return false;
+  try {
+    const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
+    return is_made_from(store.metadata(), sha256_of_file(log), settings);
+  } catch (const InputError&) {
+    return false;  // an interrupted or foreign store is mapped anew
+  }
+}
+
+void write_summary(const Path& store_file, const std::optional<Evaluation>& evaluation,
+                   const Path& out) {
+  const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
+  const Correction correction = store.correction();
+  write_file(out / "summary.json", summary_json(store.metadata(), correction, store.plan(),
+                                                graph_of(store, correction), evaluation));
+}
+
+}  // namespace
+
+void build(const Settings& settings, const Path& log, const Path& out,
+           const std::vector<Path>& truth) {
+  (void)open_mission(log, settings.mission);  // an unreadable log leaves no folder behind
+  std::filesystem::create_directories(out);
+  const Path store = out / "building.gpkg";
+  if (is_mapped_already(settings, log, store)) {
+    spdlog::info("{} holds this mission already; assembling it again", store.string());
+  } else {
+    map(settings, log, store);
+  }
+  assemble(settings, store);
+  export_all(settings, store, {"svg", "png", "geojson", "tum", "dot"}, out);
+  const std::optional<Evaluation> evaluation = evaluation_of(store, truth);
+  write_summary(store, evaluation, out);
+  if (settings.json) {
+    fmt::print("{}", evaluation ? to_json(*evaluation) : "{}\n");
+  } else if (evaluation) {
+    print(*evaluation);
+  }
+  spdlog::info("the plan is {}", (out / "plan.svg").string());
+}
+
+}  // namespace roomatlas::apps

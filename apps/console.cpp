@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "console.hpp"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+
+namespace roomatlas::apps {
+namespace {
+
+volatile std::sig_atomic_t stop_requested = 0;  // a signal handler can reach nothing else
+
+}  // namespace
+
+void set_up_console(const Settings& settings) {
+  auto logger = spdlog::stderr_color_st("roomatlas");
+  logger->set_pattern("%^%l%$: %v");
+  logger->set_level(settings.quiet     ? spdlog::level::err
+                    : settings.verbose ? spdlog::level::debug
+                                       : spdlog::level::info);
+  spdlog::set_default_logger(logger);
+  std::signal(SIGINT, [](int) { stop_requested = 1; });
+  std::signal(SIGTERM, [](int) { stop_requested = 1; });
+}
+
+Progress console_progress(const Settings& settings) {
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  return [=, last = std::string()](const std::string& stage, double done) mutable {
+    if (settings.quiet) return stop_requested == 0;
+    if (terminal) {
+      const int percent = static_cast<int>(100.0 * std::clamp(done, 0.0, 1.0));
+      std::fprintf(stderr, "\r\033[K%s %d %%\r", stage.c_str(), percent);
+    } else if (stage != last) {
+      std::fprintf(stderr, "%s ...\n", stage.c_str());
+    }
+    last = stage;
+    return stop_requested == 0;
+  };
+}
+
+void show(const Issues& issues, std::int64_t not_listed, std::size_t limit) {
+  for (std::size_t i = 0; i < std::min(limit, issues.size()); ++i) {
+    switch (issues[i].severity) {
+      case Severity::note: spdlog::info("{}", to_string(issues[i])); break;
+      case Severity::warning: spdlog::warn("{}", to_string(issues[i])); break;
+      case Severity::error: spdlog::error("{}", to_string(issues[i])); break;
+    }
+  }
+  const auto more = static_cast<std::int64_t>(issues.size() - std::min(limit, issues.size())) +
+                    not_listed;
+  if (more > 0) spdlog::warn("{} more of these (--json lists them)", more);
+}
+
+}  // namespace roomatlas::apps

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "roomatlas/core/issue.hpp"
+#include "settings.hpp"
+
+namespace roomatlas::apps {
+
+/// Sends messages to stderr as the settings ask, and catches Ctrl-C for `progress`.
+void set_up_console(const Settings& settings);
+
+/// Progress on stderr: one line that is overwritten on a terminal, one line a stage elsewhere,
+/// none with --quiet. Says stop after Ctrl-C.
+[[nodiscard]] Progress console_progress(const Settings& settings);
+
+/// Shows issues as warnings, the first `limit` of them, and how many more there are.
+void show(const Issues& issues, std::int64_t not_listed = 0, std::size_t limit = 10);
+
+}  // namespace roomatlas::apps

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluation_report.hpp"
+
+#include <fmt/format.h>
+
+#include "console.hpp"
+
+namespace roomatlas::apps {
+namespace {
+
+void print_row(const char* subject, const char* when, const char* unit, const Statistics& errors) {
+  if (errors.count == 0) return;
+  fmt::print("  {:<20} {:<8} {:>6}  mean {:>8.3f} {:<3}  std {:>8.3f}  median {:>8.3f}  max {:>8.3f}\n",
+             subject, when, errors.count, errors.mean, unit, errors.standard_deviation,
+             errors.median, errors.maximum);
+}
+
+void print_subset(const char* subject, const RelationSubset& before, const RelationSubset& after) {
+  const std::string of(subject);
+  print_row((of + " translation").c_str(), "odometry", "m", before.translation_m);
+  print_row((of + " translation").c_str(), "corrected", "m", after.translation_m);
+  print_row((of + " rotation").c_str(), "odometry", "deg", before.rotation_deg);
+  print_row((of + " rotation").c_str(), "corrected", "deg", after.rotation_deg);
+}
+
+void print(const RelationsBeforeAfter& relations) {
+  fmt::print("relations: {} of {} matched\n", relations.after.matched, relations.after.relations);
+  print_subset("all", relations.before.all, relations.after.all);
+  print_subset("local", relations.before.local, relations.after.local);
+  print_subset("loop", relations.before.loop, relations.after.loop);
+  show(relations.after.issues);
+}
+
+void print(const TruePosesBeforeAfter& poses) {
+  fmt::print("true poses: {} of {} matched, aligned at the first\n", poses.after.matched,
+             poses.after.poses);
+  print_row("position", "odometry", "m", poses.before.position_m);
+  print_row("position", "corrected", "m", poses.after.position_m);
+  print_row("heading", "odometry", "deg", poses.before.heading_deg);
+  print_row("heading", "corrected", "deg", poses.after.heading_deg);
+}
+
+void print(const PlanErrors& plan) {
+  fmt::print("rooms: {} found, {} true; precision {:.2f}, recall {:.2f}, F1 {:.2f} at IoU 0.5; "
+             "mean IoU {:.2f}\n",
+             plan.rooms, plan.true_rooms, plan.precision, plan.recall, plan.f1, plan.mean_iou);
+  fmt::print("doors: {} matched within 0.5 m; {} of {} that the robot used were found\n",
+             plan.door_matches.size(),
+             plan.used_true_doors.size() - plan.missed_used_doors.size(),
+             plan.used_true_doors.size());
+  for (const DoorMatch& match : plan.door_matches) {
+    fmt::print("  door {:>3} is true door {:>3}, {:.2f} m apart\n", match.door, match.true_door,
+               match.distance_m);
+  }
+}
+
+}  // namespace
+
+void print(const Evaluation& evaluation) {
+  if (evaluation.relations) print(*evaluation.relations);
+  if (evaluation.true_poses) print(*evaluation.true_poses);
+  if (evaluation.plan) print(*evaluation.plan);
+  show(evaluation.issues);
+}
+
+}  // namespace roomatlas::apps

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <functional>
+#include <map>
+
+#include "commands.hpp"
+#include "roomatlas/io/formats.hpp"
+#include "roomatlas/io/geopackage_store.hpp"
+#include "roomatlas/io/summary.hpp"
+#include "store_metadata.hpp"
+
+namespace roomatlas::apps {
+namespace {
+
+/// What the exports draw from, read once.
+struct Exported {
+  Metadata metadata;
+  Correction correction;
+  FloorPlan plan;
+  PlacedMission placed;
+  RoomGraph graph;
+};
+
+Exported read(const Path& store_file) {
+  const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
+  if (!store.has_assembly()) {
+    throw NotEnoughError(store_file.string() +
+                         ": not assembled yet: run `roomatlas assemble` on it first");
+  }
+  Exported exported{store.metadata(), store.correction(), store.plan(), {}, {}};
+  exported.placed = place(store, exported.correction);
+  exported.graph = graph_of(store, exported.correction);
+  return exported;
+}
+
+std::string plan_svg(const Exported& from, const Settings& settings) {
+  PlanAnnotations annotations;
+  annotations.mission = from.plan.title;
+  annotations.date = date_of(from.metadata);
+  annotations.path_length_m = path_length_of(from.metadata);
+  for (const StampedPose& pose : from.placed.corrected) {
+    annotations.trajectory.push_back(pose.pose.position());
+  }
+  for (const PlanDoor& door : from.plan.doors) {
+    if (door.room_a && door.room_b) annotations.room_graph.emplace_back(*door.room_a, *door.room_b);
+  }
+  return draw_plan(from.plan, annotations, settings.draw);
+}
+
+std::string before_after_svg(const Exported& from) {
+  Polyline after;
+  for (const StampedPose& pose : from.placed.corrected) after.push_back(pose.pose.position());
+  return draw_before_after({"Odometry alone", from.placed.walls_before, from.placed.path_before},
+                           {"Corrected", from.placed.walls_after, after});
+}
+
+using Exporter = std::function<void(const Exported&, const Settings&, const Path& out)>;
+
+const std::map<std::string, Exporter>& exporters() {
+  static const std::map<std::string, Exporter> table = {
+      {"svg",
+       [](const Exported& from, const Settings& settings, const Path& out) {
+         write_file(out / "plan.svg", plan_svg(from, settings));
+         write_file(out / "before_after.svg", before_after_svg(from));
+       }},
+      {"png",
+       [](const Exported& from, const Settings& settings, const Path& out) {
+         write_png(out / "plan.png", plan_svg(from, settings), settings.png_dpi);
+         write_png(out / "before_after.png", before_after_svg(from), settings.png_dpi);
+       }},
+      {"geojson",
+       [](const Exported& from, const Settings&, const Path& out) {
+         write_file(out / "plan.local.geojson", to_geojson(from.plan));
+       }},
+      {"tum",
+       [](const Exported& from, const Settings&, const Path& out) {
+         write_tum(out / "trajectory_odometry.tum", from.placed.odometry);
+         write_tum(out / "trajectory_corrected.tum", from.placed.corrected);
+       }},
+      {"dot",
+       [](const Exported& from, const Settings&, const Path& out) {
+         write_file(out / "rooms.dot", to_dot(from.graph));
+       }},
+      {"json",
+       [](const Exported& from, const Settings&, const Path& out) {
+         write_file(out / "summary.json",
+                    summary_json(from.metadata, from.correction, from.plan, from.graph, {}));
+       }},
+  };
+  return table;
+}
+
+}  // namespace
+
+std::vector<std::string> export_formats() {
+  std::vector<std::string> names;
+  for (const auto& entry : exporters()) names.push_back(entry.first);
+  return names;
+}
+
+void export_all(const Settings& settings, const Path& store_file,
+                const std::vector<std::string>& formats, const Path& out) {
+  for (const std::string& format : formats) {
+    if (!exporters().contains(format)) {
+      throw UsageError(fmt::format("unknown format {}: expected some of {}", format,
+                                   fmt::join(export_formats(), ",")));
+    }
+  }
+  const Exported from = read(store_file);
+  std::filesystem::create_directories(out);
+  for (const std::string& format : formats) exporters().at(format)(from, settings, out);
+}
+
+}  // namespace roomatlas::apps

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <glog/logging.h>
+#include <spdlog/spdlog.h>
+
+#include "commands.hpp"
+#include "console.hpp"
+
+namespace {
+
+using namespace roomatlas;
+using apps::Path;
+
+enum ExitCode {
+  kOk = 0,
+  kInternal = 1,
+  kUsage = 2,
+  kInput = 3,
+  kNotEnough = 4,
+  kInterrupted = 130,
+};
+
+/// Files and choices of the command in use.
+struct Arguments {
+  Path log;
+  Path store;
+  Path world;
+  Path drive;
+  Path out;
+  std::vector<Path> truth;
+  std::vector<std::string> formats = {"svg", "png", "geojson", "tum", "dot", "json"};
+  bool print_config = false;
+};
+
+CLI::Option* positional(CLI::App* command, const char* name, Path& value, const char* meaning) {
+  return command->add_option(name, value, meaning)->required()->configurable(false);
+}
+
+CLI::Option* output(CLI::App* command, Path& value, const char* meaning) {
+  return command->add_option("-o,--output", value, meaning)->required()->configurable(false);
+}
+
+void add_truth(CLI::App* command, Arguments& arguments) {
+  command
+      ->add_option("--truth", arguments.truth,
+                   "truth to compare with: FILE.relations, FILE.tum or a plan FILE.geojson")
+      ->configurable(false);
+}
+
+/// Each command with its files; what runs is left in `chosen`.
+void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
+                  std::function<void()>& chosen) {
+  const auto command = [&](const char* name, const char* meaning, std::function<void()> run) {
+    CLI::App* sub = app.add_subcommand(name, meaning)->fallthrough()->configurable(false);
+    sub->callback([&chosen, run = std::move(run)] { chosen = run; });
+    sub->footer("Parameters of all stages: `roomatlas --help`, `roomatlas config --print`.");
+    return sub;
+  };
+  CLI::App* info = command("info", "what is in a log", [&] { apps::info(settings, a.log); });
+  positional(info, "LOG", a.log, "mission log");
+
+  CLI::App* build = command("build", "log -> floor plan: everything in order",
+                            [&] { apps::build(settings, a.log, a.out, a.truth); });
+  positional(build, "LOG", a.log, "mission log, plain or gzip");
+  output(build, a.out, "folder for the results");
+  add_truth(build, a);
+
+  CLI::App* map = command("map", "online stage: log -> rooms in a store",
+                          [&] { apps::map(settings, a.log, a.out); });
+  positional(map, "LOG", a.log, "mission log, plain or gzip");
+  output(map, a.out, "store to write, such as building.gpkg");
+
+  CLI::App* assemble = command("assemble", "offline stage: graph, correction, floor plan",
+                               [&] { apps::assemble(settings, a.store); });
+  positional(assemble, "STORE", a.store, "store to complete");
+
+  CLI::App* exported = command("export", "store -> drawings and files", [&] {
+    apps::export_all(settings, a.store, a.formats, a.out);
+  });
+  positional(exported, "STORE", a.store, "assembled store");
+  exported->add_option("-f,--format", a.formats, "formats, separated by commas")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->configurable(false);
+  output(exported, a.out, "folder for the files");
+
+  CLI::App* evaluate = command("evaluate", "errors before and after, against truth",
+                               [&] { apps::evaluate(settings, a.store, a.truth); });
+  positional(evaluate, "STORE", a.store, "assembled store");
+  add_truth(evaluate, a);
+
+  CLI::App* simulate = command("simulate", "drive through a world: log with ground truth",
+                               [&] { apps::simulate(settings, a.world, a.drive, a.out); });
+  positional(simulate, "WORLD", a.world, "plan.local.geojson");
+  simulate->add_option("--drive", a.drive, "way-points of the drive")
+      ->required()
+      ->configurable(false);
+  output(simulate, a.out, "folder for mission.clf, truth.tum and truth.geojson");
+
+  CLI::App* config = command("config", "the parameters as a configuration file (TOML)", [&] {
+    fmt::print("{}", app.config_to_str(true, true));
+  });
+  config->add_flag("--print", a.print_config, "print every parameter with default and meaning")
+      ->configurable(false);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Roomatlas: from a finished robot mission to a building map that a person can read",
+               "roomatlas");
+  apps::Settings settings;
+  Arguments arguments;
+  std::function<void()> chosen;
+  app.set_version_flag("--version", ROOMATLAS_VERSION);
+  app.set_config("--config", "", "read parameters from this file (TOML)")->configurable(false);
+  app.allow_config_extras(false);
+  app.require_subcommand(1);
+  app.add_flag("--json", settings.json, "one JSON object on stdout")->configurable(false);
+  app.add_flag("-q,--quiet", settings.quiet, "errors alone on stderr")->configurable(false);
+  app.add_flag("-v,--verbose", settings.verbose, "more on stderr")->configurable(false);
+  apps::add_parameters(app, settings);
+  add_commands(app, settings, arguments, chosen);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);  // --help and --version
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "error: {}\nrun `roomatlas --help`\n", error.what());
+    return kUsage;
+  }
+  apps::complete(settings, app);
+  apps::set_up_console(settings);
+  chosen();
+  return kOk;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres logs even when asked to be silent
+  google::InitGoogleLogging(argv[0]);
+  const auto fail = [](const std::exception& error, ExitCode code) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return code;
+  };
+  try {
+    return run(argc, argv);
+  } catch (const UsageError& error) {
+    return fail(error, kUsage);
+  } catch (const InputError& error) {
+    return fail(error, kInput);
+  } catch (const NotEnoughError& error) {
+    return fail(error, kNotEnough);
+  } catch (const Interrupted& error) {
+    fmt::print(stderr, "{}: what was mapped is kept; run the same command to start again\n",
+               error.what());
+    return kInterrupted;
+  } catch (const std::exception& error) {
+    return fail(error, kInternal);
+  }
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <spdlog/spdlog.h>
+
+#include <charconv>
+#include <filesystem>
+
+#include "commands.hpp"
+#include "console.hpp"
+#include "roomatlas/io/formats.hpp"
+#include "roomatlas/io/geopackage_store.hpp"
+#include "roomatlas/io/summary.hpp"
+#include "store_metadata.hpp"
+
+namespace roomatlas::apps {
+namespace {
+
+/// A mission whose first event has been looked at: a log that cannot be mapped fails before
+/// anything is written.
+class PeekedMission : public MissionSource {
+ public:
+  explicit PeekedMission(MissionSource& mission) : mission_(mission), first_(mission.next()) {}
+  std::optional<MissionEvent> next() override {
+    return first_ ? std::exchange(first_, std::nullopt) : mission_.next();
+  }
+  [[nodiscard]] const MissionInfo& info() const override { return mission_.info(); }
+  [[nodiscard]] double progress() const override { return mission_.progress(); }
+
+ private:
+  MissionSource& mission_;
+  std::optional<MissionEvent> first_;
+};
+
+void remove_store(const Path& store) {
+  for (const char* suffix : {"", "-wal", "-shm"}) {
+    std::error_code ignored;
+    std::filesystem::remove(store.string() + suffix, ignored);
+  }
+}
+
+}  // namespace
+
+void map(const Settings& settings, const Path& log, const Path& store_file) {
+  const auto mission = open_mission(log, settings.mission);
+  PeekedMission peeked(*mission);
+  struct NoSink : AsrSink {
+    void put(const Asr&) override {}
+    void put(const TruePose&) override {}
+  };
+  if (mission->info().readings == 0 || mission->info().odometry == "none") {
+    NoSink nowhere;
+    (void)map_mission(peeked, nowhere, settings.record);  // says what is missing
+  }
+
+  GeoPackageStore store(store_file, GeoPackageStore::Mode::create);
+  MapSummary summary;
+  try {
+    summary = map_mission(peeked, store, settings.record, console_progress(settings));
+  } catch (const NotEnoughError&) {
+    remove_store(store_file);
+    throw;
+  }
+  const MissionInfo& info = mission->info();
+  store.put_metadata(metadata_of(info, sha256_of_file(log), settings));
+  store.finish();
+  show(info.issues, info.issues_not_listed);
+  spdlog::info("{}: {} readings, {:.0f} m -> {} ASRs in {}", log.filename().string(),
+               info.readings, info.path_length_m, summary.asrs, store_file.string());
+}
+
+void info(const Settings& settings, const Path& log) {
+  const auto mission = open_mission(log, settings.mission);
+  while (mission->next()) {
+  }
+  const MissionInfo& info = mission->info();
+  if (settings.json) {
+    fmt::print("{}", to_json(info));
+    return;
+  }
+  fmt::print("{}: {} log\n", log.string(), info.format);
+  for (const auto& [tag, count] : info.line_counts) fmt::print("  {:<14}{:>8}\n", tag, count);
+  for (const auto& [tag, count] : info.ignored_line_counts) {
+    fmt::print("  {:<14}{:>8}  (not used)\n", tag, count);
+  }
+  fmt::print("odometry       {}\n", info.odometry);
+  fmt::print("range readings {}\n", info.readings);
+  for (const auto& sensor : info.sensors) {
+    fmt::print("  {} of {} beams, up to {:.1f} m\n",
+               sensor->kind == SensorKind::laser ? "laser" : "sonar ring",
+               sensor->robot_from_beam.size(), sensor->max_range_m);
+  }
+  fmt::print("path           {:.1f} m\n", info.path_length_m);
+  if (info.has_times && info.first_timestamp_s && info.last_timestamp_s) {
+    fmt::print("duration       {:.1f} s\n", *info.last_timestamp_s - *info.first_timestamp_s);
+  }
+  fmt::print("robot          {:.2f} m x {:.2f} m\n", info.footprint.length_m,
+             info.footprint.width_m);
+  if (info.true_poses > 0) fmt::print("true poses     {}\n", info.true_poses);
+  if (info.malformed_lines > 0) fmt::print("malformed      {} lines\n", info.malformed_lines);
+  show(info.issues, info.issues_not_listed);
+}
+
+}  // namespace roomatlas::apps

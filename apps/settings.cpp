@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "settings.hpp"
+
+#include <map>
+
+namespace roomatlas::apps {
+namespace {
+
+/// Adds parameters of one stage under one heading of the help.
+class Stage {
+ public:
+  Stage(CLI::App& app, std::string heading) : app_(app), heading_(std::move(heading)) {}
+
+  template <typename Value>
+  CLI::Option* add(const std::string& name, Value& value, const std::string& meaning, double low,
+                   double high) {
+    return app_.add_option("--" + name, value, meaning)
+        ->capture_default_str()
+        ->check(CLI::Range(low, high))
+        ->group(heading_);
+  }
+  void flag(const std::string& name, bool& value, const std::string& meaning) {
+    app_.add_flag("--" + name + ",!--no-" + name, value, meaning)
+        ->capture_default_str()
+        ->group(heading_);
+  }
+  template <typename Choice>
+  void choice(const std::string& name, Choice& value, const std::string& meaning,
+              const std::map<std::string, Choice>& names) {
+    app_.add_option_function<std::string>(
+            "--" + name, [&value, names](const std::string& text) { value = names.at(text); },
+            meaning)
+        ->default_str(names_first(names, value))
+        ->check(CLI::IsMember(keys(names)))
+        ->group(heading_);
+  }
+
+ private:
+  template <typename Choice>
+  static std::string names_first(const std::map<std::string, Choice>& names, Choice value) {
+    for (const auto& [name, choice] : names) {
+      if (choice == value) return name;
+    }
+    return "";
+  }
+  template <typename Choice>
+  static std::vector<std::string> keys(const std::map<std::string, Choice>& names) {
+    std::vector<std::string> result;
+    for (const auto& entry : names) result.push_back(entry.first);
+    return result;
+  }
+
+  CLI::App& app_;
+  std::string heading_;
+};
+
+void add_mission(CLI::App& app, MissionOptions& mission) {
+  Stage stage(app, "Mission (what the log does not say)");
+  stage.add("laser-max-range", mission.laser_max_range_m,
+            "m; laser readings at or beyond it are no echo: free space", 0.5, 1000.0);
+  stage.add("sonar-max-range", mission.sonar_max_range_m,
+            "m; sonar readings at or beyond it are no echo: free space", 0.5, 100.0);
+  stage.add("sonar-cone", mission.sonar_cone_deg, "deg; full opening angle of a sonar", 0.0, 90.0);
+  stage.add("robot-length", mission.footprint.length_m, "m; marks the robot's path", 0.05, 5.0);
+  stage.add("robot-width", mission.footprint.width_m, "m; marks the robot's path", 0.05, 5.0);
+}
+
+void add_map(CLI::App& app, RecorderOptions& record) {
+  Stage stage(app, "Rooms (online stage)");
+  RoomMapOptions& map = record.map;
+  stage.add("cell", map.cell_m, "m; cell of the grid. Smaller needs more readings a cell", 0.02,
+            1.0);
+  stage.add("max-mapped-range", map.max_mapped_range_m,
+            "m; farther obstacles are not mapped. Larger smears walls by the drift in a room", 0.5,
+            100.0);
+  stage.add("epsilon", map.epsilon, "certainty above which a cell is occupied (paper: 7)", -2.0,
+            14.5);
+  stage.add("gamma", map.gamma_cells, "cells; largest gap inside a polyline (paper: 4)", 1.0, 50.0);
+  stage.add("tau", map.tau_cells, "cells; points closer than this are dropped (paper: 2)", 0.0,
+            20.0);
+  stage.add("simplify-tolerance", map.simplify_tolerance_m,
+            "m; Douglas-Peucker. Smaller keeps the steps of the raster", 0.0, 2.0);
+  stage.choice("line-fit", map.fit.method, "how walls are fitted; regression is the paper's",
+               std::map<std::string, FitMethod>{{"tls", FitMethod::total_least_squares},
+                                                {"regression", FitMethod::regression}});
+  stage.add("fit-sigma", map.fit.max_sigma_m,
+            "m; largest residual of a fitted wall. Larger straightens curved walls", 0.0, 1.0);
+  stage.add("fit-rho", map.fit.min_abs_rho, "smallest |rho| of a regression (paper: 0.9)", 0.0,
+            1.0);
+  stage.flag("refine-points", map.refine_points,
+             "centre walls in their raised band of cells; off: cell centres, as in the paper");
+  stage.add("min-hole", map.min_hole_m2, "m2; smaller holes in a room (furniture) are filled", 0.0,
+            1000.0);
+  stage.add("door-min-width", record.doorway.min_width_m,
+            "m, before the jambs' raised cells are added; smaller takes furniture gaps for doors",
+            0.2, 5.0);
+  stage.add("door-max-width", record.doorway.max_width_m,
+            "m; larger takes narrow corridors for doors", 0.2, 5.0);
+  stage.add("door-widening", record.doorway.widening_m,
+            "m; both sides of a door are this much wider. Smaller finds doors in corridors", 0.0,
+            5.0);
+  stage.add("door-lag", record.doorway_lag_m,
+            "m; how far behind the robot doors are looked for", 0.1, 5.0);
+  stage.add("max-piece", record.max_piece_path_m,
+            "m; longer visits are cut: odometry bends longer pieces", 1.0, 1000.0);
+  stage.flag("keep-readings", record.keep_readings,
+             "store each room's readings, so that it can be mapped again without the log");
+}
+
+void add_correction(CLI::App& app, AssembleOptions& assemble) {
+  Stage stage(app, "Correction (offline stage)");
+  CorrectOptions& correct = assemble.correct;
+  stage.choice("model", correct.model,
+               "se2, or rotation: the paper's, rooms turn about their entry pivots",
+               std::map<std::string, CorrectionModel>{{"se2", CorrectionModel::se2},
+                                                      {"rotation", CorrectionModel::rotation_only}});
+  stage.flag("wall-directions", correct.use_wall_directions,
+             "rectilinear rooms follow the building's direction");
+  stage.add("odometry-position", correct.odometry_position_m, "m; sigma of a pivot", 1e-4, 10.0);
+  stage.add("odometry-position-rate", correct.odometry_position_m_per_m,
+            "m per metre driven; sigma of a pivot", 0.0, 1.0);
+  stage.add("odometry-heading", correct.odometry_heading_deg, "deg; sigma between rooms", 0.01,
+            90.0);
+  stage.add("odometry-heading-rate", correct.odometry_heading_deg_per_m,
+            "deg per metre driven; sigma between rooms. Smaller resists the walls' direction", 0.0,
+            45.0);
+  stage.add("odometry-heading-turn", correct.odometry_heading_per_turn,
+            "share of the turns made; sigma between rooms", 0.0, 1.0);
+  stage.add("doorway-position", correct.doorway_position_m, "m; sigma of a doorway seen twice", 1e-3,
+            10.0);
+  stage.add("doorway-heading", correct.doorway_heading_deg, "deg; sigma of a doorway seen twice",
+            0.01, 90.0);
+  stage.add("wall-heading", correct.wall_heading_deg, "deg; sigma of a room's walls", 0.01, 45.0);
+  stage.add("wall-gate", correct.wall_gate_deg,
+            "deg; walls farther off follow no common direction", 0.0, 45.0);
+  stage.add("robust-sigmas", correct.robust_sigmas,
+            "doorways and walls off by more sigmas lose weight", 0.1, 1000.0);
+  stage.add("doorway-gate", assemble.recognise.gate_m,
+            "m; doorways this near are the same, however short the path between", 0.0, 10.0);
+  stage.add("doorway-gate-rate", assemble.recognise.gate_growth,
+            "m per metre driven, added to the gate", 0.0, 1.0);
+  stage.add("doorway-max-gate", assemble.recognise.max_gate_m, "m; the gate stops growing here",
+            0.0, 20.0);
+}
+
+void add_plan(CLI::App& app, Settings& settings) {
+  Stage stage(app, "Floor plan");
+  AssembleOptions& assemble = settings.assemble;
+  stage.add("room-overlap", assemble.rooms.min_overlap_share,
+            "share of the smaller outline from which two visits are one room", 0.0, 1.0);
+  stage.add("door-wall-share", assemble.rooms.min_wall_share,
+            "share of wall beside a door's jambs, else it is no door but a gap", 0.0, 1.0);
+  stage.flag("map-again", assemble.map_again,
+             "cut rooms at the doors that only other visits found (needs the readings)");
+  stage.add("wall-thickness", assemble.merge.wall_thickness_m,
+            "m; of walls whose other side nobody saw", 0.02, 2.0);
+  stage.flag("draw-path", settings.draw.show_trajectory, "draw the robot's path");
+  stage.flag("draw-graph", settings.draw.show_room_graph, "draw the graph of rooms");
+  stage.add("png-dpi", settings.png_dpi, "dots per inch of PNG pictures", 20.0, 1200.0);
+}
+
+void add_simulation(CLI::App& app, SimulationOptions& simulation) {
+  Stage stage(app, "Simulation");
+  app.add_option("--seed", simulation.seed, "decides everything that is random")
+      ->capture_default_str()
+      ->group("Simulation");
+  stage.add("speed", simulation.speed_m_per_s, "m/s", 0.01, 10.0);
+  stage.add("odometry-length-error", simulation.odometry.length_share,
+            "share by which odometry reports lengths longer", -0.5, 0.5);
+  stage.add("odometry-bias", simulation.odometry.heading_bias_deg_per_m, "deg/m; constant drift",
+            -45.0, 45.0);
+  stage.add("odometry-noise", simulation.odometry.heading_noise_deg_per_sqrt_m,
+            "deg/sqrt(m); random walk of the heading", 0.0, 45.0);
+  stage.add("sonar-noise", simulation.sonar.range_noise_m, "m; standard deviation of a range", 0.0,
+            1.0);
+  stage.add("sonar-dropout", simulation.sonar.dropout_share, "share of lost echoes", 0.0, 1.0);
+  stage.add("sonar-specular", simulation.sonar.specular_limit_deg,
+            "deg; no echo from walls hit at a flatter angle of incidence", 0.0, 90.0);
+}
+
+}  // namespace
+
+void add_parameters(CLI::App& app, Settings& settings) {
+  add_mission(app, settings.mission);
+  add_map(app, settings.record);
+  add_correction(app, settings.assemble);
+  add_plan(app, settings);
+  add_simulation(app, settings.simulation);
+}
+
+void complete(Settings& settings, const CLI::App& app) {
+  settings.assemble.map = settings.record.map;
+  settings.simulation.footprint = settings.mission.footprint;
+  settings.simulation.sonar_max_range_m = settings.mission.sonar_max_range_m;
+  settings.as_toml = app.config_to_str(true, false);
+}
+
+}  // namespace roomatlas::apps

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "roomatlas/draw/draw.hpp"
+#include "roomatlas/pipeline/pipeline.hpp"
+#include "roomatlas/simulate/simulate.hpp"
+
+namespace roomatlas::apps {
+
+/// Everything that can be set, with the defaults of the stages.
+struct Settings {
+  MissionOptions mission;
+  RecorderOptions record;
+  AssembleOptions assemble;
+  DrawOptions draw;
+  SimulationOptions simulation;
+  double png_dpi = 110.0;
+  bool json = false;
+  bool quiet = false;
+  bool verbose = false;
+
+  std::string as_toml;  ///< all parameters as set, filled after parsing
+};
+
+/// Adds every parameter to the program, once: its flag, its key in the configuration file and its
+/// line in `--help` and `config --print` come from here.
+void add_parameters(CLI::App& app, Settings& settings);
+
+/// Copies what two stages share, after parsing.
+void complete(Settings& settings, const CLI::App& app);
+
+}  // namespace roomatlas::apps

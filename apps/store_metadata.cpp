@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "store_metadata.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <ctime>
+#include <filesystem>
+
+#include "roomatlas/io/summary.hpp"
+
+namespace roomatlas::apps {
+namespace {
+
+double number_in(const Metadata& metadata, const std::string& key, double otherwise) {
+  const auto entry = metadata.find(key);
+  if (entry == metadata.end()) return otherwise;
+  double value = otherwise;
+  std::from_chars(entry->second.data(), entry->second.data() + entry->second.size(), value);
+  return value;
+}
+
+std::string text_of(double value) { return fmt::format("{}", value); }
+
+}  // namespace
+
+Metadata metadata_of(const MissionInfo& info, const std::string& mission_sha256,
+                     const Settings& settings) {
+  return {{"tool_version", ROOMATLAS_VERSION},
+          {"configuration", settings.as_toml},
+          {"mission_file", std::filesystem::path(info.file).filename().string()},
+          {"mission_sha256", mission_sha256},
+          {"mission_json", to_json(info)},
+          {"mission_path_length_m", text_of(info.path_length_m)},
+          {"mission_first_timestamp_s", text_of(info.first_timestamp_s.value_or(0.0))},
+          {"robot_length_m", text_of(info.footprint.length_m)},
+          {"robot_width_m", text_of(info.footprint.width_m)}};
+}
+
+RobotFootprint footprint_of(const Metadata& metadata) {
+  const RobotFootprint otherwise;
+  return {number_in(metadata, "robot_length_m", otherwise.length_m),
+          number_in(metadata, "robot_width_m", otherwise.width_m)};
+}
+
+double path_length_of(const Metadata& metadata) {
+  return number_in(metadata, "mission_path_length_m", 0.0);
+}
+
+std::string date_of(const Metadata& metadata) {
+  const double timestamp_s = number_in(metadata, "mission_first_timestamp_s", 0.0);
+  constexpr double kYear1990 = 631152000.0;
+  constexpr double kYear2100 = 4102444800.0;
+  if (timestamp_s < kYear1990 || timestamp_s >= kYear2100) return "";
+  return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(timestamp_s)));
+}
+
+bool is_made_from(const Metadata& metadata, const std::string& mission_sha256,
+                  const Settings& settings) {
+  const auto has = [&](const std::string& key, const std::string& value) {
+    const auto entry = metadata.find(key);
+    return entry != metadata.end() && entry->second == value;
+  };
+  return has("mission_sha256", mission_sha256) && has("configuration", settings.as_toml) &&
+         has("tool_version", ROOMATLAS_VERSION);
+}
+
+}  // namespace roomatlas::apps

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "roomatlas/mission/mission.hpp"
+#include "settings.hpp"
+
+namespace roomatlas::apps {
+
+using Metadata = std::map<std::string, std::string>;
+
+/// What the store remembers of the run that made it.
+[[nodiscard]] Metadata metadata_of(const MissionInfo& info, const std::string& mission_sha256,
+                                   const Settings& settings);
+
+/// Reads them back; the defaults where a store lacks them.
+[[nodiscard]] RobotFootprint footprint_of(const Metadata& metadata);
+[[nodiscard]] double path_length_of(const Metadata& metadata);
+/// The mission's date as YYYY-MM-DD, from its first timestamp; empty where that is no Unix time of
+/// the years 1990 to 2100.
+[[nodiscard]] std::string date_of(const Metadata& metadata);
+
+/// True when the store was finished from the same log with the same parameters.
+[[nodiscard]] bool is_made_from(const Metadata& metadata, const std::string& mission_sha256,
+                                const Settings& settings);
+
+}  // namespace roomatlas::apps

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "roomatlas/asr/doorway.hpp"
+#include "roomatlas/asr/map_room.hpp"
+#include "roomatlas/asr/store.hpp"
+
+namespace roomatlas {
+
+/// Where the robot is in the room, given where odometry says it is and the room so far. The
+/// default keeps the prediction: odometry is the pose source.
+using Localizer = std::function<Pose2(const RangeReading&, const Pose2& predicted_asr_from_robot,
+                                      const HimmGrid& room)>;
+
+struct RecorderOptions {
+  RoomMapOptions map;
+  DoorwayOptions doorway;
+  double doorway_lag_m = 0.6;      ///< how far behind the robot doorways are looked for; both
+                                   ///< jambs must have been seen by then
+  double min_doorway_gap_m = 1.0;  ///< two doorways on the path are at least this far apart
+  double max_piece_path_m = 8.0;   ///< longer visits are cut at an open passage: odometry bends
+                                   ///< longer pieces
+  int max_piece_readings = 5000;   ///< the same for a robot that hardly moves; bounds memory
+  bool keep_readings = true;       ///< store the readings, so that rooms can be mapped again
+};
+
+/// The online stage: a stream of readings becomes a stream of ASRs (paper III). The one object
+/// that remembers: it holds the room being mapped and nothing of the rooms before, so that cost
+/// and memory do not depend on how long the mission has been.
+class AsrRecorder {
+ public:
+  AsrRecorder(const RecorderOptions& options, const RobotFootprint& footprint, AsrSink& sink,
+              Localizer localizer = {});
+  ~AsrRecorder();
+  AsrRecorder(const AsrRecorder&) = delete;
+  AsrRecorder& operator=(const AsrRecorder&) = delete;
+
+  /// Takes the next reading, in the mission's order. May hand one ASR to the sink.
+  void add(const RangeReading& reading);
+  /// Hands over the room being mapped. Call once, at the mission's end or interruption.
+  void finish();
+
+  [[nodiscard]] std::int64_t asrs_written() const;
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace roomatlas

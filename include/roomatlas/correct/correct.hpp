@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "roomatlas/correct/correction.hpp"
+#include "roomatlas/correct/wall_direction.hpp"
+#include "roomatlas/graph/room_graph.hpp"
+
+namespace roomatlas {
+
+enum class CorrectionModel {
+  se2,            ///< each ASR turns and moves
+  rotation_only,  ///< the paper's: each ASR turns about its entry pivot, positions follow
+};
+
+/// How much each kind of measurement is trusted: standard deviations.
+struct CorrectOptions {
+  CorrectionModel model = CorrectionModel::se2;
+  bool use_wall_directions = true;  ///< off for buildings without right angles
+  WallDirectionOptions walls;
+
+  double odometry_position_m = 0.03;         ///< of a pivot, however short the way to it ...
+  double odometry_position_m_per_m = 0.02;   ///< ... plus this for each metre driven in the ASR
+  double odometry_heading_deg = 1.0;         ///< the same for its heading ...
+  double odometry_heading_deg_per_m = 0.6;   ///< ... a metre; smaller resists the walls' direction
+  double odometry_heading_per_turn = 0.03;   ///< ... and this share of the turns made
+  double doorway_position_m = 0.12;          ///< of a doorway seen twice
+  double doorway_heading_deg = 8.0;          ///< two jambs a metre apart, each a cell off
+  double wall_heading_deg = 2.0;             ///< of a room's walls against the building's direction
+  double wall_gate_deg = 25.0;               ///< walls farther off follow no building direction;
+                                             ///< at 45 a wing at an angle is bent into the rest
+  double robust_sigmas = 2.0;                ///< doorways and walls off by more lose weight (Cauchy)
+  int max_iterations = 100;
+};
+
+/// Corrects the poses of ASRs in the building (offline stage): odometry between consecutive ASRs,
+/// doorways seen twice, and the direction of walls, by least squares with Ceres. One ASR of each
+/// component, its first, keeps its odometry pose; then each component is turned as a whole, by at
+/// most 45 degrees, so that its walls' direction is the x axis.
+/// @param asrs ascending by id, vertices of `graph` in this order
+/// @returns one entry an ASR; `converged` is false where the solver stopped early. An empty input
+///   gives an empty, converged correction.
+[[nodiscard]] Correction correct(const std::vector<Asr>& asrs, const RoomGraph& graph,
+                                 const CorrectOptions& options);
+
+[[nodiscard]] Placement placement_of(const Correction& correction);
+
+}  // namespace roomatlas

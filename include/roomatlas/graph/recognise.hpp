@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "roomatlas/graph/room_graph.hpp"
+
+namespace roomatlas {
+
+struct RecogniseOptions {
+  double gate_m = 0.4;           ///< two doorways this near are the same, however short the path
+  double gate_growth = 0.02;     ///< metres added to the gate a metre of path driven between them
+  double max_gate_m = 1.0;       ///< doors of one wall are seldom nearer than this
+  double max_turn_deg = 35.0;    ///< directions of one doorway agree this well
+  double max_width_difference_m = 0.45;
+};
+
+/// Doorways that the robot went through more than once: for each crossing, the nearest earlier
+/// crossing of the same place, width and direction (or the opposite one). The edges join the two
+/// ASRs that begin there; they are not yet in the graph.
+/// Crossings are compared where `placement` puts them; each later crossing is matched to at most
+/// one earlier one. Not guaranteed: a door that was placed wrongly by more than the gate is missed.
+[[nodiscard]] std::vector<PassageEdge> recognise_doorways(const std::vector<Asr>& asrs,
+                                                          const Placement& placement,
+                                                          const RecogniseOptions& options);
+
+struct RoomOptions {
+  double min_overlap_share = 0.4;  ///< outlines that share this much of the smaller one are one
+                                   ///< room; smaller joins rooms whose placement is off
+  double wall_beside_door_m = 0.6;  ///< a doorway that separates rooms has wall beside a jamb over
+                                    ///< this length ...
+  double min_wall_share = 0.6;      ///< ... of which this share has been seen
+};
+
+/// Decides which ASRs are the same room: those joined by open passages, those on the same side of
+/// a doorway seen twice, those whose outlines overlap, and those on the two sides of an opening
+/// that has no wall beside it (a gap between furniture).
+/// @returns the room of each ASR; rooms are numbered 1, 2, 3 ... by their first ASR
+[[nodiscard]] std::map<AsrId, RoomId> assign_rooms(const std::vector<Asr>& asrs,
+                                                   const RoomGraph& graph,
+                                                   const Placement& placement,
+                                                   const RoomOptions& options);
+
+/// The share of the smaller outline's area that both cover, [0, 1]; 0 when either is empty.
+/// Sampled on a lattice of 0.2 m.
+[[nodiscard]] double overlap_share(const Polygon& first, const Polygon& second);
+
+}  // namespace roomatlas

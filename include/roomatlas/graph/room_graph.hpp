@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <boost/graph/adjacency_list.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "roomatlas/asr/asr.hpp"
+
+namespace roomatlas {
+
+/// A vertex of the room graph: one visit.
+struct AsrVertex {
+  AsrId asr = 0;
+  RoomId room = 0;  ///< 0 until rooms are assigned
+};
+
+enum class EdgeSource {
+  driven,      ///< the robot drove from one ASR into the other
+  recognised,  ///< found offline: both ASRs begin at the same doorway
+};
+
+/// An edge of the room graph: a measured relative pose.
+///
+/// The graph is undirected, and Boost.Graph may swap source and target of an undirected edge, so
+/// the edge itself says which ASR its pose starts from.
+struct PassageEdge {
+  AsrId from = 0;
+  AsrId to = 0;
+  Pose2 from_from_to;  ///< the frame of `to` in the frame of `from`
+  PassageKind kind = PassageKind::doorway;
+  EdgeSource source = EdgeSource::driven;
+  double path_length_m = 0.0;  ///< driven inside `from`; 0 for a recognised edge
+  double turned_rad = 0.0;     ///< sum of absolute turns inside `from`; 0 for a recognised edge
+};
+
+/// Paper Fig. 8: rooms as vertices, passages as edges. Vertex i is the i-th ASR, ascending by id.
+using RoomGraph =
+    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, AsrVertex, PassageEdge>;
+
+using Placement = std::map<AsrId, Pose2>;  ///< building_from_asr of each ASR
+
+/// The graph of a mission: a vertex for each ASR, an edge for each passage driven through.
+/// An exit whose neighbour is missing (a store cut short) gives no edge.
+/// @param asrs ascending by id, with their paths
+[[nodiscard]] RoomGraph build_graph(const std::vector<Asr>& asrs);
+
+/// Adds an edge between two ASRs of the graph. Throws std::out_of_range when one is missing.
+void add_edge(RoomGraph& graph, const PassageEdge& edge);
+
+/// Writes the room of each ASR into its vertex.
+void set_rooms(RoomGraph& graph, const std::map<AsrId, RoomId>& room_of_asr);
+
+/// The edges in a fixed order: as added.
+[[nodiscard]] std::vector<PassageEdge> edges_of(const RoomGraph& graph);
+
+/// The component of each vertex, 0, 1, 2 ... in the order of the vertices.
+[[nodiscard]] std::vector<int> components_of(const RoomGraph& graph);
+
+/// A basis of the graph's cycles: one for each edge outside of a spanning forest, as the ASRs
+/// along it. Their number is edges - vertices + components.
+[[nodiscard]] std::vector<std::vector<AsrId>> cycle_basis(const RoomGraph& graph);
+
+/// Graphviz DOT; doorways solid, open passages dashed, recognised doorways bold.
+[[nodiscard]] std::string to_dot(const RoomGraph& graph);
+
+}  // namespace roomatlas

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "roomatlas/pipeline/pipeline.hpp"
+
+namespace roomatlas {
+
+/// The mission as one JSON object, without times of this run, hosts or paths: the log's file name
+/// alone.
+[[nodiscard]] std::string to_json(const MissionInfo& info);
+
+/// All figures of an evaluation as one JSON object; statistics of nothing are null.
+[[nodiscard]] std::string to_json(const Evaluation& evaluation);
+
+/// `summary.json`: mission, plan, graph, correction with what moved each ASR, evaluation.
+/// @param metadata of the store; `mission_json` in it becomes the object "mission"
+[[nodiscard]] std::string summary_json(const std::map<std::string, std::string>& metadata,
+                                       const Correction& correction, const FloorPlan& plan,
+                                       const RoomGraph& graph,
+                                       const std::optional<Evaluation>& evaluation);
+
+}  // namespace roomatlas

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "roomatlas/asr/recorder.hpp"
+#include "roomatlas/correct/correct.hpp"
+#include "roomatlas/evaluate/evaluate.hpp"
+#include "roomatlas/graph/doors.hpp"
+#include "roomatlas/graph/recognise.hpp"
+#include "roomatlas/merge/merge.hpp"
+#include "roomatlas/mission/mission.hpp"
+
+namespace roomatlas {
+
+/// What the online stage saw.
+struct MapSummary {
+  std::int64_t asrs = 0;
+  std::int64_t wall_vertices = 0;
+};
+
+/// Online stage: a mission's events become ASRs in the sink, room by room.
+/// @throws NotEnoughError when there are no range readings, no odometry, or no wall was seen (what
+///   was mapped by then is in the sink), Interrupted when `progress` says so (the room being
+///   mapped has been handed over)
+[[nodiscard]] MapSummary map_mission(MissionSource& mission, AsrSink& sink,
+                                     const RecorderOptions& options, const Progress& progress = {});
+
+struct AssembleOptions {
+  RecogniseOptions recognise;
+  RoomOptions rooms;
+  CorrectOptions correct;
+  MergeOptions merge;
+  RoomMapOptions map;        ///< for mapping rooms again once all doors are known
+  bool map_again = true;     ///< cut the rooms' outlines at doors that only later visits found
+  int max_rounds = 5;        ///< of recognising doorways and correcting
+};
+
+/// Everything that the offline stage finds.
+struct Assembly {
+  RoomGraph graph;
+  Correction correction;
+  std::map<AsrId, RoomId> room_of_asr;
+  std::vector<BuildingDoor> doors;
+  FloorPlan plan;
+};
+
+/// Offline stage: ASRs -> room graph -> correction -> floor plan.
+/// @throws NotEnoughError when the source holds no ASR
+[[nodiscard]] Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
+                                const AssembleOptions& options, const Progress& progress = {});
+
+/// A mission's paths and walls, where odometry alone and where the correction puts them.
+struct PlacedMission {
+  Trajectory odometry;                 ///< as in the log, one pose a reading
+  Trajectory corrected;                ///< building metres, parallel to `odometry`
+  Polyline path_before;                ///< odometry's path, building metres
+  std::vector<Polyline> walls_before;  ///< building metres
+  std::vector<Polyline> walls_after;
+};
+[[nodiscard]] PlacedMission place(const AsrSource& source, const Correction& correction);
+
+/// The room graph as the correction left it: what was driven, and the doorways it recognised.
+[[nodiscard]] RoomGraph graph_of(const AsrSource& source, const Correction& correction);
+
+/// What is known of the truth; everything is optional.
+struct Truth {
+  std::vector<Relation> relations;
+  Trajectory poses;
+  std::optional<FloorPlan> plan;
+};
+
+struct RelationsBeforeAfter {
+  RelationErrors before;
+  RelationErrors after;
+};
+struct TruePosesBeforeAfter {
+  TruePoseErrors before;
+  TruePoseErrors after;
+};
+
+struct Evaluation {
+  std::optional<RelationsBeforeAfter> relations;
+  std::optional<TruePosesBeforeAfter> true_poses;
+  std::optional<PlanErrors> plan;  ///< needs true poses, for the alignment
+  Issues issues;
+};
+
+/// Judges a correction against what is known of the truth.
+[[nodiscard]] Evaluation evaluate(const Trajectory& odometry, const Trajectory& corrected,
+                                  const FloorPlan& plan, const Truth& truth);
+
+}  // namespace roomatlas

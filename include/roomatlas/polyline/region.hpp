@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "roomatlas/core/geometry.hpp"
+#include "roomatlas/grid/cells.hpp"
+
+namespace roomatlas {
+
+/// A set of cells inside a box.
+struct CellMask {
+  CellBox box;
+  std::vector<std::uint8_t> bits;
+
+  explicit CellMask(const CellBox& in) : box(in), bits(in.count(), 0) {}
+  [[nodiscard]] bool at(const Cell& cell) const {
+    return box.contains(cell) && bits[box.index_of(cell)] != 0;
+  }
+  void set(const Cell& cell, bool value) {
+    if (box.contains(cell)) bits[box.index_of(cell)] = value ? 1 : 0;
+  }
+  [[nodiscard]] std::int64_t count() const;
+};
+
+/// Cells within `radius` cells (a square) of the mask; the box stays.
+[[nodiscard]] CellMask dilated(const CellMask& mask, int radius);
+/// Cells whose square of `radius` lies in the mask; outside of the box counts as outside.
+[[nodiscard]] CellMask eroded(const CellMask& mask, int radius);
+/// The part of the mask that is connected (by edges) to a seed.
+[[nodiscard]] CellMask connected_to(const CellMask& mask, const std::vector<Cell>& seeds);
+/// The mask with holes of fewer than `max_cells` cells filled (holes connect by edges).
+[[nodiscard]] CellMask holes_filled(const CellMask& mask, std::int64_t max_cells);
+
+/// A boundary of a mask: the mid-points of the cell edges along it, counter-clockwise around the
+/// mask, clockwise around holes, and for each the cell just outside.
+struct CellBoundary {
+  Ring edge_midpoints;
+  std::vector<Cell> outside_cells;
+};
+
+/// All boundaries of the mask. Where two cells touch at a corner alone, the boundary passes
+/// between them (the mask is 4-connected).
+[[nodiscard]] std::vector<CellBoundary> trace_boundaries(const CellMask& mask,
+                                                         const CellFrame& frame);
+
+}  // namespace roomatlas

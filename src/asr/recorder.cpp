@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/asr/recorder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace roomatlas {
+namespace {
+
+constexpr double kSearchEveryM = 0.1;   // doorways are looked for after this much path
+constexpr double kBestWithinM = 0.4;    // the narrowest chord within this much path is the doorway
+constexpr double kHeadingSpanM = 0.15;  // motion direction is taken over this much path each way
+
+/// A doorway on the path, and where on the path it was found.
+struct DoorwayOnPath {
+  Doorway doorway;
+  std::size_t index = 0;  ///< into the path
+  double at_m = 0.0;      ///< along the path
+};
+
+Exit exit_of(const Doorway& doorway) {
+  return {PassageKind::doorway, false, doorway.grid_from_pivot, doorway.width_m, doorway.jambs,
+          std::nullopt, 0.0};
+}
+
+Exit open_passage_at(const Pose2& asr_from_robot) {
+  Exit exit;
+  exit.kind = PassageKind::open_passage;
+  exit.asr_from_pivot = asr_from_robot;
+  exit.jambs_asr = {asr_from_robot.position(), asr_from_robot.position()};
+  return exit;
+}
+
+/// The same passage as the room behind it sees it: the origin, looking back.
+Exit entry_from(const Exit& exit, AsrId from) {
+  Exit entry = exit;
+  entry.is_entry = true;
+  entry.asr_from_pivot = {0.0, 0.0, wrap_angle(kPi)};
+  const Pose2 entry_from_old = inverse(exit.asr_from_pivot);
+  // looking out of the new room, left and right change places
+  entry.jambs_asr = {entry_from_old * exit.jambs_asr.b, entry_from_old * exit.jambs_asr.a};
+  entry.neighbor = from;
+  return entry;
+}
+
+}  // namespace
+
+/// The room being mapped.
+class AsrRecorder::State {
+ public:
+  State(const RecorderOptions& options, const RobotFootprint& footprint, AsrSink& sink,
+        Localizer localizer)
+      : options_(options), footprint_(footprint), sink_(sink), localizer_(std::move(localizer)),
+        live_(options.map.cell_m) {}
+
+  void add(const RangeReading& reading) {
+    if (path_.empty() && next_id_ == 1) odom_from_asr_ = reading.odom_from_robot;
+    const Pose2 predicted =
+        path_.empty() ? inverse(odom_from_asr_) * reading.odom_from_robot
+                      : path_.back().asr_from_robot * (inverse(path_.back().odom_from_robot) *
+                                                       reading.odom_from_robot);
+    append(reading, localizer_ ? localizer_(reading, predicted, live_) : predicted);
+    if (const auto found = search_doorway()) {
+      leave_through(*found);
+    } else if (along_m_.back() > options_.max_piece_path_m ||
+               path_.size() >= static_cast<std::size_t>(options_.max_piece_readings)) {
+      leave(open_passage_at(path_.back().asr_from_robot), path_.size());
+    }
+  }
+
+  void finish() {
+    if (!path_.empty()) close(std::nullopt);
+  }
+
+  [[nodiscard]] std::int64_t asrs_written() const { return next_id_ - 1; }
+
+ private:
+  /// Adds a reading to the room: path, readings and the live grid.
+  void append(const RangeReading& reading, const Pose2& asr_from_robot) {
+    const double step_m =
+        path_.empty()
+            ? 0.0
+            : (asr_from_robot.position() - path_.back().asr_from_robot.position()).norm();
+    along_m_.push_back(path_.empty() ? 0.0 : along_m_.back() + step_m);
+    path_.push_back({reading.timestamp_s, asr_from_robot, reading.odom_from_robot});
+    readings_.push_back(reading);
+    const bool moved =
+        !last_drawn_ ||
+        (asr_from_robot.position() - last_drawn_->position()).norm() >=
+            options_.map.insert_every_m ||
+        std::abs(wrap_angle(asr_from_robot.theta_rad - last_drawn_->theta_rad)) >=
+            radians(options_.map.insert_every_deg);
+    if (!moved) return;
+    last_drawn_ = asr_from_robot;
+    std::int64_t ignored = 0;
+    live_.add_sweep(rays_of(reading, asr_from_robot, options_.map.max_mapped_range_m, ignored));
+    live_.mark_robot(asr_from_robot, footprint_);
+  }
+
+  /// The pose on the path at an index, heading along the motion; nothing where the robot only
+  /// turned.
+  [[nodiscard]] std::optional<Pose2> motion_at(std::size_t index) const {
+    const auto along = [&](double m) {
+      const auto at = std::lower_bound(along_m_.begin(), along_m_.end(), m);
+      return std::min(static_cast<std::size_t>(at - along_m_.begin()), path_.size() - 1);
+    };
+    const Point2 from =
+        path_[along(along_m_[index] - kHeadingSpanM)].asr_from_robot.position();
+    const Point2 to = path_[along(along_m_[index] + kHeadingSpanM)].asr_from_robot.position();
+    const Point2 motion = to - from;
+    if (motion.norm() < kHeadingSpanM / 2.0) return std::nullopt;
+    const Point2 at = path_[index].asr_from_robot.position();
+    return Pose2{at.x(), at.y(), std::atan2(motion.y(), motion.x())};
+  }
+
+  /// Looks for a doorway some way behind the robot. Answers when the narrowest one is known.
+  std::optional<DoorwayOnPath> search_doorway() {
+    const double at_m = along_m_.back() - options_.doorway_lag_m;
+    if (at_m < searched_to_m_ + kSearchEveryM) return std::nullopt;
+    searched_to_m_ = at_m;
+    const auto lagged = std::lower_bound(along_m_.begin(), along_m_.end(), at_m);
+    const auto index = static_cast<std::size_t>(lagged - along_m_.begin());
+    const std::optional<Pose2> motion = motion_at(index);
+    const std::optional<Doorway> doorway =
+        motion ? find_doorway(live_, *motion, options_.doorway) : std::nullopt;
+    if (doorway && (!candidate_ || doorway->width_m < candidate_->doorway.width_m)) {
+      candidate_ = DoorwayOnPath{*doorway, index, along_m_[index]};
+    }
+    if (!candidate_) return std::nullopt;
+    const double passed_m = along_m_[index] - candidate_->at_m;
+    const bool decided = passed_m > kBestWithinM || (!doorway && passed_m > kBestWithinM / 2.0);
+    if (!decided) return std::nullopt;
+    const DoorwayOnPath found = *std::exchange(candidate_, std::nullopt);
+    const bool too_near = since_doorway_m_ && *since_doorway_m_ + found.at_m <
+                                                  options_.min_doorway_gap_m;
+    return too_near ? std::nullopt : std::optional<DoorwayOnPath>(found);
+  }
+
+  /// Splits the path where it crosses the door line.
+  void leave_through(const DoorwayOnPath& found) {
+    const Pose2 pivot_from_asr = inverse(found.doorway.grid_from_pivot);
+    const auto is_beyond = [&](std::size_t i) {
+      return (pivot_from_asr * path_[i].asr_from_robot.position()).x() > 0.0;
+    };
+    std::size_t split = found.index;
+    while (split > 0 && is_beyond(split - 1)) --split;
+    while (split < path_.size() && !is_beyond(split)) ++split;
+    if (split == 0 || split == path_.size()) return;
+    leave(exit_of(found.doorway), split);
+    since_doorway_m_ = 0.0;
+  }
+
+  /// Closes the ASR with the samples before `split`, and opens the next with the rest.
+  void leave(Exit exit, std::size_t split) {
+    const auto at = static_cast<std::ptrdiff_t>(split);
+    const std::vector<PathSample> rest_path(path_.begin() + at, path_.end());
+    const std::vector<RangeReading> rest_readings(readings_.begin() + at, readings_.end());
+    const double left_m = along_m_[split - 1];
+    path_.resize(split);
+    readings_.resize(split);
+    exit.timestamp_s = path_.back().timestamp_s;
+    exit.neighbor = next_id_ + 1;
+    const Pose2 old_from_new = exit.asr_from_pivot;
+    const Pose2 odom_from_new = close(exit) * old_from_new;
+
+    odom_from_asr_ = odom_from_new;
+    entry_ = entry_from(exit, next_id_ - 1);
+    if (since_doorway_m_) *since_doorway_m_ += left_m;
+    const Pose2 new_from_old = inverse(old_from_new);
+    for (std::size_t i = 0; i < rest_path.size(); ++i) {
+      append(rest_readings[i], new_from_old * rest_path[i].asr_from_robot);
+    }
+  }
+
+  /// Maps the room, hands it over and forgets it. Returns where odometry has its frame.
+  Pose2 close(const std::optional<Exit>& exit) {
+    Asr asr;
+    asr.id = next_id_++;
+    asr.odom_from_asr = odom_from_asr_;
+    asr.start_s = path_.front().timestamp_s;
+    asr.end_s = path_.back().timestamp_s;
+    if (entry_) asr.exits.push_back(*entry_);
+    if (exit) asr.exits.push_back(*exit);
+    RoomMap map = map_room(path_, readings_, asr.exits, footprint_, options_.map);
+    asr.walls = std::move(map.walls);
+    asr.outline_asr = std::move(map.outline);
+    asr.reference_point_asr = map.reference_point;
+    asr.counters = map.counters;
+    asr.path = std::exchange(path_, {});
+    asr.readings = std::exchange(readings_, {});
+    if (!options_.keep_readings) asr.readings.clear();
+    // Where odometry puts the frame *now*: the frame itself is exact, odometry has drifted.
+    const Pose2 odom_from_asr =
+        asr.path.back().odom_from_robot * inverse(asr.path.back().asr_from_robot);
+    sink_.put(asr);
+
+    along_m_.clear();
+    live_ = HimmGrid(options_.map.cell_m);
+    last_drawn_.reset();
+    candidate_.reset();
+    searched_to_m_ = 0.0;
+    return odom_from_asr;
+  }
+
+  const RecorderOptions options_;
+  const RobotFootprint footprint_;
+  AsrSink& sink_;
+  const Localizer localizer_;
+
+  AsrId next_id_ = 1;
+  Pose2 odom_from_asr_;
+  std::optional<Exit> entry_;
+  std::vector<PathSample> path_;
+  std::vector<RangeReading> readings_;
+  std::vector<double> along_m_;  ///< length of the path up to each sample
+  HimmGrid live_;                ///< the room as seen so far, not yet cut at doors
+  std::optional<Pose2> last_drawn_;
+  double searched_to_m_ = 0.0;   ///< doorways were looked for up to here
+  std::optional<DoorwayOnPath> candidate_;
+  std::optional<double> since_doorway_m_;  ///< from the last doorway to this ASR's first sample
+};
+
+AsrRecorder::AsrRecorder(const RecorderOptions& options, const RobotFootprint& footprint,
+                         AsrSink& sink, Localizer localizer)
+    : state_(std::make_unique<State>(options, footprint, sink, std::move(localizer))) {}
+AsrRecorder::~AsrRecorder() = default;
+
+void AsrRecorder::add(const RangeReading& reading) { state_->add(reading); }
+void AsrRecorder::finish() { state_->finish(); }
+std::int64_t AsrRecorder::asrs_written() const { return state_->asrs_written(); }
+
+}  // namespace roomatlas

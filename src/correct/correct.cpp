@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/correct/correct.hpp"
+
+#include <cmath>
+
+#include "models.hpp"
+
+namespace roomatlas {
+namespace {
+
+/// Turns each component about its fixed ASR so that its walls' direction is the x axis.
+void align_with_walls(const Measurements& measurements, const State& state,
+                      std::vector<AsrCorrection>& asrs) {
+  std::map<int, Pose2> aligned_from_building;
+  for (std::size_t i = 0; i < asrs.size(); ++i) {
+    const int component = measurements.component[i];
+    if (measurements.is_fixed[i]) {
+      const Pose2& fixed = measurements.odom_from_asr[i];
+      const double turn = -wrap_quarter(state.direction_rad[static_cast<std::size_t>(component)]);
+      aligned_from_building[component] = Pose2{fixed.x_m, fixed.y_m, turn} *
+                                         Pose2{-fixed.x_m, -fixed.y_m, 0.0};
+    }
+    const Pose2& aligned = aligned_from_building.at(component);
+    asrs[i].building_from_asr_before = aligned * asrs[i].building_from_asr_before;
+    asrs[i].building_from_asr = aligned * asrs[i].building_from_asr;
+  }
+}
+
+void fill_moves(std::vector<AsrCorrection>& asrs) {
+  for (AsrCorrection& asr : asrs) {
+    asr.moved_m =
+        (asr.building_from_asr.position() - asr.building_from_asr_before.position()).norm();
+    asr.turned_rad =
+        wrap_angle(asr.building_from_asr.theta_rad - asr.building_from_asr_before.theta_rad);
+  }
+}
+
+}  // namespace
+
+const char* to_string(FactorKind kind) {
+  switch (kind) {
+    case FactorKind::odometry: return "odometry";
+    case FactorKind::doorway: return "doorway";
+    case FactorKind::wall_direction: return "wall_direction";
+  }
+  return "unknown";
+}
+
+Correction uncorrected(const std::vector<Asr>& asrs) {
+  std::map<AsrId, Pose2> pose_of;
+  for (const Asr& asr : asrs) pose_of[asr.id] = asr.odom_from_asr;
+  Correction correction;
+  correction.converged = true;
+  correction.model = "none";
+  for (const auto& [id, pose] : pose_of) correction.asrs.push_back({id, 0, pose, pose, 0.0, 0.0});
+  return correction;
+}
+
+Correction correct(const std::vector<Asr>& asrs, const RoomGraph& graph,
+                   const CorrectOptions& options) {
+  Correction correction;
+  const bool is_se2 = options.model == CorrectionModel::se2;
+  correction.model = is_se2 ? "se2" : "rotation_only";
+  if (asrs.empty()) {
+    correction.converged = true;
+    correction.message = "nothing to correct";
+    return correction;
+  }
+  const Measurements measurements = measurements_of(asrs, graph, options);
+  const State start = initial_guess(measurements, options);
+  const ModelResult solved = is_se2 ? solve_se2(measurements, start, options)
+                                    : solve_rotation_only(measurements, start, options);
+  correction.converged = solved.converged;
+  correction.message = solved.message;
+  correction.initial_cost = solved.initial_cost;
+  correction.final_cost = solved.final_cost;
+  correction.iterations = solved.iterations;
+  correction.factors = solved.factors;
+  for (std::size_t i = 0; i < measurements.ids.size(); ++i) {
+    correction.asrs.push_back({measurements.ids[i], measurements.component[i],
+                               measurements.odom_from_asr[i], solved.state.building_from_asr[i],
+                               0.0, 0.0});
+  }
+  align_with_walls(measurements, solved.state, correction.asrs);
+  fill_moves(correction.asrs);
+  return correction;
+}
+
+Placement placement_of(const Correction& correction) {
+  Placement placement;
+  for (const AsrCorrection& asr : correction.asrs) placement[asr.asr] = asr.building_from_asr;
+  return placement;
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The two models of the correction, without Ceres in their interface.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomatlas/correct/correct.hpp"
+
+namespace roomatlas {
+
+/// Everything that is measured, with ASRs as indices 0 ... n-1, ascending by id.
+struct Measurements {
+  struct Edge {
+    std::size_t from = 0;
+    std::size_t to = 0;
+    PassageEdge measured;
+  };
+  std::vector<AsrId> ids;
+  std::vector<Pose2> odom_from_asr;
+  std::vector<int> component;
+  std::vector<bool> is_fixed;  ///< the first ASR of each component
+  std::vector<Edge> driven;
+  std::vector<Edge> recognised;
+  std::vector<std::optional<WallDirection>> walls;
+};
+
+[[nodiscard]] Measurements measurements_of(const std::vector<Asr>& asrs, const RoomGraph& graph,
+                                           const CorrectOptions& options);
+
+/// Poses, and the direction of the walls of each component.
+struct State {
+  std::vector<Pose2> building_from_asr;
+  std::vector<double> direction_rad;
+};
+
+/// Where to start: odometry from one ASR to the next, each turned into the building's direction
+/// where its walls tell and the turn is within the gate. Without walls this is odometry.
+[[nodiscard]] State initial_guess(const Measurements& measurements, const CorrectOptions& options);
+
+/// The angle to add to an ASR's heading to compare it with the building's direction: its walls'
+/// direction plus as many quarter turns as lie between at `state`. Nothing where the ASR's walls
+/// are farther off than the gate.
+[[nodiscard]] std::optional<double> wall_offset(const Measurements& measurements,
+                                                const State& state, std::size_t index,
+                                                const CorrectOptions& options);
+
+struct HeadingAndPosition {
+  double heading_rad = 0.0;
+  double position_m = 0.0;
+};
+/// Standard deviations of a driven or recognised edge.
+[[nodiscard]] HeadingAndPosition sigmas_of(const PassageEdge& edge, const CorrectOptions& options);
+
+struct ModelResult {
+  State state;
+  bool converged = false;
+  std::string message;
+  double initial_cost = -1.0;
+  double final_cost = -1.0;
+  int iterations = 0;
+  std::vector<FactorReport> factors;  ///< chi-square before is at odometry's poses
+};
+
+[[nodiscard]] ModelResult solve_se2(const Measurements& measurements, const State& start,
+                                    const CorrectOptions& options);
+[[nodiscard]] ModelResult solve_rotation_only(const Measurements& measurements,
+                                              const State& start, const CorrectOptions& options);
+
+}  // namespace roomatlas

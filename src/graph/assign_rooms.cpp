@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
+#include <cmath>
+
+#include "roomatlas/graph/recognise.hpp"
+
+namespace roomatlas {
+namespace {
+
+constexpr double kLatticeM = 0.2;
+constexpr double kWallReachM = 0.25;  // evidence for wall beside a jamb may be this far off
+
+/// The ASRs, placed, with sets of those that are the same room.
+class SameRoom {
+ public:
+  explicit SameRoom(const std::vector<Asr>& asrs) {
+    for (const Asr& asr : asrs) sets_.make_set(asr.id);
+  }
+  void join(AsrId a, AsrId b) { sets_.union_set(a, b); }
+  [[nodiscard]] AsrId representative(AsrId id) { return sets_.find_set(id); }
+
+ private:
+  std::map<AsrId, std::size_t> ranks_;
+  std::map<AsrId, AsrId> parents_;
+  boost::disjoint_sets<boost::associative_property_map<std::map<AsrId, std::size_t>>,
+                       boost::associative_property_map<std::map<AsrId, AsrId>>>
+      sets_{boost::make_assoc_property_map(ranks_), boost::make_assoc_property_map(parents_)};
+};
+
+bool has_wall_near(const std::vector<WallPolyline>& walls, const Point2& point) {
+  for (const WallPolyline& wall : walls) {
+    for (std::size_t i = 1; i < wall.vertices_asr.size(); ++i) {
+      if (distance({wall.vertices_asr[i - 1], wall.vertices_asr[i]}, point) <= kWallReachM) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Share of the door line's continuation beside a jamb where a wall has been seen from either
+/// side.
+double wall_share(const Asr& before, const Asr& after, const Exit& exit, double side,
+                  const RoomOptions& options) {
+  const Pose2 after_from_before = inverse(exit.asr_from_pivot);
+  int seen = 0;
+  int asked = 0;
+  for (double off_m = 0.1; off_m <= options.wall_beside_door_m; off_m += 0.1) {
+    const Point2 at_pivot(0.0, side * (exit.width_m / 2.0 + off_m));
+    const Point2 in_before = inverse(after_from_before) * at_pivot;
+    ++asked;
+    if (has_wall_near(after.walls, at_pivot) || has_wall_near(before.walls, in_before)) ++seen;
+  }
+  return asked > 0 ? static_cast<double>(seen) / asked : 0.0;
+}
+
+bool separates_rooms(const Asr& before, const Asr& after, const Exit& exit,
+                     const RoomOptions& options) {
+  return wall_share(before, after, exit, 1.0, options) >= options.min_wall_share &&
+         wall_share(before, after, exit, -1.0, options) >= options.min_wall_share;
+}
+
+void join_driven(SameRoom& same, const std::vector<Asr>& asrs, const RoomOptions& options) {
+  std::map<AsrId, const Asr*> by_id;
+  for (const Asr& asr : asrs) by_id[asr.id] = &asr;
+  for (const Asr& asr : asrs) {
+    for (const Exit& exit : asr.exits) {
+      if (exit.is_entry || !exit.neighbor || !by_id.contains(*exit.neighbor)) continue;
+      if (exit.kind == PassageKind::open_passage ||
+          !separates_rooms(asr, *by_id[*exit.neighbor], exit, options)) {
+        same.join(asr.id, *exit.neighbor);
+      }
+    }
+  }
+}
+
+/// Both edges of a recognised doorway begin behind it; the ASR before each is the one driven from.
+void join_recognised(SameRoom& same, const RoomGraph& graph) {
+  std::map<AsrId, AsrId> driven_from;
+  for (const PassageEdge& edge : edges_of(graph)) {
+    if (edge.source == EdgeSource::driven) driven_from[edge.to] = edge.from;
+  }
+  for (const PassageEdge& edge : edges_of(graph)) {
+    if (edge.source != EdgeSource::recognised) continue;
+    const bool is_same_way = std::abs(edge.from_from_to.theta_rad) < kPi / 2.0;
+    same.join(edge.from, is_same_way ? edge.to : driven_from.at(edge.to));
+    same.join(driven_from.at(edge.from), is_same_way ? driven_from.at(edge.to) : edge.to);
+  }
+}
+
+void join_overlapping(SameRoom& same, const std::vector<Asr>& asrs, const Placement& placement,
+                      const RoomOptions& options) {
+  std::vector<Polygon> placed;
+  std::vector<Box2> boxes;
+  for (const Asr& asr : asrs) {
+    placed.push_back(transformed(placement.at(asr.id), asr.outline_asr));
+    boxes.push_back(bounds(placed.back().outer));
+  }
+  for (std::size_t i = 0; i < asrs.size(); ++i) {
+    for (std::size_t j = i + 1; j < asrs.size(); ++j) {
+      if ((boxes[i].min.array() > boxes[j].max.array()).any() ||
+          (boxes[j].min.array() > boxes[i].max.array()).any() ||
+          same.representative(asrs[i].id) == same.representative(asrs[j].id)) {
+        continue;
+      }
+      if (overlap_share(placed[i], placed[j]) >= options.min_overlap_share) {
+        same.join(asrs[i].id, asrs[j].id);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+double overlap_share(const Polygon& first, const Polygon& second) {
+  const bool first_is_smaller = area(first) <= area(second);
+  const Polygon& smaller = first_is_smaller ? first : second;
+  const Polygon& larger = first_is_smaller ? second : first;
+  const Box2 box = bounds(smaller.outer);
+  if (box.empty() || larger.outer.empty()) return 0.0;
+  int inside = 0;
+  int shared = 0;
+  for (double x = box.min.x() + kLatticeM / 2.0; x < box.max.x(); x += kLatticeM) {
+    for (double y = box.min.y() + kLatticeM / 2.0; y < box.max.y(); y += kLatticeM) {
+      if (!contains(smaller, Point2(x, y))) continue;
+      ++inside;
+      if (contains(larger, Point2(x, y))) ++shared;
+    }
+  }
+  return inside > 0 ? static_cast<double>(shared) / inside : 0.0;
+}
+
+std::map<AsrId, RoomId> assign_rooms(const std::vector<Asr>& asrs, const RoomGraph& graph,
+                                     const Placement& placement, const RoomOptions& options) {
+  SameRoom same(asrs);
+  join_driven(same, asrs, options);
+  join_recognised(same, graph);
+  join_overlapping(same, asrs, placement, options);
+
+  std::map<AsrId, RoomId> number_of;  // by representative
+  std::map<AsrId, RoomId> room_of;
+  for (const Asr& asr : asrs) {
+    const auto next = static_cast<RoomId>(number_of.size() + 1);
+    room_of[asr.id] = number_of.try_emplace(same.representative(asr.id), next).first->second;
+  }
+  return room_of;
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/graph/doors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace roomatlas {
+namespace {
+
+constexpr double kSameDoorM = 0.8;
+
+/// One crossing, as the first draft of a door.
+struct Crossing {
+  AsrId to = 0;
+  Pose2 building_from_pivot;
+  double width_m = 0.0;
+  RoomId from_room = 0;
+  RoomId to_room = 0;
+};
+
+std::vector<Crossing> crossings_between_rooms(const std::vector<Asr>& asrs,
+                                              const Placement& placement,
+                                              const std::map<AsrId, RoomId>& room_of_asr) {
+  std::vector<Crossing> crossings;
+  for (const Asr& asr : asrs) {
+    for (const Exit& exit : asr.exits) {
+      if (exit.is_entry || exit.kind != PassageKind::doorway || !exit.neighbor) continue;
+      if (!placement.contains(*exit.neighbor)) continue;
+      const RoomId from_room = room_of_asr.at(asr.id);
+      const RoomId to_room = room_of_asr.at(*exit.neighbor);
+      if (from_room == to_room) continue;
+      crossings.push_back({*exit.neighbor, placement.at(*exit.neighbor), exit.width_m, from_room,
+                           to_room});
+    }
+  }
+  return crossings;
+}
+
+bool is_recognised(const RoomGraph& graph, AsrId a, AsrId b) {
+  const auto edges = edges_of(graph);
+  return std::any_of(edges.begin(), edges.end(), [&](const PassageEdge& edge) {
+    return edge.source == EdgeSource::recognised &&
+           ((edge.from == a && edge.to == b) || (edge.from == b && edge.to == a));
+  });
+}
+
+bool is_same_door(const Crossing& a, const Crossing& b, const RoomGraph& graph) {
+  if (std::minmax(a.from_room, a.to_room) != std::minmax(b.from_room, b.to_room)) return false;
+  const double apart_m =
+      (a.building_from_pivot.position() - b.building_from_pivot.position()).norm();
+  return apart_m <= kSameDoorM || is_recognised(graph, a.to, b.to);
+}
+
+/// Turns a crossing so that it goes the way of the first.
+Pose2 the_way_of(const Crossing& crossing, const Crossing& first) {
+  Pose2 pose = crossing.building_from_pivot;
+  if (crossing.from_room != first.from_room) pose.theta_rad = wrap_angle(pose.theta_rad + kPi);
+  return pose;
+}
+
+BuildingDoor averaged(const std::vector<Crossing>& crossings) {
+  const Crossing& first = crossings.front();
+  Point2 position = Point2::Zero();
+  Point2 heading = Point2::Zero();
+  std::vector<double> widths_m;
+  BuildingDoor door;
+  for (const Crossing& crossing : crossings) {
+    const Pose2 pose = the_way_of(crossing, first);
+    position += pose.position() / static_cast<double>(crossings.size());
+    heading += direction(pose.theta_rad);
+    widths_m.push_back(crossing.width_m);
+    door.crossings.push_back(crossing.to);
+  }
+  const auto middle = widths_m.begin() + static_cast<std::ptrdiff_t>(widths_m.size() / 2);
+  std::nth_element(widths_m.begin(), middle, widths_m.end());
+  door.building_from_pivot = {position.x(), position.y(), std::atan2(heading.y(), heading.x())};
+  door.width_m = *middle;
+  door.room_a = first.from_room;
+  door.room_b = first.to_room;
+  return door;
+}
+
+}  // namespace
+
+std::vector<BuildingDoor> doors_of(const std::vector<Asr>& asrs, const RoomGraph& graph,
+                                   const Placement& placement,
+                                   const std::map<AsrId, RoomId>& room_of_asr) {
+  std::vector<std::vector<Crossing>> groups;
+  for (const Crossing& crossing : crossings_between_rooms(asrs, placement, room_of_asr)) {
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
+      return std::any_of(group.begin(), group.end(), [&](const Crossing& other) {
+        return is_same_door(crossing, other, graph);
+      });
+    });
+    if (same != groups.end()) {
+      same->push_back(crossing);
+    } else {
+      groups.push_back({crossing});
+    }
+  }
+  std::vector<BuildingDoor> doors;
+  for (const auto& group : groups) doors.push_back(averaged(group));
+  return doors;
+}
+
+Segment2 jambs_of(const BuildingDoor& door) {
+  const Point2 half(0.0, door.width_m / 2.0);
+  return {door.building_from_pivot * half, door.building_from_pivot * Point2(-half)};
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "carmen_source.hpp"
+
+#include "carmen_parser.hpp"
+#include "tokens.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace roomatlas::io {
+namespace {
+
+constexpr int kProbedLines = 1000;
+constexpr std::int64_t kMostMalformedListed = 100;
+constexpr std::size_t kMostIgnoredTags = 64;
+
+bool is_comment(std::string_view tag) { return tag.empty() || tag.front() == '#'; }
+
+bool looks_like_tag(std::string_view text) {
+  const auto is_letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
+  const auto fits = [&](char c) {
+    return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  return !text.empty() && text.size() <= 32 && is_letter(text.front()) &&
+         std::all_of(text.begin(), text.end(), fits);
+}
+
+}  // namespace
+
+CarmenSource::CarmenSource(const std::filesystem::path& file, const MissionOptions& options)
+    : reader_(file), catalog_(options, info_.sensors) {
+  info_.file = file.filename().string();
+  info_.format = "CARMEN";
+  info_.odometry = "none";
+  info_.footprint = options.footprint;
+  read_first_message(file.string());
+}
+
+void CarmenSource::read_first_message(const std::string& name) {
+  for (int unknown = 0; unknown < kProbedLines;) {
+    const std::optional<std::string_view> line = reader_.next();
+    if (!line) {
+      const bool whole = reader_.end() == LineReader::End::complete;
+      if (!whole) throw InputError(name + ": is cut short before its first message; copy it again");
+      if (unknown > 0) break;
+      throw InputError(name + ": holds comments only; nothing was recorded in it");
+    }
+    const std::string_view word = Tokens(*line).next();
+    if (is_comment(word)) continue;
+    if (const CarmenTag* tag = find_carmen_tag(word)) return read_message(*tag, *line);
+    count_ignored(word);
+    ++unknown;
+  }
+  throw InputError(name +
+                   ": is not a CARMEN log: none of its first lines begins with a known tag (" +
+                   list_carmen_tags() + "); name a mission log");
+}
+
+std::optional<MissionEvent> CarmenSource::next() {
+  while (!queue_.ready()) {
+    if (read_line()) continue;
+    if (queue_.empty()) return std::nullopt;
+    break;
+  }
+  return hand_out(queue_.take());
+}
+
+/// Reads one line, whatever is in it. False at the end.
+bool CarmenSource::read_line() {
+  const std::optional<std::string_view> line = reader_.next();
+  if (!line) {
+    if (reader_.end() != LineReader::End::complete) report_cut();
+    return false;
+  }
+  if (reader_.line_is_too_long()) {
+    add_malformed(
+        {"", "the line is longer than " + std::to_string(LineReader::kLongestLine) + " bytes"});
+    return true;
+  }
+  const std::string_view word = Tokens(*line).next();
+  if (is_comment(word)) return true;
+  if (const CarmenTag* tag = find_carmen_tag(word)) {
+    read_message(*tag, *line);
+  } else if (!reader_.line_is_terminated() && begins_carmen_tag(word)) {
+    report_cut();
+  } else {
+    count_ignored(word);
+  }
+  return true;
+}
+
+void CarmenSource::read_message(const CarmenTag& tag, std::string_view line) {
+  std::optional<CarmenProblem> problem = parse_carmen_line(tag, line, message_);
+  if (is_cut_off(tag, problem.has_value())) return report_cut();
+  if (problem) return add_malformed(*problem);
+  use_message();
+}
+
+/// A last line without its end is whole only if nothing is missing that the lines before it had.
+bool CarmenSource::is_cut_off(const CarmenTag& tag, bool malformed) const {
+  if (reader_.line_is_terminated()) return false;
+  if (malformed || reader_.end() != LineReader::End::complete) return true;
+  const auto state = tags_.find(&tag);
+  if (state == tags_.end()) return false;
+  return message_.trailing_fields < state->second.trailing_fields ||
+         message_.scan.has_poses < state->second.has_poses;
+}
+
+void CarmenSource::report_cut() {
+  if (std::exchange(cut_reported_, true)) return;
+  const bool damaged = reader_.end() == LineReader::End::damaged;
+  add_issue(Severity::warning, "",
+            std::string("the log is cut short in or after this line") +
+                (damaged ? " because its gzip data is damaged" : "") +
+                "; mapped up to the cut. Copy the file again to have the rest");
+}
+
+void CarmenSource::count_ignored(std::string_view tag) {
+  std::string key = looks_like_tag(tag) ? std::string(tag) : "(not a tag)";
+  if (info_.ignored_line_counts.size() >= kMostIgnoredTags &&
+      !info_.ignored_line_counts.contains(key)) {
+    key = "(others)";
+  }
+  ++info_.ignored_line_counts[key];
+}
+
+void CarmenSource::add_malformed(const CarmenProblem& problem) {
+  if (++info_.malformed_lines > kMostMalformedListed) {
+    ++info_.issues_not_listed;
+    return;
+  }
+  add_issue(Severity::warning, problem.field,
+            problem.message + "; the line is left out: correct it or delete it");
+}
+
+/// Adds what concerns the log as a whole, of which there are a few at most, whatever the limit.
+void CarmenSource::add_issue(Severity severity, std::string field, std::string message) {
+  info_.issues.push_back(
+      {severity, info_.file, reader_.line_number(), std::move(field), std::move(message)});
+}
+
+}  // namespace roomatlas::io

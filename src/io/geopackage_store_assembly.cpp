@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geopackage_schema.hpp"
+#include "geopackage_store_state.hpp"
+#include "geopackage_tables.hpp"
+#include "stored_names.hpp"
+#include "wkb.hpp"
+
+namespace roomatlas {
+namespace {
+
+/// One feature layer while it is written: gathers the layer's bounding box.
+class Layer {
+ public:
+  Layer(Database& db, const char* table) : db_(db), table_(table) {}
+  Layer(const Layer&) = delete;
+  Layer& operator=(const Layer&) = delete;
+
+  [[nodiscard]] Bytes blob(const Polyline& line) { return boxed(wkb_of_line(line), bounds(line)); }
+  [[nodiscard]] Bytes blob(const Polygon& polygon) {
+    return boxed(wkb_of_polygon(polygon), bounds(polygon.outer));
+  }
+  [[nodiscard]] Bytes blob(const std::vector<Polygon>& polygons) {
+    Box2 box;
+    for (const Polygon& polygon : polygons) {
+      for (const Point2& point : polygon.outer) box.extend(point);
+    }
+    return boxed(wkb_of_polygons(polygons), box);
+  }
+
+  void write_extent() {
+    if (extent_.empty()) extent_.min = extent_.max = Point2::Constant(std::nan(""));  // NULL
+    db_.run(
+        "UPDATE gpkg_contents SET min_x = ?, min_y = ?, max_x = ?, max_y = ? "
+        "WHERE table_name = ?",
+        extent_.min, extent_.max, table_);
+  }
+
+ private:
+  Bytes boxed(const Bytes& wkb, const Box2& box) {
+    if (!box.empty()) {
+      extent_.extend(box.min);
+      extent_.extend(box.max);
+    }
+    return geopackage_blob(wkb, box, kBuildingSrsId);
+  }
+
+  Database& db_;
+  const char* table_;
+  Box2 extent_;
+};
+
+std::string joined(const std::vector<AsrId>& ids) {
+  std::string text;
+  for (const AsrId id : ids) text += (text.empty() ? "" : ",") + std::to_string(id);
+  return text;
+}
+
+void write_rooms(Database& db, const std::vector<PlanRoom>& rooms) {
+  Layer layer(db, "rooms");
+  for (const PlanRoom& room : rooms) {
+    db.run("INSERT INTO rooms VALUES (?, ?, ?, ?, ?, ?, ?, ?)", room.id, layer.blob(room.parts),
+           room.name, stored_name(kRoomKinds, room.kind), room.area_m2, room.label_point,
+           joined(room.asrs));
+  }
+  layer.write_extent();
+}
+
+void write_doors(Database& db, const std::vector<PlanDoor>& doors) {
+  Layer layer(db, "doors");
+  for (const PlanDoor& door : doors) {
+    db.run("INSERT INTO doors VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)", door.id,
+           layer.blob(Polygon{door.opening, {}}), door.width_m, door.room_a, door.room_b,
+           door.jambs.a, door.jambs.b);
+  }
+  layer.write_extent();
+}
+
+void write_polygons(Database& db, const char* table, const std::vector<Polygon>& polygons) {
+  Layer layer(db, table);
+  const std::string insert = "INSERT INTO " + std::string(table) + " VALUES (NULL, ?)";
+  for (const Polygon& polygon : polygons) db.run(insert, layer.blob(polygon));
+  layer.write_extent();
+}
+
+void write_path(Database& db, const std::vector<AsrCorrection>& corrections) {
+  Layer layer(db, "path");
+  for (const AsrCorrection& correction : corrections) {
+    const RowKeys keys = row_keys(correction.asr);
+    Polyline line;
+    db.for_each_row(
+        "SELECT asr_from_robot_x_m, asr_from_robot_y_m FROM path_samples "
+        "WHERE id BETWEEN ? AND ? ORDER BY id",
+        [&](Row& row) { line.push_back(correction.building_from_asr * row.point()); }, keys.first,
+        keys.last);
+    if (line.size() < 2) continue;  // a point is no line
+    db.run("INSERT INTO path VALUES (?, ?)", correction.asr, layer.blob(line));
+  }
+  layer.write_extent();
+}
+
+void write_plan(Database& db, const FloorPlan& plan) {
+  write_rooms(db, plan.rooms);
+  write_doors(db, plan.doors);
+  write_polygons(db, "walls", plan.walls);
+  write_polygons(db, "free_space", plan.free_space);
+  write_polygons(db, "furniture", plan.furniture);
+  for (const Issue& issue : plan.issues) {
+    db.run("INSERT INTO plan_issues VALUES (NULL, ?, ?, ?, ?, ?)",
+           stored_name(kSeverities, issue.severity), issue.file, issue.line, issue.field,
+           issue.message);
+  }
+}
+
+void write_correction(Database& db, const Correction& correction) {
+  for (const AsrCorrection& asr : correction.asrs) {
+    db.run("INSERT INTO corrections VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", asr.asr, asr.component,
+           asr.building_from_asr_before, asr.building_from_asr, asr.moved_m, asr.turned_rad);
+  }
+  for (const FactorReport& factor : correction.factors) {
+    db.run("INSERT INTO factors VALUES (NULL, ?, ?, ?, ?, ?, ?)",
+           stored_name(kFactorKinds, factor.kind), factor.from, factor.to, factor.chi_square_before,
+           factor.chi_square_after, factor.weight);
+  }
+}
+
+}  // namespace
+
+void GeoPackageStore::put_assembly(const Correction& correction, const FloorPlan& plan,
+                                   const std::map<AsrId, RoomId>& room_of_asr) {
+  state_->transaction([&](Database& db) {
+    for (const char* table : kResultTables) db.execute("DELETE FROM " + std::string(table));
+    db.run("INSERT INTO assembly VALUES (1, ?, ?, ?, ?, ?, ?, ?)", plan.title, correction.converged,
+           correction.model, correction.message, correction.initial_cost, correction.final_cost,
+           correction.iterations);
+    write_correction(db, correction);
+    write_plan(db, plan);
+    write_path(db, correction.asrs);
+    db.run("UPDATE asr SET room = 0");
+    for (const auto& [asr, room] : room_of_asr) {
+      db.run("UPDATE asr SET room = ? WHERE id = ?", room, asr);
+    }
+  });
+}
+
+}  // namespace roomatlas

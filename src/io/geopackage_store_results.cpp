@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geopackage_store_state.hpp"
+#include "stored_names.hpp"
+#include "wkb.hpp"
+
+#include <charconv>
+
+namespace roomatlas {
+namespace {
+
+std::vector<AsrId> ids_of(const std::string& text) {
+  std::vector<AsrId> ids;
+  const char* const end = text.data() + text.size();
+  for (const char* at = text.data(); at < end; ++at) {
+    const std::from_chars_result number = std::from_chars(at, end, ids.emplace_back());
+    if (number.ec != std::errc()) throw DamagedData("rooms.asrs has '" + text + "'");
+    at = number.ptr;  // on the comma
+  }
+  return ids;
+}
+
+PlanRoom room_of(Row& row) {
+  PlanRoom room;
+  room.id = row.integer();
+  room.parts = polygons_of_wkb(wkb_of_geopackage_blob(row.blob()));
+  room.name = row.text();
+  room.kind = value_of_stored_name(kRoomKinds, row.text());
+  room.area_m2 = row.real();
+  room.label_point = row.point();
+  room.asrs = ids_of(row.text());
+  return room;
+}
+
+PlanDoor door_of(Row& row) {
+  PlanDoor door;
+  door.id = row.integer();
+  door.opening = polygon_of_wkb(wkb_of_geopackage_blob(row.blob())).outer;
+  door.width_m = row.real();
+  door.room_a = row.optional_integer();
+  door.room_b = row.optional_integer();
+  door.jambs.a = row.point();
+  door.jambs.b = row.point();
+  return door;
+}
+
+Issue issue_of(Row& row) {
+  Issue issue;
+  issue.severity = value_of_stored_name(kSeverities, row.text());
+  issue.file = row.text();
+  issue.line = row.integer();
+  issue.field = row.text();
+  issue.message = row.text();
+  return issue;
+}
+
+AsrCorrection asr_correction_of(Row& row) {
+  AsrCorrection asr;
+  asr.asr = row.integer();
+  asr.component = row.integer();
+  asr.building_from_asr_before = row.pose();
+  asr.building_from_asr = row.pose();
+  asr.moved_m = row.real();
+  asr.turned_rad = row.real();
+  return asr;
+}
+
+FactorReport factor_of(Row& row) {
+  FactorReport factor;
+  factor.kind = value_of_stored_name(kFactorKinds, row.text());
+  factor.from = row.integer();
+  factor.to = row.integer();
+  factor.chi_square_before = row.real();
+  factor.chi_square_after = row.real();
+  factor.weight = row.real();
+  return factor;
+}
+
+/// The values of all rows of a query.
+template <typename Value>
+std::vector<Value> all(Database& db, const char* sql, Value (*value_of)(Row&)) {
+  std::vector<Value> values;
+  db.for_each_row(sql, [&](Row& row) { values.push_back(value_of(row)); });
+  return values;
+}
+
+std::vector<Polygon> polygons_of(Database& db, const char* sql) {
+  return all<Polygon>(
+      db, sql, +[](Row& row) { return polygon_of_wkb(wkb_of_geopackage_blob(row.blob())); });
+}
+
+[[noreturn]] void throw_not_assembled(const std::filesystem::path& file) {
+  throw InputError(file.string() + ": holds no floor plan yet: run 'roomatlas assemble " +
+                   file.string() + "' first");
+}
+
+Correction summary_of(Row& row) {
+  Correction correction;
+  correction.converged = row.flag();
+  correction.model = row.text();
+  correction.message = row.text();
+  correction.initial_cost = row.real();
+  correction.final_cost = row.real();
+  correction.iterations = static_cast<int>(row.integer());
+  return correction;
+}
+
+}  // namespace
+
+bool GeoPackageStore::has_assembly() const {
+  return state_->reading(
+      [](Database& db) { return db.for_each_row("SELECT id FROM assembly", [](Row&) {}) > 0; });
+}
+
+Correction GeoPackageStore::correction() const {
+  return state_->reading([&](Database& db) {
+    const std::vector<Correction> summaries =
+        all(db,
+            "SELECT converged, model, message, initial_cost, final_cost, iterations "
+            "FROM assembly",
+            summary_of);
+    if (summaries.empty()) throw_not_assembled(state_->file);
+    Correction correction = summaries.front();
+    correction.asrs = all(db, "SELECT * FROM corrections ORDER BY asr", asr_correction_of);
+    correction.factors =
+        all(db,
+            "SELECT kind, from_asr, to_asr, chi_square_before, chi_square_after, weight "
+            "FROM factors ORDER BY id",
+            factor_of);
+    return correction;
+  });
+}
+
+FloorPlan GeoPackageStore::plan() const {
+  return state_->reading([&](Database& db) {
+    FloorPlan plan;
+    const std::int64_t found =
+        db.for_each_row("SELECT title FROM assembly", [&](Row& row) { plan.title = row.text(); });
+    if (found == 0) throw_not_assembled(state_->file);
+    plan.rooms = all(db, "SELECT * FROM rooms ORDER BY id", room_of);
+    plan.doors = all(db, "SELECT * FROM doors ORDER BY id", door_of);
+    plan.walls = polygons_of(db, "SELECT geom FROM walls ORDER BY id");
+    plan.free_space = polygons_of(db, "SELECT geom FROM free_space ORDER BY id");
+    plan.furniture = polygons_of(db, "SELECT geom FROM furniture ORDER BY id");
+    plan.issues = all(db,
+                      "SELECT severity, file, line, field, message FROM plan_issues "
+                      "ORDER BY id",
+                      issue_of);
+    return plan;
+  });
+}
+
+}  // namespace roomatlas

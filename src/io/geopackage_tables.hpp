@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+namespace roomatlas {
+
+/// What gpkg_contents says of a table.
+struct TableContents {
+  const char* name;
+  const char* geometry_type;  ///< null for a table of attributes
+  const char* description;
+};
+
+inline constexpr std::array<TableContents, 17> kTables = {{
+    {"rooms", "MULTIPOLYGON", "Rooms of the floor plan"},
+    {"doors", "POLYGON", "Doorways: openings in the walls"},
+    {"walls", "POLYGON", "Wall bodies with thickness"},
+    {"free_space", "POLYGON", "Union of rooms and door openings"},
+    {"furniture", "POLYGON", "Obstacles that are no walls"},
+    {"path", "LINESTRING", "Corrected path of the robot, one line a visit"},
+    {"asr", nullptr, "Visits to spaces, each in its own frame"},
+    {"exits", nullptr, "Passages through which the robot entered or left a visit"},
+    {"path_samples", nullptr, "Poses of the robot, one a reading"},
+    {"sensors", nullptr, "Range sensors and their beams"},
+    {"readings", nullptr, "Range readings, compressed, one row a visit"},
+    {"truth", nullptr, "True poses in the order of the log"},
+    {"assembly", nullptr, "Title of the plan and summary of the correction"},
+    {"corrections", nullptr, "Poses of the visits in the building, before and after"},
+    {"factors", nullptr, "Measurements between visits and what became of them"},
+    {"plan_issues", nullptr, "What was imperfect in the plan"},
+    {"metadata", nullptr, "About the run: versions, configuration, input"},
+}};
+
+/// The tables that an assembly fills and the next one replaces.
+inline constexpr std::array<const char*, 10> kResultTables = {
+    "rooms", "doors",    "walls",       "free_space", "furniture",
+    "path",  "assembly", "corrections", "factors",    "plan_issues"};
+
+extern const char* const kGeoPackageSql;  ///< the tables that the standard asks for
+extern const char* const kMissionSql;     ///< what the online stage writes
+extern const char* const kResultSql;      ///< what the offline stage writes
+
+}  // namespace roomatlas

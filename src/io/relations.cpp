@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "number_rows.hpp"
+
+#include "roomatlas/io/formats.hpp"
+
+namespace roomatlas {
+
+/// z, roll and pitch are read and dropped: missions are planar.
+std::vector<Relation> read_relations(const Path& file) {
+  std::vector<Relation> relations;
+  io::read_number_rows(file, {"t1", "t2", "x", "y", "z", "roll", "pitch", "yaw"},
+                       [&](std::span<const double> row) {
+                         const Pose2 pose1_from_pose2{row[2], row[3], wrap_angle(row[7])};
+                         relations.push_back({row[0], row[1], pose1_from_pose2});
+                         return std::string();
+                       });
+  return relations;
+}
+
+}  // namespace roomatlas

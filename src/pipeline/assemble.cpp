@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "load.hpp"
+#include "roomatlas/pipeline/pipeline.hpp"
+
+namespace roomatlas {
+namespace {
+
+constexpr double kDoorReachM = 1.0;  // doors this near an outline are cut into it
+
+void report(const Progress& progress, const char* stage, double done) {
+  if (progress && !progress(stage, done)) throw Interrupted("interrupted while assembling");
+}
+
+using EdgeKey = std::pair<AsrId, AsrId>;
+
+std::set<EdgeKey> keys_of(const std::vector<PassageEdge>& edges) {
+  std::set<EdgeKey> keys;
+  for (const PassageEdge& edge : edges) keys.insert({edge.from, edge.to});
+  return keys;
+}
+
+struct CorrectedGraph {
+  RoomGraph graph;
+  Correction correction;
+};
+
+/// Recognising doorways needs good poses, and good poses need recognised doorways: both in turn,
+/// until nothing new is recognised.
+CorrectedGraph correct_in_rounds(const std::vector<Asr>& asrs, const AssembleOptions& options) {
+  const RoomGraph driven = build_graph(asrs);
+  CorrectedGraph result{driven, correct(asrs, driven, options.correct)};
+  std::set<EdgeKey> known;
+  for (int round = 0; round < options.max_rounds; ++round) {
+    const std::vector<PassageEdge> recognised =
+        recognise_doorways(asrs, placement_of(result.correction), options.recognise);
+    if (keys_of(recognised) == known) break;
+    known = keys_of(recognised);
+    result.graph = driven;
+    for (const PassageEdge& edge : recognised) add_edge(result.graph, edge);
+    result.correction = correct(asrs, result.graph, options.correct);
+  }
+  return result;
+}
+
+/// A door of the building as an exit of an ASR: theta points away from the ASR's path.
+Exit as_exit_of(const Asr& asr, const Pose2& asr_from_door, double width_m) {
+  const auto nearest = std::min_element(
+      asr.path.begin(), asr.path.end(), [&](const PathSample& a, const PathSample& b) {
+        return (a.asr_from_robot.position() - asr_from_door.position()).squaredNorm() <
+               (b.asr_from_robot.position() - asr_from_door.position()).squaredNorm();
+      });
+  Exit exit;
+  exit.asr_from_pivot = asr_from_door;
+  const Point2 path_at_door = inverse(asr_from_door) * nearest->asr_from_robot.position();
+  if (path_at_door.x() > 0.0) {
+    exit.asr_from_pivot.theta_rad = wrap_angle(asr_from_door.theta_rad + kPi);
+  }
+  exit.width_m = width_m;
+  const Point2 half(0.0, width_m / 2.0);
+  exit.jambs_asr = {exit.asr_from_pivot * half, exit.asr_from_pivot * Point2(-half)};
+  return exit;
+}
+
+/// The doors of an ASR's room near its outline that its own visit did not go through.
+std::vector<Exit> other_doors_of(const Asr& asr, RoomId room, const Pose2& building_from_asr,
+                                 const std::vector<BuildingDoor>& doors) {
+  std::vector<Exit> others;
+  for (const BuildingDoor& door : doors) {
+    if (door.room_a != room && door.room_b != room) continue;
+    const Pose2 asr_from_door = inverse(building_from_asr) * door.building_from_pivot;
+    const Point2 at = asr_from_door.position();
+    const bool is_near = contains(asr.outline_asr, at) ||
+                         distance_to_boundary(asr.outline_asr.outer, at) <= kDoorReachM;
+    const bool is_own = std::any_of(asr.exits.begin(), asr.exits.end(), [&](const Exit& exit) {
+      return exit.kind == PassageKind::doorway &&
+             (exit.asr_from_pivot.position() - at).norm() <= kDoorReachM;
+    });
+    if (is_near && !is_own) others.push_back(as_exit_of(asr, asr_from_door, door.width_m));
+  }
+  return others;
+}
+
+/// The ASR's outline, cut at every door of its room.
+Polygon outline_cut_at_doors(const AsrSource& source, const Asr& asr, RoomId room,
+                             const Pose2& building_from_asr,
+                             const std::vector<BuildingDoor>& doors,
+                             const RobotFootprint& footprint, const AssembleOptions& options) {
+  const std::vector<Exit> others =
+      options.map_again ? other_doors_of(asr, room, building_from_asr, doors)
+                        : std::vector<Exit>{};
+  if (others.empty()) return asr.outline_asr;
+  const Asr whole = source.get(asr.id, AsrDetail::readings);
+  if (whole.readings.empty()) return asr.outline_asr;
+  std::vector<Exit> exits = asr.exits;
+  exits.insert(exits.end(), others.begin(), others.end());
+  return map_room(whole.path, whole.readings, exits, footprint, options.map).outline;
+}
+
+}  // namespace
+
+Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
+                  const AssembleOptions& options, const Progress& progress) {
+  report(progress, "load", 0.0);
+  const std::vector<Asr> asrs = load(source, AsrDetail::path);
+  if (asrs.empty()) throw NotEnoughError("the store holds no ASR: run `roomatlas map` first");
+
+  Assembly assembly;
+  report(progress, "correct", 0.0);
+  CorrectedGraph corrected = correct_in_rounds(asrs, options);
+  assembly.graph = std::move(corrected.graph);
+  assembly.correction = std::move(corrected.correction);
+  const Placement placement = placement_of(assembly.correction);
+
+  assembly.room_of_asr = assign_rooms(asrs, assembly.graph, placement, options.rooms);
+  set_rooms(assembly.graph, assembly.room_of_asr);
+  assembly.doors = doors_of(asrs, assembly.graph, placement, assembly.room_of_asr);
+
+  std::vector<PlacedOutline> outlines;
+  for (const Asr& asr : asrs) {
+    report(progress, "outline", static_cast<double>(outlines.size()) /
+                                    static_cast<double>(asrs.size()));
+    const RoomId room = assembly.room_of_asr.at(asr.id);
+    const Pose2& building_from_asr = placement.at(asr.id);
+    const Polygon outline = outline_cut_at_doors(source, asr, room, building_from_asr,
+                                                 assembly.doors, footprint, options);
+    outlines.push_back({asr.id, room, transformed(building_from_asr, outline)});
+  }
+  std::vector<PlacedDoor> doors;
+  for (const BuildingDoor& door : assembly.doors) {
+    doors.push_back({jambs_of(door), door.room_a, door.room_b});
+  }
+  report(progress, "merge", 0.0);
+  assembly.plan = merge(outlines, doors, options.merge);
+  return assembly;
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/pipeline/pipeline.hpp"
+
+namespace roomatlas {
+namespace {
+
+/// Passes ASRs on and counts what they hold.
+class CountingSink : public AsrSink {
+ public:
+  explicit CountingSink(AsrSink& sink) : sink_(sink) {}
+  void put(const Asr& asr) override {
+    ++summary.asrs;
+    summary.wall_vertices += asr.counters.vertices;
+    sink_.put(asr);
+  }
+  void put(const TruePose& truth) override { sink_.put(truth); }
+
+  MapSummary summary;
+
+ private:
+  AsrSink& sink_;
+};
+
+void require_enough(const MissionInfo& info, const MapSummary& summary) {
+  if (info.odometry == "none") {
+    throw NotEnoughError(info.file +
+                         ": no odometry: there are no ODOM lines and no poses in the scans; "
+                         "record wheel odometry with the ranges");
+  }
+  if (info.readings == 0) {
+    throw NotEnoughError(info.file +
+                         ": no range readings: expected FLASER, ROBOTLASER or SONAR lines; "
+                         "record a laser or sonars");
+  }
+  if (summary.wall_vertices == 0) {
+    throw NotEnoughError(info.file +
+                         ": no wall was seen: every reading is free of echoes, too short or too "
+                         "seldom; check the maximum range and that the robot moved");
+  }
+}
+
+}  // namespace
+
+MapSummary map_mission(MissionSource& mission, AsrSink& sink, const RecorderOptions& options,
+                       const Progress& progress) {
+  constexpr int kReportEvery = 256;
+  CountingSink counting(sink);
+  std::optional<AsrRecorder> recorder;  // made once the log has told the robot's footprint
+  std::int64_t events = 0;
+  while (const auto event = mission.next()) {
+    if (const auto* truth = std::get_if<TruePose>(&*event)) {
+      counting.put(*truth);
+    } else {
+      if (!recorder) recorder.emplace(options, mission.info().footprint, counting);
+      recorder->add(std::get<RangeReading>(*event));
+    }
+    if (progress && ++events % kReportEvery == 0 && !progress("map", mission.progress())) {
+      if (recorder) recorder->finish();
+      throw Interrupted("interrupted while mapping");
+    }
+  }
+  if (recorder) recorder->finish();
+  require_enough(mission.info(), counting.summary);
+  return counting.summary;
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "roomatlas/core/geometry.hpp"
+#include "roomatlas/merge/floor_plan.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace roomatlas {
+
+/// All edges of some polygons, those of holes included and those of no length left out.
+[[nodiscard]] std::vector<Segment2> edges_of(const std::vector<Polygon>& polygons);
+
+/// The edges of everything that stops a beam: walls and furniture.
+[[nodiscard]] std::vector<Segment2> obstacle_edges(const FloorPlan& world);
+
+/// The edges that come within `radius_m` of a point. Casting the rays of one sweep against these
+/// few costs less than walking a grid does at the ranges of a sonar.
+[[nodiscard]] std::vector<Segment2> edges_within(const std::vector<Segment2>& edges,
+                                                 const Point2& center, double radius_m);
+
+/// Where a ray first meets an edge.
+struct RayHit {
+  double range_m = 0.0;
+  double incidence_rad = 0.0;  ///< from the edge's normal, [0, pi/2]
+};
+
+/// @param direction a unit vector
+/// Nothing when no edge is met before `max_range_m`.
+[[nodiscard]] std::optional<RayHit> cast_ray(const std::vector<Segment2>& edges,
+                                             const Point2& origin, const Point2& direction,
+                                             double max_range_m);
+
+/// Least distance between two segments, in metres; 0 where they touch or cross.
+[[nodiscard]] double distance(const Segment2& first, const Segment2& second);
+
+}  // namespace roomatlas

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "random_stream.hpp"
+#include "roomatlas/core/geometry.hpp"
+#include "roomatlas/mission/mission.hpp"
+#include "roomatlas/simulate/simulate.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace roomatlas {
+
+/// The range that one sonar measures without noise: the nearest echo of rays spread over its
+/// cone. A ray that meets a surface at more than `specular_limit_rad` from its normal is thrown
+/// away from the sonar and has no echo; nothing where no ray has one.
+[[nodiscard]] std::optional<double> cone_echo_m(const std::vector<Segment2>& edges,
+                                                const Pose2& world_from_beam,
+                                                const RangeSensor& sensor,
+                                                double specular_limit_rad);
+
+/// Reads a ring of sonars. A lost reading, and one without an echo, is the maximum range.
+class SonarReader {
+ public:
+  SonarReader(const SonarErrors& errors, std::uint64_t seed);
+  /// @return metres, one a beam, in (0, max_range_m]
+  [[nodiscard]] std::vector<float> read(const std::vector<Segment2>& edges,
+                                        const Pose2& world_from_robot, const RangeSensor& ring);
+
+ private:
+  SonarErrors errors_;
+  RandomStream range_noise_;
+  RandomStream dropout_;
+};
+
+}  // namespace roomatlas
