@@ -49,7 +49,7 @@ struct Panels {
 Panels panels_for(const Point2& largest_m) {
   const Point2 space_mm(kPanelWidth_mm - 2.0 * kInner_mm, kTallestPanel_mm - 2.0 * kInner_mm);
   Panels panels;
-  panels.scale = round_scale((largest_m * kMillimetres).cwiseQuotient(space_mm).maxCoeff());
+  panels.scale = fine_scale((largest_m * kMillimetres).cwiseQuotient(space_mm).maxCoeff());
   panels.height_mm =
       std::max(kLowestPanel_mm, largest_m.y() * kMillimetres / panels.scale + 2.0 * kInner_mm);
   return panels;
@@ -77,17 +77,17 @@ void add_panel(pugi::xml_node svg, const char* id, const WallSketch& sketch, con
   for (const Polyline& wall : sketch.walls) walls += path_of(to_paper(finite_part(wall)));
   const Attributes line = {
       {"fill", "none"}, {"stroke-linejoin", "round"}, {"stroke-linecap", "round"}};
+  pugi::xml_node wall_path = add(panel, "path", line);
+  wall_path.append_attribute("class") = "walls";
+  wall_path.append_attribute("stroke") = kInk;
+  wall_path.append_attribute("stroke-width") = kThin_mm;
+  wall_path.append_attribute("d") = walls.c_str();
   pugi::xml_node path = add(panel, "path", line);
   path.append_attribute("class") = "trajectory";
   path.append_attribute("stroke") = kPathStroke;
   path.append_attribute("stroke-width") = kThin_mm;
   path.append_attribute("stroke-opacity") = "0.8";
   path.append_attribute("d") = path_of(to_paper(finite_part(sketch.trajectory))).c_str();
-  pugi::xml_node wall_path = add(panel, "path", line);
-  wall_path.append_attribute("class") = "walls";
-  wall_path.append_attribute("stroke") = kInk;
-  wall_path.append_attribute("stroke-width") = "0.3";
-  wall_path.append_attribute("d") = walls.c_str();
 }
 
 void add_footer(pugi::xml_node svg, double top_mm, int scale) {

@@ -28,6 +28,17 @@ constexpr std::array<Paper, 8> kPapers = {{{"A4 landscape", 297, 210},
                                            {"A1 landscape", 841, 594},
                                            {"A1 portrait", 594, 841}}};
 
+/// @param steps ascending, times powers of ten.
+int scale_among(std::initializer_list<double> steps, double exact) {
+  for (int decade = 10; decade < kSmallestScale / 20; decade *= 10) {
+    for (const double step : steps) {
+      const int scale = static_cast<int>(step * decade);
+      if (scale >= kLargestScale && scale >= exact) return scale;
+    }
+  }
+  return kSmallestScale;
+}
+
 /// Where the building itself may be.
 Box2 building_area(const Paper& paper, double notes_mm) {
   const double bottom = paper.height_mm - kMargin_mm - kStrip_mm - kStripGap_mm - notes_mm;
@@ -56,7 +67,7 @@ const Paper& choose_paper(const Point2& building_m, double notes_mm) {
     std::size_t landscape;
     int scale;
   };
-  for (const Wish wish : {Wish{0, 100}, Wish{2, 100}, Wish{2, 200}, Wish{4, 200}, Wish{6, 200}}) {
+  for (const Wish wish : {Wish{0, 100}, Wish{2, 100}, Wish{2, 250}, Wish{4, 250}, Wish{6, 250}}) {
     const Paper& paper = better_way(wish.landscape, building_m, notes_mm);
     if (fitting_scale(paper, building_m, notes_mm) <= wish.scale) return paper;
   }
@@ -85,14 +96,10 @@ std::vector<Polygon> PaperTransform::operator()(const std::vector<Polygon>& poly
   return polygons_mm;
 }
 
-int round_scale(double exact) {
-  for (int decade = 10; decade < kSmallestScale / 10; decade *= 10) {
-    for (const double step : {2.0, 2.5, 5.0, 10.0}) {
-      const int scale = static_cast<int>(step * decade);
-      if (scale >= kLargestScale && scale >= exact) return scale;
-    }
-  }
-  return kSmallestScale;
+int round_scale(double exact) { return scale_among({2.0, 2.5, 5.0, 10.0}, exact); }
+
+int fine_scale(double exact) {
+  return scale_among({2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.5, 15.0}, exact);
 }
 
 double round_length_m(double length_m) {

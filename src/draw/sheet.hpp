@@ -35,13 +35,17 @@ struct Sheet {
 };
 
 /// The smallest paper on which the building has a legible scale: A4 or A3 at 1:100 or better, then
-/// up to A1 at 1:200 or better, then A1 at whatever fits.
+/// A3 up to A1 at 1:250 or better, then A1 at whatever fits.
 /// @param building_m may be empty: an A4 page.
 /// @param notes_mm height to keep free above the title block.
 [[nodiscard]] Sheet choose_sheet(const Box2& building_m, double notes_mm);
 
 /// The round scale 1 : n (50, 100, 200, 250, 500 ...) that is at least 1 : `exact`.
 [[nodiscard]] int round_scale(double exact);
+
+/// The same with more steps (100, 125, 150, 200, 250, 300, 400 ...), for pictures that fill a
+/// given space and have a scale bar.
+[[nodiscard]] int fine_scale(double exact);
 
 /// The round length (1, 2 or 5 times a power of ten) closest below `length_m`.
 [[nodiscard]] double round_length_m(double length_m);

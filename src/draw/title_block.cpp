@@ -37,7 +37,8 @@ std::array<Cell, 4> cells_of(const Box2& strip) {
 
 void add_heading(pugi::xml_node group, const Cell& cell, const FloorPlan& plan,
                  const PlanAnnotations& annotations) {
-  const std::string title = plan.title.empty() ? "Floor plan" : plan.title;
+  const bool has_title = !plan.title.empty() && plan.title != annotations.mission;
+  const std::string title = has_title ? plan.title : "Floor plan";
   const auto add_row = [&](int line, const std::string& text, const TextStyle& style) {
     add_text(group, {cell.left(), cell.baseline(line) + (line > 0 ? 0.6 : 0.0)},
              shortened(text, cell.width(), style.size_mm, style.weight), style);

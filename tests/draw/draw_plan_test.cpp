@@ -69,6 +69,13 @@ TEST(DrawPlan, TitleBlockSaysWhatItIsAndWhatItIsNot) {
   }
 }
 
+TEST(DrawPlan, TitleBlockDoesNotNameTheMissionTwice) {
+  FloorPlan plan = office();
+  plan.title = annotations().mission;
+  const std::string text = text_of(parsed(draw_plan(plan, annotations(), {})));
+  EXPECT_THAT(text, testing::HasSubstr("Floor plan\nMission office.clf.gz\n"));
+}
+
 TEST(DrawPlan, DrawsPathAndGraphOnlyWhenAsked) {
   const auto without = parsed(draw_plan(office(), annotations(), {}));
   EXPECT_FALSE(group(without, "trajectory").first_child());
@@ -97,6 +104,8 @@ TEST(DrawPlan, ChoosesPaperAndARoundScaleThatFit) {
   EXPECT_EQ(sheet(30, 15).scale, 100);
   EXPECT_EQ(sheet(140, 60).paper, "A1 landscape");
   EXPECT_EQ(sheet(140, 60).scale, 200);
+  EXPECT_EQ(sheet(53, 53).paper, "A3 landscape");
+  EXPECT_EQ(sheet(53, 53).scale, 250);
   EXPECT_EQ(sheet(900, 60).scale, 2000);
   for (const double size : {3.0, 17.0, 66.0, 412.0, 5000.0}) {
     const Sheet chosen = sheet(size, size / 2.0);
@@ -139,8 +148,9 @@ TEST(DrawPlan, SmallRoomsGetSmallerTurnedOrOutsideLabels) {
 TEST(DrawPlan, SaysTheAreasThatLabelsCouldNot) {
   FloorPlan plan = office();
   for (RoomId id = 10; id < 14; ++id) {  // a row of lockers in the middle of the hall
-    plan.rooms.push_back(test::room(id, std::to_string(id), RoomKind::room, 8.0 + 0.3 * (id - 9.0),
-                                    5.0, 8.25 + 0.3 * (id - 9.0), 5.25));
+    const double x = 8.0 + 0.3 * static_cast<double>(id - 9);
+    plan.rooms.push_back(
+        test::room(id, std::to_string(id), RoomKind::room, x, 5.0, x + 0.25, 5.25));
   }
   const std::string text = text_of(parsed(draw_plan(plan, annotations(), {})));
   for (RoomId id = 10; id < 14; ++id) {
