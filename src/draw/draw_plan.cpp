@@ -45,7 +45,7 @@ std::vector<std::string> notes_of(const FloorPlan& plan, const std::vector<RoomL
       return candidate.room == room.id;
     });
     if (label != labels.end() && label->shows_area) continue;
-    const std::string entry = room.name + "\u00a0" + area_text(room.area_m2) +
+    const std::string entry = room.name + ":\u00a0" + area_text(room.area_m2) +
                               (label == labels.end() ? " (not labelled)" : "");
     const std::string longer =
         lines.empty() ? "Small rooms: " + entry : lines.back() + ", " + entry;
