@@ -156,7 +156,7 @@ PlanRoom room_of(const RoomOutlines& outlines, std::vector<Polygon> parts) {
   room.parts = std::move(parts);
   for (const Polygon& part : room.parts) room.area_m2 += area(part);
   room.label_point = interior_point(room.parts.front());
-  room.kind = kind_of(room.parts.front(), room.label_point, room.area_m2);
+  room.kind = kind_of(room.parts.front(), room.area_m2);
   return room;
 }
 

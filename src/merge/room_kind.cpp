@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kCorridorAspect = 3.0;
 constexpr double kCorridorWidth_m = 3.5;
-constexpr double kCorridorInnerAspect = 2.0;  // length to diameter; keeps cluttered rooms out
-constexpr double kEnclosing = 1.5;            // with holes filled, over without: a loop
+constexpr double kWideShare = 0.05;  // of a corridor: where corridors cross, or a lobby
+constexpr double kEnclosing = 1.5;   // with holes filled, over without: a loop
 constexpr double kHallArea_m2 = 80.0;
 
 /// Convex hull, counter-clockwise (Andrew's monotone chain).
@@ -63,6 +63,33 @@ double clearance(const Polygon& polygon, const Point2& point) {
   return nearest;
 }
 
+/// How wide a shape is, sampled on a grid.
+struct Width {
+  double mean_m = 0.0;      ///< four times the mean clearance: the width, for a long strip
+  double wide_share = 0.0;  ///< of its points, those that a corridor's width would not reach
+};
+
+Width width_of(const Polygon& polygon) {
+  constexpr double kFinest_m = 0.25;
+  constexpr double kMaxSteps = 60.0;  // across a square of the polygon's area
+  const double step_m = std::max(kFinest_m, std::sqrt(area(polygon)) / kMaxSteps);
+  const Box2 box = bounds(polygon.outer);
+  double sum_m = 0.0;
+  int count = 0;
+  int wide = 0;
+  for (double x = box.min.x() + step_m / 2.0; x < box.max.x(); x += step_m) {
+    for (double y = box.min.y() + step_m / 2.0; y < box.max.y(); y += step_m) {
+      if (!contains(polygon, Point2(x, y))) continue;
+      const double clearance_m = clearance(polygon, Point2(x, y));
+      sum_m += clearance_m;
+      ++count;
+      if (2.0 * clearance_m > kCorridorWidth_m) ++wide;
+    }
+  }
+  if (count == 0) return {};
+  return {4.0 * sum_m / count, static_cast<double>(wide) / count};
+}
+
 }  // namespace
 
 const char* to_string(RoomKind kind) {
@@ -77,17 +104,15 @@ const char* to_string(RoomKind kind) {
   return "room";
 }
 
-RoomKind kind_of(const Polygon& largest_part, const Point2& inner, double area_m2) {
+RoomKind kind_of(const Polygon& largest_part, double area_m2) {
   const double part_m2 = area(largest_part);
   const double length_m = long_side(largest_part.outer);
-  const double diameter_m = 2.0 * clearance(largest_part, inner);
   const bool encloses_others = std::abs(signed_area(largest_part.outer)) > kEnclosing * part_m2;
-  const double aspect = length_m * length_m / part_m2;
-  const double inner_aspect = part_m2 / (diameter_m * diameter_m);
-  const bool is_long = (encloses_others || aspect > kCorridorAspect) &&
-                       inner_aspect > (encloses_others ? kCorridorAspect : kCorridorInnerAspect);
-  const bool is_narrow = std::min(part_m2 / length_m, diameter_m) < kCorridorWidth_m;
-  if (is_long && is_narrow) return RoomKind::corridor;
+  if (encloses_others || length_m * length_m > kCorridorAspect * part_m2) {
+    const Width width = width_of(largest_part);
+    const bool is_long = part_m2 > kCorridorAspect * width.mean_m * width.mean_m;
+    if (is_long && width.wide_share < kWideShare) return RoomKind::corridor;
+  }
   return area_m2 > kHallArea_m2 ? RoomKind::hall : RoomKind::room;
 }
 

@@ -2,6 +2,9 @@
 // The only file that includes CGAL: it costs seconds of compile time.
 #include "triangulation.hpp"
 
+// A library does not print. CGAL would advise the "plus" class for exact numbers.
+#define CGAL_NO_CDT_2_WARNING
+
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>

@@ -171,6 +171,16 @@ TEST(Merge, ReportsWhatItHeals) {
   EXPECT_TRUE(plan.doors.empty());
 }
 
+TEST(Merge, CorridorsMayMeetInALobbyButAnOpenOfficeIsAHall) {
+  const Ring crossing = {{0, 20},  {18, 20}, {18, 18}, {20, 18}, {20, 0},  {22, 0},  {22, 18},
+                         {24, 18}, {24, 20}, {42, 20}, {42, 22}, {24, 22}, {24, 24}, {22, 24},
+                         {22, 42}, {20, 42}, {20, 24}, {18, 24}, {18, 22}, {0, 22}};
+  const Ring office = {{100, 0}, {130, 0}, {130, 8}, {110, 8}, {110, 6}, {100, 6}};
+  const FloorPlan plan = merge({outline(1, 1, crossing), outline(2, 2, office)}, {}, {});
+  EXPECT_EQ(plan.rooms[0].kind, RoomKind::corridor);
+  EXPECT_EQ(plan.rooms[1].kind, RoomKind::hall);
+}
+
 TEST(Merge, TellsCorridorsAndHallsFromRooms) {
   const Ring l_shaped = {{0, 20}, {22, 20}, {22, 40}, {20, 40}, {20, 22}, {0, 22}};
   const PlacedOutline loop{5, 5, {rectangle(50, 0, 70, 20), {rectangle(52, 2, 68, 18)}}};

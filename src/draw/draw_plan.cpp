@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/draw/draw.hpp"
+
+#include "plan_layers.hpp"
+#include "room_labels.hpp"
+#include "sheet.hpp"
+#include "style.hpp"
+#include "svg.hpp"
+#include "title_block.hpp"
+
+#include <algorithm>
+
+namespace roomatlas {
+namespace {
+
+using namespace drawing;
+
+constexpr double kNoteSize_mm = 2.2;
+constexpr double kNoteLine_mm = 3.4;
+constexpr int kMaxSheets = 4;  // tried, while notes grow as labels lose their places
+
+void extend(Box2& box, const Ring& ring) {
+  for (const Point2& point : ring) {
+    if (point.allFinite()) box.extend(point);
+  }
+}
+
+Box2 building_box(const FloorPlan& plan) {
+  Box2 box;
+  for (const PlanRoom& room : plan.rooms) {
+    for (const Polygon& part : room.parts) extend(box, part.outer);
+  }
+  for (const Polygon& wall : plan.walls) extend(box, wall.outer);
+  for (const PlanDoor& door : plan.doors) extend(box, door.opening);
+  return box;
+}
+
+/// What the labels could not say, broken into lines of the sheet's width.
+std::vector<std::string> notes_of(const FloorPlan& plan, const std::vector<RoomLabel>& labels,
+                                  const Sheet& sheet) {
+  const double width_mm = sheet.drawing_mm.size().x();
+  std::vector<std::string> lines;
+  for (const PlanRoom& room : plan.rooms) {
+    const auto label = std::find_if(labels.begin(), labels.end(), [&](const RoomLabel& candidate) {
+      return candidate.room == room.id;
+    });
+    if (label != labels.end() && label->shows_area) continue;
+    const std::string entry = room.name + ":\u00a0" + area_text(room.area_m2) +
+                              (label == labels.end() ? " (not labelled)" : "");
+    const std::string longer =
+        lines.empty() ? "Small rooms: " + entry : lines.back() + ", " + entry;
+    if (lines.empty()) {
+      lines.push_back(longer);
+    } else if (text_width_mm(longer, kNoteSize_mm, Weight::normal) <= width_mm) {
+      lines.back() = longer;
+    } else {
+      lines.push_back(entry);
+    }
+  }
+  return lines;
+}
+
+/// A sheet, the labels on it, and the notes that it has kept a place for.
+struct Layout {
+  Sheet sheet;
+  std::vector<RoomLabel> labels;
+  std::vector<std::string> notes;
+};
+
+Layout lay_out(const FloorPlan& plan, const Box2& box, bool has_graph) {
+  Layout layout;
+  for (int attempt = 0; attempt < kMaxSheets; ++attempt) {
+    const double notes_mm = kNoteLine_mm * static_cast<double>(layout.notes.size());
+    layout.sheet = choose_sheet(box, notes_mm);
+    const auto nodes = has_graph ? graph_nodes(plan, layout.sheet) : std::vector<Box2>{};
+    layout.labels = place_labels(plan, layout.sheet, nodes);
+    const std::size_t reserved = layout.notes.size();
+    layout.notes = notes_of(plan, layout.labels, layout.sheet);
+    if (layout.notes.size() <= reserved) break;
+  }
+  return layout;
+}
+
+void add_notes(pugi::xml_node svg, const Layout& layout) {
+  pugi::xml_node group = add_group(svg, "notes");
+  const Box2& area = layout.sheet.drawing_mm;
+  double baseline =
+      area.max.y() - 1.0 - kNoteLine_mm * (static_cast<double>(layout.notes.size()) - 1.0);
+  for (const std::string& note : layout.notes) {
+    add_text(group, {area.min.x(), baseline}, note, {kNoteSize_mm, {}, {}, kFaintInk});
+    baseline += kNoteLine_mm;
+  }
+}
+
+void add_empty_notice(pugi::xml_node svg, const Sheet& sheet) {
+  const Point2 centre = (sheet.drawing_mm.min + sheet.drawing_mm.max) / 2.0;
+  add_text(svg, centre, "This plan is empty", {7.0, Weight::bold, Anchor::middle, kInk});
+  add_text(svg, centre + Point2(0.0, 8.0), "The mission holds no room that could be drawn.",
+           {3.2, Weight::normal, Anchor::middle, kFaintInk});
+}
+
+}  // namespace
+
+std::string draw_plan(const FloorPlan& plan, const PlanAnnotations& annotations,
+                      const DrawOptions& options) {
+  const Box2 box = building_box(plan);
+  const Layout layout = lay_out(plan, box, options.show_room_graph);
+  const Sheet& sheet = layout.sheet;
+  pugi::xml_document document;
+  pugi::xml_node svg = add_page(document, sheet.size_mm.x(), sheet.size_mm.y(),
+                                plan.title.empty() ? "Floor plan" : plan.title);
+  add_rooms(svg, plan, sheet);
+  add_furniture(svg, plan, sheet);
+  add_walls(svg, plan, sheet);
+  add_doors(svg, plan, sheet);
+  add_trajectory(svg, annotations.trajectory, options.show_trajectory, sheet);
+  add_room_graph(svg, plan, annotations.room_graph, options.show_room_graph, sheet);
+  add_labels(svg, layout.labels, options.show_trajectory || options.show_room_graph);
+  if (box.empty()) {
+    add_empty_notice(svg, sheet);
+  } else {
+    add_dimensions(svg, box, sheet);
+    add_notes(svg, layout);
+  }
+  add_title_block(svg, plan, annotations, options, sheet);
+  return to_text(document);
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plan_layers.hpp"
+
+#include "style.hpp"
+#include "svg.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace roomatlas::drawing {
+namespace {
+
+constexpr double kNodeRadius_mm = 0.8;
+
+void add_tooltip(pugi::xml_node node, const std::string& text) {
+  node.append_child("title").text() = text.c_str();
+}
+
+const PlanRoom* find_room(const FloorPlan& plan, RoomId id) {
+  const auto it = std::find_if(plan.rooms.begin(), plan.rooms.end(),
+                               [&](const PlanRoom& room) { return room.id == id; });
+  return it == plan.rooms.end() ? nullptr : &*it;
+}
+
+/// The middle of a door between the two rooms, so that the edge runs through it.
+std::optional<Point2> door_between(const FloorPlan& plan, RoomId first, RoomId second) {
+  const auto [low, high] = std::minmax(first, second);
+  for (const PlanDoor& door : plan.doors) {
+    if (door.room_a == low && door.room_b == high) return (door.jambs.a + door.jambs.b) / 2.0;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void add_rooms(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
+  pugi::xml_node group = add_group(svg, "rooms",
+                                   {{"fill-rule", "evenodd"},
+                                    {"stroke", kWallFill},
+                                    {"stroke-width", kThin_mm},
+                                    {"stroke-linejoin", "round"}});
+  for (const PlanRoom& room : plan.rooms) {
+    pugi::xml_node path = add(group, "path",
+                              {{"id", "room-" + std::to_string(room.id)},
+                               {"class", to_string(room.kind)},
+                               {"fill", tint(room.kind)},
+                               {"d", path_of(sheet.to_paper(room.parts))}});
+    add_tooltip(path, room.name + ", " + to_string(room.kind) + ", " + area_text(room.area_m2));
+  }
+}
+
+void add_furniture(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
+  pugi::xml_node group = add_group(svg, "furniture",
+                                   {{"fill", kFurnitureFill},
+                                    {"fill-rule", "evenodd"},
+                                    {"stroke", kFaintInk},
+                                    {"stroke-width", kHairline_mm}});
+  for (const Polygon& piece : plan.furniture) {
+    add(group, "path", {{"d", path_of(sheet.to_paper({piece}))}});
+  }
+}
+
+void add_walls(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
+  pugi::xml_node group = add_group(svg, "walls", {{"fill", kWallFill}, {"fill-rule", "evenodd"}});
+  for (const Polygon& wall : plan.walls) {
+    add(group, "path", {{"d", path_of(sheet.to_paper({wall}))}});
+  }
+}
+
+void add_doors(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
+  pugi::xml_node group = add_group(svg, "doors", {{"fill", kDoorFill}});
+  for (const PlanDoor& door : plan.doors) {
+    if (door.opening.size() != 4) continue;
+    pugi::xml_node node = add_group(group, ("door-" + std::to_string(door.id)).c_str());
+    add_tooltip(node, "door, " + fixed(door.width_m, 2) + " m");
+    const Ring ring = sheet.to_paper(door.opening);
+    // Without a seam to the floor on either side, and with a line where each floor ends.
+    add(node, "path",
+        {{"d", path_of({{ring, {}}})}, {"stroke", kDoorFill}, {"stroke-width", kThin_mm}});
+    const Attributes threshold = {{"stroke", kFaintInk}, {"stroke-width", kHairline_mm}};
+    add_line(node, ring[0], ring[1], threshold);
+    add_line(node, ring[2], ring[3], threshold);
+  }
+}
+
+void add_trajectory(pugi::xml_node svg, const Polyline& trajectory, bool is_wanted,
+                    const Sheet& sheet) {
+  pugi::xml_node group = add_group(svg, "trajectory",
+                                   {{"fill", "none"},
+                                    {"stroke", kPathStroke},
+                                    {"stroke-width", kThin_mm},
+                                    {"stroke-linejoin", "round"}});
+  if (!is_wanted || trajectory.empty()) return;
+  Polyline finite;
+  for (const Point2& point : trajectory) {
+    if (point.allFinite()) finite.push_back(sheet.to_paper(point));
+  }
+  add(group, "path", {{"d", path_of(finite)}});
+}
+
+void add_room_graph(pugi::xml_node svg, const FloorPlan& plan,
+                    const std::vector<std::pair<RoomId, RoomId>>& edges, bool is_wanted,
+                    const Sheet& sheet) {
+  pugi::xml_node group = add_group(
+      svg, "room-graph",
+      {{"fill", "none"}, {"stroke", kGraphStroke}, {"stroke-width", "0.35"}, {"opacity", "0.55"}});
+  if (!is_wanted) return;
+  for (const auto& [first, second] : edges) {
+    const PlanRoom* a = find_room(plan, first);
+    const PlanRoom* b = find_room(plan, second);
+    if (a == nullptr || b == nullptr) continue;
+    Polyline line = {sheet.to_paper(a->label_point)};
+    if (const auto door = door_between(plan, first, second)) line.push_back(sheet.to_paper(*door));
+    line.push_back(sheet.to_paper(b->label_point));
+    add(group, "path", {{"d", path_of(line)}, {"stroke-dasharray", "1.2 0.8"}});
+  }
+  for (const PlanRoom& room : plan.rooms) {
+    const Point2 at = sheet.to_paper(room.label_point);
+    add(group, "circle",
+        {{"cx", number(at.x())},
+         {"cy", number(at.y())},
+         {"r", number(kNodeRadius_mm)},
+         {"fill", kGraphStroke}});
+  }
+}
+
+std::vector<Box2> graph_nodes(const FloorPlan& plan, const Sheet& sheet) {
+  const Point2 half = Point2::Constant(kNodeRadius_mm + 0.2);
+  std::vector<Box2> boxes;
+  for (const PlanRoom& room : plan.rooms) {
+    const Point2 at = sheet.to_paper(room.label_point);
+    boxes.push_back({at - half, at + half});
+  }
+  return boxes;
+}
+
+}  // namespace roomatlas::drawing

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "sheet.hpp"
+#include "text_extent.hpp"
+
+#include "roomatlas/merge/floor_plan.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace roomatlas::drawing {
+
+struct LabelLine {
+  std::string text;
+  double size_mm = 2.5;
+  Weight weight = Weight::normal;
+};
+
+/// The text of a room and its place: inside the room, or beside the building on a leader.
+struct RoomLabel {
+  RoomId room = 0;
+  std::vector<LabelLine> lines;
+  Point2 center_mm = Point2::Zero();
+  Point2 size_mm = Point2::Zero();  ///< before turning
+  bool is_turned = false;           ///< reads upwards
+  bool shows_area = true;
+  std::optional<Point2> leader_to_mm;  ///< where the leader ends, in the room
+
+  /// The measured box on paper, after turning.
+  [[nodiscard]] Box2 box_mm() const;
+};
+
+/// Centre-to-centre distance of lines, as a multiple of the font size.
+constexpr double kLineSpacing = 1.25;
+
+/// "12.3 m²"
+[[nodiscard]] std::string area_text(double area_m2);
+
+/// A label for each room, in the order of rooms: as large as its room allows, name over area,
+/// then both in one line, then the name alone, then outside on a leader. Boxes lie inside their
+/// rooms and never overlap; a room for which nothing fits gets no label.
+/// @param reserved_mm boxes on paper to keep free, such as the nodes of a graph.
+[[nodiscard]] std::vector<RoomLabel> place_labels(const FloorPlan& plan, const Sheet& sheet,
+                                                  const std::vector<Box2>& reserved_mm);
+
+}  // namespace roomatlas::drawing

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "roomatlas/core/geometry.hpp"
+
+#include <string>
+#include <vector>
+
+namespace roomatlas::drawing {
+
+constexpr double kMargin_mm = 10.0;     // what office printers leave blank, and a little
+constexpr double kStrip_mm = 30.0;      // the title block along the lower edge
+constexpr double kDimension_mm = 13.0;  // beside and below the drawing, for overall dimensions
+constexpr double kPadding_mm = 6.0;     // above and right of the drawing
+
+/// Building metres to millimetres on paper: y turns from up to down.
+struct PaperTransform {
+  double mm_per_m = 10.0;
+  Point2 offset_mm = Point2::Zero();
+
+  [[nodiscard]] Point2 operator()(const Point2& point_m) const;
+  [[nodiscard]] Polyline operator()(const Polyline& line_m) const;
+  [[nodiscard]] std::vector<Polygon> operator()(const std::vector<Polygon>& polygons_m) const;
+};
+
+/// A page of a standard size with a drawing at a round scale.
+struct Sheet {
+  std::string paper;  ///< "A3 landscape"
+  Point2 size_mm = Point2::Zero();
+  int scale = 100;  ///< 1 : scale
+  Box2 content_mm;  ///< the building's bounding box on paper
+  Box2 drawing_mm;  ///< where the building, its dimensions and notes may be
+  Box2 strip_mm;    ///< the title block
+  PaperTransform to_paper;
+};
+
+/// The smallest paper on which the building has a legible scale: A4 or A3 at 1:100 or better, then
+/// A3 up to A1 at 1:250 or better, then A1 at whatever fits.
+/// @param building_m may be empty: an A4 page.
+/// @param notes_mm height to keep free above the title block.
+[[nodiscard]] Sheet choose_sheet(const Box2& building_m, double notes_mm);
+
+/// The round scale 1 : n (50, 100, 200, 250, 500 ...) that is at least 1 : `exact`.
+[[nodiscard]] int round_scale(double exact);
+
+/// The same with more steps (100, 125, 150, 200, 250, 300, 400 ...), for pictures that fill a
+/// given space and have a scale bar.
+[[nodiscard]] int fine_scale(double exact);
+
+/// The round length (1, 2 or 5 times a power of ten) closest below `length_m`.
+[[nodiscard]] double round_length_m(double length_m);
+
+}  // namespace roomatlas::drawing

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/io/formats.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace roomatlas {
+namespace {
+
+const std::string kSvg =
+    R"(<svg xmlns="http://www.w3.org/2000/svg" width="50.8mm" height="25.4mm" viewBox="0 0 2 1">)"
+    R"(<rect width="1" height="1" fill="#ff0000"/></svg>)";
+
+std::string read(const Path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::uint32_t big_endian(const std::string& bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    value = value << 8U | static_cast<unsigned char>(bytes.at(at + i));
+  }
+  return value;
+}
+
+Path temporary(const std::string& name) {
+  return std::filesystem::temp_directory_path() / ("roomatlas_" + name);
+}
+
+TEST(Png, HasTheSizeThatTheResolutionGives) {
+  const Path file = temporary("size.png");
+  write_png(file, kSvg, 100.0);
+  const std::string bytes = read(file);
+  EXPECT_EQ(bytes.substr(0, 8), "\x89PNG\r\n\x1a\n");
+  EXPECT_EQ(big_endian(bytes, 16), 200U);
+  EXPECT_EQ(big_endian(bytes, 20), 100U);
+  std::filesystem::remove(file);
+}
+
+TEST(Png, IsNotBlankAndTheSameEveryTime) {
+  const Path file = temporary("drawn.png");
+  write_png(file, kSvg, 50.0);
+  const std::string drawn = read(file);
+  write_png(file, kSvg, 50.0);
+  EXPECT_EQ(read(file), drawn);
+  const std::string blank_svg = kSvg.substr(0, kSvg.find("<rect")) + "</svg>";
+  write_png(file, blank_svg, 50.0);
+  EXPECT_NE(read(file), drawn);
+  std::filesystem::remove(file);
+}
+
+TEST(Png, WhatCannotBeDrawnOrWrittenIsAnInputError) {
+  EXPECT_THROW(write_png(temporary("bad.png"), "no svg at all", 100.0), InputError);
+  EXPECT_THROW(write_png(temporary("huge.png"), kSvg, 1e9), InputError);
+  EXPECT_THROW(write_png(temporary("zero.png"), kSvg, 0.0), InputError);
+  EXPECT_THROW(write_png("/no/such/folder/picture.png", kSvg, 50.0), InputError);
+  EXPECT_FALSE(std::filesystem::exists(temporary("bad.png")));
+}
+
+}  // namespace
+}  // namespace roomatlas
