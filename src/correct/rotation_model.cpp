@@ -9,10 +9,12 @@
 namespace roomatlas {
 namespace {
 
-/// The driven edge that leads into each ASR, if any.
+/// The driven edge that leads into each ASR from an earlier one, if any.
 std::vector<const Measurements::Edge*> edges_into(const Measurements& measurements) {
   std::vector<const Measurements::Edge*> into(measurements.ids.size(), nullptr);
-  for (const Measurements::Edge& edge : measurements.driven) into[edge.to] = &edge;
+  for (const Measurements::Edge& edge : measurements.driven) {
+    if (edge.from < edge.to) into[edge.to] = &edge;
+  }
   return into;
 }
 
