@@ -73,6 +73,9 @@ void add_map(CLI::App& app, RecorderOptions& record) {
   stage.add("max-mapped-range", map.max_mapped_range_m,
             "m; farther obstacles are not mapped. Larger smears walls by the drift in a room", 0.5,
             100.0);
+  stage.add("sonar-no-echo", map.sonar_no_echo_m,
+            "m; how much a sonar without echo frees. Larger tears open walls seen at a flat angle",
+            0.0, 100.0);
   stage.add("epsilon", map.epsilon, "certainty above which a cell is occupied (paper: 7)", -2.0,
             14.5);
   stage.add("gamma", map.gamma_cells, "cells; largest gap inside a polyline (paper: 4)", 1.0, 50.0);
@@ -152,6 +155,8 @@ void add_plan(CLI::App& app, Settings& settings) {
   AssembleOptions& assemble = settings.assemble;
   stage.add("room-overlap", assemble.rooms.min_overlap_share,
             "share of the smaller outline from which two visits are one room", 0.0, 1.0);
+  stage.add("room-path", assemble.rooms.min_path_share,
+            "share of a path inside another visit's outline from which both are one room", 0.0, 1.0);
   stage.add("door-wall-share", assemble.rooms.min_wall_share,
             "share of wall beside a door's jambs, else it is no door but a gap", 0.0, 1.0);
   stage.flag("map-again", assemble.map_again,

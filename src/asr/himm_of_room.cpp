@@ -15,12 +15,16 @@ Point2 relative_to(const Exit& exit, const Point2& point_asr) {
   return inverse(exit.asr_from_pivot) * point_asr;
 }
 
+}  // namespace
+
+RayOptions ray_options(const RoomMapOptions& options) {
+  return {options.max_mapped_range_m, options.sonar_no_echo_m};
+}
+
 bool moved_enough(const Pose2& from, const Pose2& to, const RoomMapOptions& options) {
   return (to.position() - from.position()).norm() >= options.insert_every_m ||
          std::abs(wrap_angle(to.theta_rad - from.theta_rad)) >= radians(options.insert_every_deg);
 }
-
-}  // namespace
 
 std::optional<Ray> clipped_at_doorway(const Ray& ray, const Exit& exit) {
   const Point2 a = relative_to(exit, ray.segment.a);
@@ -50,7 +54,7 @@ HimmGrid himm_of_room(const std::vector<PathSample>& path,
     if (last_inserted && !moved_enough(*last_inserted, asr_from_robot, options)) continue;
     last_inserted = asr_from_robot;
     std::vector<Ray> rays =
-        rays_of(readings[i], asr_from_robot, options.max_mapped_range_m, ignored_ranges);
+        rays_of(readings[i], asr_from_robot, ray_options(options), ignored_ranges);
     for (const Exit& exit : exits) {
       if (exit.kind != PassageKind::doorway) continue;
       std::vector<Ray> inside;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kSearchEveryM = 0.1;   // doorways are looked for after this much path
 constexpr double kBestWithinM = 0.4;    // the narrowest chord within this much path is the doorway
+constexpr double kSeedM = 1.0;          // the live grid of a new ASR starts with this much path
 constexpr double kHeadingSpanM = 0.15;  // motion direction is taken over this much path each way
 
 /// A doorway on the path, and where on the path it was found.
@@ -66,7 +67,7 @@ class AsrRecorder::State {
       leave_through(*found);
     } else if (along_m_.back() > options_.max_piece_path_m ||
                path_.size() >= static_cast<std::size_t>(options_.max_piece_readings)) {
-      leave(open_passage_at(path_.back().asr_from_robot), path_.size());
+      leave_open();
     }
   }
 
@@ -86,16 +87,15 @@ class AsrRecorder::State {
     along_m_.push_back(path_.empty() ? 0.0 : along_m_.back() + step_m);
     path_.push_back({reading.timestamp_s, asr_from_robot, reading.odom_from_robot});
     readings_.push_back(reading);
-    const bool moved =
-        !last_drawn_ ||
-        (asr_from_robot.position() - last_drawn_->position()).norm() >=
-            options_.map.insert_every_m ||
-        std::abs(wrap_angle(asr_from_robot.theta_rad - last_drawn_->theta_rad)) >=
-            radians(options_.map.insert_every_deg);
-    if (!moved) return;
+    draw(reading, asr_from_robot);
+  }
+
+  /// Adds a sweep to the live grid, if the robot has moved since the last.
+  void draw(const RangeReading& reading, const Pose2& asr_from_robot) {
+    if (last_drawn_ && !moved_enough(*last_drawn_, asr_from_robot, options_.map)) return;
     last_drawn_ = asr_from_robot;
     std::int64_t ignored = 0;
-    live_.add_sweep(rays_of(reading, asr_from_robot, options_.map.max_mapped_range_m, ignored));
+    live_.add_sweep(rays_of(reading, asr_from_robot, ray_options(options_.map), ignored));
     live_.mark_robot(asr_from_robot, footprint_);
   }
 
@@ -152,12 +152,26 @@ class AsrRecorder::State {
     since_doorway_m_ = 0.0;
   }
 
+  /// Cuts the room where doorways have been looked for already, so that none is lost at the cut.
+  void leave_open() {
+    const double cut_m = std::max(0.0, along_m_.back() - options_.doorway_lag_m - kBestWithinM);
+    const auto cut = std::lower_bound(along_m_.begin(), along_m_.end(), cut_m);
+    const auto split = std::max<std::ptrdiff_t>(1, cut - along_m_.begin());
+    leave(open_passage_at(path_[static_cast<std::size_t>(split)].asr_from_robot),
+          static_cast<std::size_t>(split));
+  }
+
   /// Closes the ASR with the samples before `split`, and opens the next with the rest.
   void leave(Exit exit, std::size_t split) {
     const auto at = static_cast<std::ptrdiff_t>(split);
     const std::vector<PathSample> rest_path(path_.begin() + at, path_.end());
     const std::vector<RangeReading> rest_readings(readings_.begin() + at, readings_.end());
     const double left_m = along_m_[split - 1];
+    const auto seed = std::lower_bound(along_m_.begin(), along_m_.begin() + at, left_m - kSeedM);
+    const std::ptrdiff_t seed_at = seed - along_m_.begin();
+    const std::vector<PathSample> seed_path(path_.begin() + seed_at, path_.begin() + at);
+    const std::vector<RangeReading> seed_readings(readings_.begin() + seed_at,
+                                                  readings_.begin() + at);
     path_.resize(split);
     readings_.resize(split);
     exit.timestamp_s = path_.back().timestamp_s;
@@ -169,6 +183,9 @@ class AsrRecorder::State {
     entry_ = entry_from(exit, next_id_ - 1);
     if (since_doorway_m_) *since_doorway_m_ += left_m;
     const Pose2 new_from_old = inverse(old_from_new);
+    for (std::size_t i = 0; i < seed_path.size(); ++i) {
+      draw(seed_readings[i], new_from_old * seed_path[i].asr_from_robot);
+    }
     for (std::size_t i = 0; i < rest_path.size(); ++i) {
       append(rest_readings[i], new_from_old * rest_path[i].asr_from_robot);
     }

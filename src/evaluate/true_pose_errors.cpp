@@ -58,27 +58,65 @@ class TruthReader {
   double last_s_ = -std::numeric_limits<double>::infinity();
 };
 
+/// A pose of the trajectory and the true pose at its time.
+struct PosePair {
+  Pose2 building_from_robot;
+  Pose2 truth_from_robot;
+};
+
+std::vector<PosePair> matched(const Trajectory& trajectory, const Trajectory& truth) {
+  std::vector<PosePair> pairs;
+  TruthReader reader(truth);
+  for (const auto& [timestamp_s, building_from_robot] : trajectory) {
+    if (const auto truth_from_robot = reader.next(timestamp_s)) {
+      pairs.push_back({building_from_robot, *truth_from_robot});
+    }
+  }
+  return pairs;
+}
+
+/// The rigid motion that brings the positions nearest to the true ones, in the sum of squares
+/// (Umeyama 1991, in the plane and without scale).
+Pose2 least_squares_alignment(const std::vector<PosePair>& pairs) {
+  Point2 mean_building = Point2::Zero();
+  Point2 mean_truth = Point2::Zero();
+  for (const PosePair& pair : pairs) {
+    mean_building += pair.building_from_robot.position() / static_cast<double>(pairs.size());
+    mean_truth += pair.truth_from_robot.position() / static_cast<double>(pairs.size());
+  }
+  double sine = 0.0;
+  double cosine = 0.0;
+  for (const PosePair& pair : pairs) {
+    const Point2 from = pair.building_from_robot.position() - mean_building;
+    const Point2 to = pair.truth_from_robot.position() - mean_truth;
+    sine += cross(from, to);
+    cosine += from.dot(to);
+  }
+  const Pose2 turn{0.0, 0.0, wrap_angle(std::atan2(sine, cosine))};
+  const Point2 shift = mean_truth - turn * mean_building;
+  return {shift.x(), shift.y(), turn.theta_rad};
+}
+
 }  // namespace
 
 TruePoseErrors true_pose_errors(const Trajectory& trajectory, const Trajectory& truth) {
   TruePoseErrors result;
   result.poses = std::ssize(trajectory);
-  TruthReader reader(truth);
+  const std::vector<PosePair> pairs = matched(trajectory, truth);
+  result.matched = std::ssize(pairs);
+  if (pairs.empty()) return result;
+  const Pose2 aligned_at_first =
+      pairs.front().truth_from_robot * inverse(pairs.front().building_from_robot);
   std::vector<double> position_m;
   std::vector<double> heading_deg;
-  for (const auto& [timestamp_s, building_from_robot] : trajectory) {
-    const std::optional<Pose2> truth_from_robot = reader.next(timestamp_s);
-    if (!truth_from_robot) continue;
-    if (result.matched++ == 0) {
-      result.truth_from_building = *truth_from_robot * inverse(building_from_robot);
-    }
-    const Pose2 error =
-        inverse(*truth_from_robot) * (result.truth_from_building * building_from_robot);
+  for (const auto& [building_from_robot, truth_from_robot] : pairs) {
+    const Pose2 error = inverse(truth_from_robot) * (aligned_at_first * building_from_robot);
     position_m.push_back(error.position().norm());
     heading_deg.push_back(degrees(std::abs(error.theta_rad)));
   }
   result.position_m = statistics(std::move(position_m));
   result.heading_deg = statistics(std::move(heading_deg));
+  result.truth_from_building = least_squares_alignment(pairs);
   return result;
 }
 

@@ -11,10 +11,10 @@ namespace {
 constexpr double kLatticeM = 0.2;
 constexpr double kWallReachM = 0.25;  // evidence for wall beside a jamb may be this far off
 
-/// The ASRs, placed, with sets of those that are the same room.
-class SameRoom {
+/// Sets of ASRs that belong together.
+class SameSet {
  public:
-  explicit SameRoom(const std::vector<Asr>& asrs) {
+  explicit SameSet(const std::vector<Asr>& asrs) {
     for (const Asr& asr : asrs) sets_.make_set(asr.id);
   }
   void join(AsrId a, AsrId b) { sets_.union_set(a, b); }
@@ -55,28 +55,53 @@ double wall_share(const Asr& before, const Asr& after, const Exit& exit, double 
   return asked > 0 ? static_cast<double>(seen) / asked : 0.0;
 }
 
-bool separates_rooms(const Asr& before, const Asr& after, const Exit& exit,
-                     const RoomOptions& options) {
-  return wall_share(before, after, exit, 1.0, options) >= options.min_wall_share &&
-         wall_share(before, after, exit, -1.0, options) >= options.min_wall_share;
+/// How surely an opening separates rooms, [0, 1]: the poorer of the wall shares beside its jambs.
+double separation(const Asr& before, const Asr& after, const Exit& exit,
+                  const RoomOptions& options) {
+  return std::min(wall_share(before, after, exit, 1.0, options),
+                  wall_share(before, after, exit, -1.0, options));
 }
 
-void join_driven(SameRoom& same, const std::vector<Asr>& asrs, const RoomOptions& options) {
+/// The separation of each crossing, named by the ASR behind it. Crossings of one doorway share
+/// the best view that any of them had.
+std::map<AsrId, double> separations(const std::vector<Asr>& asrs, const RoomGraph& graph,
+                                    const RoomOptions& options) {
   std::map<AsrId, const Asr*> by_id;
   for (const Asr& asr : asrs) by_id[asr.id] = &asr;
+  std::map<AsrId, double> own;
   for (const Asr& asr : asrs) {
     for (const Exit& exit : asr.exits) {
       if (exit.is_entry || !exit.neighbor || !by_id.contains(*exit.neighbor)) continue;
-      if (exit.kind == PassageKind::open_passage ||
-          !separates_rooms(asr, *by_id[*exit.neighbor], exit, options)) {
-        same.join(asr.id, *exit.neighbor);
-      }
+      own[*exit.neighbor] = exit.kind == PassageKind::doorway
+                                ? separation(asr, *by_id[*exit.neighbor], exit, options)
+                                : 0.0;
+    }
+  }
+  SameSet same_doorway(asrs);
+  for (const PassageEdge& edge : edges_of(graph)) {
+    if (edge.source == EdgeSource::recognised) same_doorway.join(edge.from, edge.to);
+  }
+  std::map<AsrId, double> best;
+  for (const auto& [to, value] : own) {
+    double& of_group = best[same_doorway.representative(to)];
+    of_group = std::max(of_group, value);
+  }
+  for (auto& [to, value] : own) value = best[same_doorway.representative(to)];
+  return own;
+}
+
+void join_driven(SameSet& same, const std::vector<Asr>& asrs, const RoomGraph& graph,
+                 const RoomOptions& options) {
+  const std::map<AsrId, double> separation_of = separations(asrs, graph, options);
+  for (const PassageEdge& edge : edges_of(graph)) {
+    if (edge.source == EdgeSource::driven && separation_of.at(edge.to) < options.min_wall_share) {
+      same.join(edge.from, edge.to);
     }
   }
 }
 
 /// Both edges of a recognised doorway begin behind it; the ASR before each is the one driven from.
-void join_recognised(SameRoom& same, const RoomGraph& graph) {
+void join_recognised(SameSet& same, const RoomGraph& graph) {
   std::map<AsrId, AsrId> driven_from;
   for (const PassageEdge& edge : edges_of(graph)) {
     if (edge.source == EdgeSource::driven) driven_from[edge.to] = edge.from;
@@ -89,24 +114,51 @@ void join_recognised(SameRoom& same, const RoomGraph& graph) {
   }
 }
 
-void join_overlapping(SameRoom& same, const std::vector<Asr>& asrs, const Placement& placement,
-                      const RoomOptions& options) {
-  std::vector<Polygon> placed;
-  std::vector<Box2> boxes;
-  for (const Asr& asr : asrs) {
-    placed.push_back(transformed(placement.at(asr.id), asr.outline_asr));
-    boxes.push_back(bounds(placed.back().outer));
+/// An ASR where the correction puts it.
+struct PlacedAsr {
+  AsrId id = 0;
+  Polygon outline;
+  Polyline path;
+  Box2 box;
+};
+
+PlacedAsr placed(const Asr& asr, const Pose2& building_from_asr) {
+  PlacedAsr result{asr.id, transformed(building_from_asr, asr.outline_asr), {}, {}};
+  for (const PathSample& sample : asr.path) {
+    const Point2 at = building_from_asr * sample.asr_from_robot.position();
+    if (result.path.empty() || (at - result.path.back()).norm() >= kLatticeM) {
+      result.path.push_back(at);
+    }
   }
-  for (std::size_t i = 0; i < asrs.size(); ++i) {
-    for (std::size_t j = i + 1; j < asrs.size(); ++j) {
-      if ((boxes[i].min.array() > boxes[j].max.array()).any() ||
-          (boxes[j].min.array() > boxes[i].max.array()).any() ||
-          same.representative(asrs[i].id) == same.representative(asrs[j].id)) {
-        continue;
-      }
-      if (overlap_share(placed[i], placed[j]) >= options.min_overlap_share) {
-        same.join(asrs[i].id, asrs[j].id);
-      }
+  result.box = bounds(result.outline.outer);
+  return result;
+}
+
+/// Share of a path that lies in an outline; 0 for an empty path.
+double share_inside(const Polyline& path, const Polygon& outline) {
+  const auto inside = std::count_if(path.begin(), path.end(),
+                                    [&](const Point2& at) { return contains(outline, at); });
+  return path.empty() ? 0.0 : static_cast<double>(inside) / static_cast<double>(path.size());
+}
+
+bool is_same_place(const PlacedAsr& a, const PlacedAsr& b, const RoomOptions& options) {
+  if ((a.box.min.array() > b.box.max.array()).any() ||
+      (b.box.min.array() > a.box.max.array()).any()) {
+    return false;
+  }
+  return overlap_share(a.outline, b.outline) >= options.min_overlap_share ||
+         share_inside(a.path, b.outline) >= options.min_path_share ||
+         share_inside(b.path, a.outline) >= options.min_path_share;
+}
+
+void join_overlapping(SameSet& same, const std::vector<Asr>& asrs, const Placement& placement,
+                      const RoomOptions& options) {
+  std::vector<PlacedAsr> all;
+  for (const Asr& asr : asrs) all.push_back(placed(asr, placement.at(asr.id)));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = i + 1; j < all.size(); ++j) {
+      if (same.representative(all[i].id) == same.representative(all[j].id)) continue;
+      if (is_same_place(all[i], all[j], options)) same.join(all[i].id, all[j].id);
     }
   }
 }
@@ -133,8 +185,8 @@ double overlap_share(const Polygon& first, const Polygon& second) {
 
 std::map<AsrId, RoomId> assign_rooms(const std::vector<Asr>& asrs, const RoomGraph& graph,
                                      const Placement& placement, const RoomOptions& options) {
-  SameRoom same(asrs);
-  join_driven(same, asrs, options);
+  SameSet same(asrs);
+  join_driven(same, asrs, graph, options);
   join_recognised(same, graph);
   join_overlapping(same, asrs, placement, options);
 

@@ -92,7 +92,7 @@ void HimmGrid::mark_robot(const Pose2& grid_from_robot, const RobotFootprint& fo
 }
 
 std::vector<Ray> rays_of(const RangeReading& reading, const Pose2& grid_from_robot,
-                         double max_mapped_range_m, std::int64_t& ignored) {
+                         const RayOptions& options, std::int64_t& ignored) {
   const RangeSensor& sensor = *reading.sensor;
   std::vector<Ray> rays;
   rays.reserve(reading.ranges_m.size());
@@ -102,11 +102,15 @@ std::vector<Ray> rays_of(const RangeReading& reading, const Pose2& grid_from_rob
       ++ignored;
       continue;
     }
-    const double seen_m = std::min({range_m, sensor.max_range_m, max_mapped_range_m});
+    const bool is_echo = range_m < sensor.max_range_m;
+    const double believed_m = is_echo || sensor.kind == SensorKind::laser
+                                  ? std::min(range_m, sensor.max_range_m)
+                                  : options.sonar_no_echo_m;
     const Pose2 grid_from_beam = grid_from_robot * sensor.robot_from_beam[i];
-    const Point2 end = grid_from_beam * Point2(seen_m, 0.0);
-    const bool obstacle = range_m < sensor.max_range_m && range_m <= max_mapped_range_m;
-    rays.push_back({{grid_from_beam.position(), end}, obstacle});
+    const Point2 end =
+        grid_from_beam * Point2(std::min(believed_m, options.max_mapped_range_m), 0.0);
+    rays.push_back({{grid_from_beam.position(), end},
+                    is_echo && range_m <= options.max_mapped_range_m});
   }
   return rays;
 }

@@ -10,7 +10,7 @@ namespace roomatlas {
 
 struct DoorwayOptions {
   double min_width_m = 0.6;      ///< smaller takes furniture gaps for doors
-  double max_width_m = 1.35;     ///< larger takes narrow corridors for doors
+  double max_width_m = 1.1;      ///< larger takes narrow corridors for doors
   double max_jamb_m = 1.0;       ///< each jamb is at most this far from the path
   double widening_m = 0.5;       ///< the room on both sides must be this much wider
   double occupied_value = 5.0;   ///< C from which a cell is a jamb; below epsilon, since jambs are

@@ -15,6 +15,8 @@ struct RoomMapOptions {
   double cell_m = 0.1;              ///< paper IV: 10 cm. Smaller needs more readings a cell
   double max_mapped_range_m = 8.0;  ///< readings beyond it map free space alone; larger smears
                                     ///< walls by the heading drift inside a room
+  double sonar_no_echo_m = 1.0;     ///< a sonar without echo frees this much alone: a wall hit at a
+                                    ///< flat angle gives none, so larger tears walls open
   double epsilon = 7.0;             ///< paper IV: C above it is occupied
   double gamma_cells = 4.0;         ///< paper IV: largest gap inside a polyline
   double tau_cells = 2.0;           ///< paper IV: points closer than this are dropped
@@ -53,6 +55,11 @@ struct RoomMap {
                                     const std::vector<Exit>& exits,
                                     const RobotFootprint& footprint, const RoomMapOptions& options,
                                     std::int64_t& ignored_ranges);
+
+/// True when a sweep at `to` is worth mapping after one at `from`.
+[[nodiscard]] bool moved_enough(const Pose2& from, const Pose2& to, const RoomMapOptions& options);
+
+[[nodiscard]] RayOptions ray_options(const RoomMapOptions& options);
 
 /// Cuts a ray at a doorway: what lies beyond belongs to another room. Nothing when the whole ray
 /// lies beyond it.

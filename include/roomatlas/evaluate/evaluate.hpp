@@ -64,7 +64,8 @@ struct TruePoseErrors {
   Statistics heading_deg;
   std::int64_t poses = 0;
   std::int64_t matched = 0;
-  Pose2 truth_from_building;  ///< the alignment, for comparing plans
+  Pose2 truth_from_building;  ///< the least-squares alignment of all matched positions, for
+                              ///< comparing plans; the errors above are aligned at the first
 };
 [[nodiscard]] TruePoseErrors true_pose_errors(const Trajectory& trajectory,
                                               const Trajectory& truth);

@@ -60,13 +60,17 @@ class HimmGrid {
   std::vector<std::int8_t> cells_;
 };
 
+/// How far readings are believed.
+struct RayOptions {
+  double max_mapped_range_m = 8.0;  ///< rays are cut there and then end in free space
+  double sonar_no_echo_m = 1.0;     ///< how much a sonar without echo frees; a laser's whole ray is
+};
+
 /// The rays of a reading: one a beam that measured something.
 /// @param grid_from_robot pose of the robot in the grid's frame
-/// @param max_mapped_range_m rays are cut there and then end in free space; what lies farther is
-///   not mapped
 /// @param[out] ignored is raised by the number of beams without a measurement (NaN, infinite,
 ///   not positive)
 [[nodiscard]] std::vector<Ray> rays_of(const RangeReading& reading, const Pose2& grid_from_robot,
-                                       double max_mapped_range_m, std::int64_t& ignored);
+                                       const RayOptions& options, std::int64_t& ignored);
 
 }  // namespace roomatlas
