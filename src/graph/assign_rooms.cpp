@@ -9,6 +9,8 @@ namespace roomatlas {
 namespace {
 
 constexpr double kLatticeM = 0.2;
+constexpr double kDoorwayReachM = 0.8;  // path nearer to a doorway tells little about the room
+constexpr double kTellingPathM = 0.8;   // shorter paths tell nothing
 constexpr double kWallReachM = 0.25;  // evidence for wall beside a jamb may be this far off
 
 /// Sets of ASRs that belong together.
@@ -28,52 +30,70 @@ class SameSet {
       sets_{boost::make_assoc_property_map(ranks_), boost::make_assoc_property_map(parents_)};
 };
 
-bool has_wall_near(const std::vector<WallPolyline>& walls, const Point2& point) {
-  for (const WallPolyline& wall : walls) {
-    for (std::size_t i = 1; i < wall.vertices_asr.size(); ++i) {
-      if (distance({wall.vertices_asr[i - 1], wall.vertices_asr[i]}, point) <= kWallReachM) {
-        return true;
+/// The walls of all ASRs where the correction puts them.
+class PlacedWalls {
+ public:
+  PlacedWalls(const std::vector<Asr>& asrs, const Placement& placement) {
+    for (const Asr& asr : asrs) {
+      for (const WallPolyline& wall : asr.walls) {
+        Polyline& line =
+            walls_.emplace_back(transformed(placement.at(asr.id), wall.vertices_asr));
+        boxes_.push_back(bounds(line));
       }
     }
   }
-  return false;
-}
 
-/// Share of the door line's continuation beside a jamb where a wall has been seen from either
-/// side.
-double wall_share(const Asr& before, const Asr& after, const Exit& exit, double side,
-                  const RoomOptions& options) {
-  const Pose2 after_from_before = inverse(exit.asr_from_pivot);
+  [[nodiscard]] bool has_wall_near(const Point2& point) const {
+    for (std::size_t i = 0; i < walls_.size(); ++i) {
+      if ((point.array() < boxes_[i].min.array() - kWallReachM).any() ||
+          (point.array() > boxes_[i].max.array() + kWallReachM).any()) {
+        continue;
+      }
+      for (std::size_t v = 1; v < walls_[i].size(); ++v) {
+        if (distance({walls_[i][v - 1], walls_[i][v]}, point) <= kWallReachM) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  std::vector<Polyline> walls_;
+  std::vector<Box2> boxes_;
+};
+
+/// Share of the door line's continuation beside one jamb where a wall has been seen.
+double wall_share(const PlacedWalls& walls, const Pose2& building_from_pivot, double width_m,
+                  double side, const RoomOptions& options) {
   int seen = 0;
   int asked = 0;
   for (double off_m = 0.1; off_m <= options.wall_beside_door_m; off_m += 0.1) {
-    const Point2 at_pivot(0.0, side * (exit.width_m / 2.0 + off_m));
-    const Point2 in_before = inverse(after_from_before) * at_pivot;
     ++asked;
-    if (has_wall_near(after.walls, at_pivot) || has_wall_near(before.walls, in_before)) ++seen;
+    if (walls.has_wall_near(building_from_pivot * Point2(0.0, side * (width_m / 2.0 + off_m)))) {
+      ++seen;
+    }
   }
   return asked > 0 ? static_cast<double>(seen) / asked : 0.0;
 }
 
 /// How surely an opening separates rooms, [0, 1]: the poorer of the wall shares beside its jambs.
-double separation(const Asr& before, const Asr& after, const Exit& exit,
+double separation(const PlacedWalls& walls, const Pose2& building_from_pivot, double width_m,
                   const RoomOptions& options) {
-  return std::min(wall_share(before, after, exit, 1.0, options),
-                  wall_share(before, after, exit, -1.0, options));
+  return std::min(wall_share(walls, building_from_pivot, width_m, 1.0, options),
+                  wall_share(walls, building_from_pivot, width_m, -1.0, options));
 }
 
 /// The separation of each crossing, named by the ASR behind it. Crossings of one doorway share
 /// the best view that any of them had.
 std::map<AsrId, double> separations(const std::vector<Asr>& asrs, const RoomGraph& graph,
-                                    const RoomOptions& options) {
-  std::map<AsrId, const Asr*> by_id;
-  for (const Asr& asr : asrs) by_id[asr.id] = &asr;
+                                    const Placement& placement, const RoomOptions& options) {
+  const PlacedWalls walls(asrs, placement);
   std::map<AsrId, double> own;
   for (const Asr& asr : asrs) {
     for (const Exit& exit : asr.exits) {
-      if (exit.is_entry || !exit.neighbor || !by_id.contains(*exit.neighbor)) continue;
+      if (exit.is_entry || !exit.neighbor || !placement.contains(*exit.neighbor)) continue;
+      const Pose2& pivot = placement.at(*exit.neighbor);  // where the ASR behind it begins
       own[*exit.neighbor] = exit.kind == PassageKind::doorway
-                                ? separation(asr, *by_id[*exit.neighbor], exit, options)
+                                ? separation(walls, pivot, exit.width_m, options)
                                 : 0.0;
     }
   }
@@ -91,8 +111,8 @@ std::map<AsrId, double> separations(const std::vector<Asr>& asrs, const RoomGrap
 }
 
 void join_driven(SameSet& same, const std::vector<Asr>& asrs, const RoomGraph& graph,
-                 const RoomOptions& options) {
-  const std::map<AsrId, double> separation_of = separations(asrs, graph, options);
+                 const Placement& placement, const RoomOptions& options) {
+  const std::map<AsrId, double> separation_of = separations(asrs, graph, placement, options);
   for (const PassageEdge& edge : edges_of(graph)) {
     if (edge.source == EdgeSource::driven && separation_of.at(edge.to) < options.min_wall_share) {
       same.join(edge.from, edge.to);
@@ -118,13 +138,21 @@ void join_recognised(SameSet& same, const RoomGraph& graph) {
 struct PlacedAsr {
   AsrId id = 0;
   Polygon outline;
-  Polyline path;
+  Polyline path;  // thinned, without what lies in doorways: there, placement decides the side
   Box2 box;
 };
+
+bool is_near_doorway(const Asr& asr, const Point2& point_asr) {
+  return std::any_of(asr.exits.begin(), asr.exits.end(), [&](const Exit& exit) {
+    return exit.kind == PassageKind::doorway &&
+           (exit.asr_from_pivot.position() - point_asr).norm() < kDoorwayReachM;
+  });
+}
 
 PlacedAsr placed(const Asr& asr, const Pose2& building_from_asr) {
   PlacedAsr result{asr.id, transformed(building_from_asr, asr.outline_asr), {}, {}};
   for (const PathSample& sample : asr.path) {
+    if (is_near_doorway(asr, sample.asr_from_robot.position())) continue;
     const Point2 at = building_from_asr * sample.asr_from_robot.position();
     if (result.path.empty() || (at - result.path.back()).norm() >= kLatticeM) {
       result.path.push_back(at);
@@ -134,11 +162,12 @@ PlacedAsr placed(const Asr& asr, const Pose2& building_from_asr) {
   return result;
 }
 
-/// Share of a path that lies in an outline; 0 for an empty path.
+/// Share of a path that lies in an outline; 0 for a path too short to tell.
 double share_inside(const Polyline& path, const Polygon& outline) {
   const auto inside = std::count_if(path.begin(), path.end(),
                                     [&](const Point2& at) { return contains(outline, at); });
-  return path.empty() ? 0.0 : static_cast<double>(inside) / static_cast<double>(path.size());
+  const bool is_long_enough = static_cast<double>(path.size()) * kLatticeM >= kTellingPathM;
+  return is_long_enough ? static_cast<double>(inside) / static_cast<double>(path.size()) : 0.0;
 }
 
 bool is_same_place(const PlacedAsr& a, const PlacedAsr& b, const RoomOptions& options) {
@@ -186,7 +215,7 @@ double overlap_share(const Polygon& first, const Polygon& second) {
 std::map<AsrId, RoomId> assign_rooms(const std::vector<Asr>& asrs, const RoomGraph& graph,
                                      const Placement& placement, const RoomOptions& options) {
   SameSet same(asrs);
-  join_driven(same, asrs, graph, options);
+  join_driven(same, asrs, graph, placement, options);
   join_recognised(same, graph);
   join_overlapping(same, asrs, placement, options);
 
