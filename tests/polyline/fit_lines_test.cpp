@@ -119,6 +119,7 @@ TEST(FitLines, CloseARingWithAnEdgeFromTheLastVertexToTheFirst) {
   add_wall(points, {2, 0}, {0, 0.1}, 20);
   add_wall(points, {2, 2}, {-0.1, 0}, 20);
   add_wall(points, {0, 2}, {0, -0.1}, 20);
+  points[0] += Point2(0.03, 0.02);  // so that it matters to both of its edges
   const FittedPolyline fitted = fit_lines(points, {0, 20, 40, 60}, {}, {}, true);
   EXPECT_THAT(fitted.edge_is_fitted, ElementsAre(true, true, true, true));
   const Polyline corners = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
