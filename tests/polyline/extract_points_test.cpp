@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <random>
-#include <set>
 
 #include "polyline/drawing.hpp"
 #include "polyline/scanned_room.hpp"

@@ -41,7 +41,7 @@ TEST(Eroded, ShrinksBySquaresAndCountsWhatIsOutsideOfTheBoxAsOutside) {
                      "......"}));
 }
 
-/// Whether any (or each) cell of the square around `cell` belongs to the mask.
+/// How many cells of the square around `cell` belong to the mask.
 int count_in_square(const CellMask& mask, const Cell& cell, int radius) {
   int count = 0;
   for (int dy = -radius; dy <= radius; ++dy) {
