@@ -21,8 +21,9 @@ CellMap decided(const HimmGrid& grid, double epsilon) {
   return map;
 }
 
-/// The path's cells that are not surrounded by path on all four sides: a line to an inner cell
-/// meets one of these first.
+/// The path's cells that are not surrounded by path on all four sides. A line to an inner cell
+/// meets one of these first, or slips between two of them at a corner: the few cells that only
+/// such a line sees are given up for the speed.
 std::vector<Cell> rim_of_path(const CellMap& map) {
   std::vector<Cell> rim;
   for_each_cell(map.box, [&](const Cell& cell) {

@@ -16,6 +16,12 @@ Point2 mean_of(const Polyline& points) {
   return sum / static_cast<double>(points.size());
 }
 
+/// Asked of the points themselves: sums about a rounded mean are not quite zero for equal points.
+bool has_distinct_points(const Polyline& points) {
+  return std::any_of(points.begin(), points.end(),
+                     [&](const Point2& point) { return point != points.front(); });
+}
+
 MaybeLine fit(const Polyline& points, const FitOptions& options) {
   return options.method == FitMethod::regression
              ? fit_by_regression(points, options.min_abs_rho)
@@ -55,7 +61,7 @@ Polyline span_of(const Polyline& points, std::size_t begin, std::size_t end) {
 }  // namespace
 
 MaybeLine fit_by_regression(const Polyline& points, double min_abs_rho) {
-  if (points.size() < 2) return std::nullopt;
+  if (!has_distinct_points(points)) return std::nullopt;
   const Point2 mean = mean_of(points);
   // Sums about the mean: the same b1 and rho as (4) and (6) without losing digits.
   double sxx = 0.0;
@@ -76,7 +82,7 @@ MaybeLine fit_by_regression(const Polyline& points, double min_abs_rho) {
 }
 
 MaybeLine fit_by_total_least_squares(const Polyline& points, double max_sigma_m) {
-  if (points.size() < 2) return std::nullopt;
+  if (!has_distinct_points(points)) return std::nullopt;
   const Point2 mean = mean_of(points);
   Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
   for (const Point2& point : points) scatter += (point - mean) * (point - mean).transpose();

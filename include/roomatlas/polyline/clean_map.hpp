@@ -32,14 +32,16 @@ struct CleanOptions {
 /// seen from it, so that each wall keeps its front layer alone; an empty cell that cannot be seen
 /// falls back to unknown.
 ///
-/// Seen: the line of cells to some cell of the path, at most max_range away along each axis,
-/// meets no other occupied cell. The paper's loop casts rays to every cell of the square and
-/// asks whether one meets the path; asking the path's cells, nearest first, is many times
-/// faster and differs for the few cells from which only a ray to a farther cell crosses the path
-/// (docs/method.md has the measured difference).
+/// Seen: the line of cells to some cell on the rim of the path, at most max_range away along each
+/// axis, meets no other occupied cell. The paper's loop casts rays to every cell of the square and
+/// asks whether one meets the path; asking the rim of the path, nearest first, is many times
+/// faster and loses the few cells from which only a ray to another cell, farther away or inside
+/// the path, crosses it (docs/method.md has the measured difference). It never keeps a cell that
+/// the paper's loop drops.
 ///
 /// Where the loop leaves a 2 x 2 block of occupied cells, the one farthest from the path goes,
-/// so that the nearest always stays.
+/// so that the nearest of the block stays; a neighbouring block may then take that one, in favour
+/// of one nearer still.
 ///
 /// The result's box is the grid's. Nothing is seen, and everything becomes unknown, without path.
 [[nodiscard]] CellMap clean_map(const HimmGrid& grid, const CleanOptions& options);

@@ -29,7 +29,7 @@ struct Line2 {
 
 /// Line by regression, equations (4) and (5), accepted when |rho| of equation (6) is at least
 /// `min_abs_rho`. Walls parallel to an axis are rejected: (4) divides by zero, or rho tends to 0.
-/// Nothing for fewer than two points.
+/// Nothing for fewer than two distinct points.
 [[nodiscard]] std::optional<Line2> fit_by_regression(const Polyline& points, double min_abs_rho);
 
 /// Line by total least squares (smallest eigenvector of the scatter matrix), accepted when the

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/polyline/region.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "polyline/drawing.hpp"
+
+namespace roomatlas {
+namespace {
+
+using namespace testing_polyline;
+
+TEST(Dilated, GrowsBySquaresAndStaysInTheBox) {
+  EXPECT_EQ(drawn(dilated(mask_of({"......",  //
+                                   "......",  //
+                                   "...#..",  //
+                                   "......",  //
+                                   "#....."}),
+                          1)),
+            (Drawing{"......",  //
+                     "..###.",  //
+                     "..###.",  //
+                     "#####.",  //
+                     "##...."}));
+}
+
+TEST(Eroded, ShrinksBySquaresAndCountsWhatIsOutsideOfTheBoxAsOutside) {
+  EXPECT_EQ(drawn(eroded(mask_of({"#####.",  //
+                                  "#####.",  //
+                                  "#####.",  //
+                                  "####..",  //
+                                  "####.."}),
+                         1)),
+            (Drawing{"......",  //
+                     ".###..",  //
+                     ".##...",  //
+                     ".##...",  //
+                     "......"}));
+}
+
+/// How many cells of the square around `cell` belong to the mask.
+int count_in_square(const CellMask& mask, const Cell& cell, int radius) {
+  int count = 0;
+  for (int dy = -radius; dy <= radius; ++dy) {
+    for (int dx = -radius; dx <= radius; ++dx) count += mask.at({cell.x + dx, cell.y + dy});
+  }
+  return count;
+}
+
+TEST(DilatedAndEroded, AgreeWithCountingTheSquareAroundEachCell) {
+  std::mt19937 random(51);
+  for (const std::string letters : {"#.........", "#########."}) {
+    for (int radius = 0; radius <= 3; ++radius) {
+      const CellMask mask = mask_of(random_drawing(random, 23, 17, letters));
+      const CellMask grown = dilated(mask, radius);
+      const CellMask shrunk = eroded(mask, radius);
+      const int all = (2 * radius + 1) * (2 * radius + 1);
+      for_each_cell(mask.box, [&](const Cell& cell) {
+        const int count = count_in_square(mask, cell, radius);
+        EXPECT_EQ(grown.at(cell), count > 0);
+        EXPECT_EQ(shrunk.at(cell), count == all);
+      });
+    }
+  }
+}
+
+TEST(ConnectedTo, KeepsThePartsThatTouchASeedByEdges) {
+  const CellMask mask = mask_of({"##..##",  //
+                                 "#..#..",  //
+                                 "...#..",  //
+                                 "##...#"});
+  EXPECT_EQ(drawn(connected_to(mask, {{0, 0}, {3, 1}})), (Drawing{"......",  //
+                                                                  "...#..",  //
+                                                                  "...#..",  //
+                                                                  "##...."}));
+  EXPECT_EQ(connected_to(mask, {}).count(), 0);
+  EXPECT_EQ(connected_to(mask, {{2, 0}, {-5, 99}}).count(), 0) << "no seed lies in the mask";
+}
+
+TEST(ConnectedTo, AgreesWithSpreadingFromTheSeedUntilNothingChanges) {
+  std::mt19937 random(52);
+  for (int round = 0; round < 30; ++round) {
+    const CellMask mask = mask_of(random_drawing(random, 20, 20, "###.."));
+    CellMask expected(mask.box);
+    expected.set({10, 10}, mask.at({10, 10}));
+    for (std::int64_t before = -1; before != expected.count();) {
+      before = expected.count();
+      for_each_cell(mask.box, [&](const Cell& c) {
+        const bool beside = expected.at({c.x - 1, c.y}) || expected.at({c.x + 1, c.y}) ||
+                            expected.at({c.x, c.y - 1}) || expected.at({c.x, c.y + 1});
+        if (mask.at(c) && beside) expected.set(c, true);
+      });
+    }
+    EXPECT_EQ(drawn(connected_to(mask, {{10, 10}})), drawn(expected));
+  }
+}
+
+TEST(HolesFilled, FillsHolesOfFewerCellsThanTheLimitAndNothingElse) {
+  const CellMask mask = mask_of({"#######.",  //
+                                 "#.##..#.",  //
+                                 "#######.",  //
+                                 "#...##..",  //
+                                 "########"});
+  EXPECT_EQ(drawn(holes_filled(mask, 3)), (Drawing{"#######.",  //
+                                                   "#######.",  //
+                                                   "#######.",  //
+                                                   "#...##..",  //
+                                                   "########"}));
+  EXPECT_EQ(drawn(holes_filled(mask, 2)), (Drawing{"#######.",  //
+                                                   "####..#.",  //
+                                                   "#######.",  //
+                                                   "#...##..",  //
+                                                   "########"}));
+  EXPECT_EQ(drawn(holes_filled(mask, 99)), (Drawing{"#######.",  //
+                                                    "#######.",  //
+                                                    "#######.",  //
+                                                    "######..",  //
+                                                    "########"}));
+  EXPECT_EQ(drawn(holes_filled(mask, 0)), drawn(mask));
+}
+
+TEST(HolesFilled, TakesHolesThatTouchAtACornerForTwo) {
+  const CellMask mask = mask_of({"#####",  //
+                                 "#.###",  //
+                                 "##..#",  //
+                                 "#####"});
+  EXPECT_EQ(drawn(holes_filled(mask, 2)), (Drawing{"#####",  //
+                                                   "#####",  //
+                                                   "##..#",  //
+                                                   "#####"}));
+}
+
+TEST(HolesFilled, LeavesWhatReachesTheEdgeOfTheBoxOpen) {
+  const Drawing bay = {"####",  //
+                       "#..#",  //
+                       "#.##"};
+  EXPECT_EQ(drawn(holes_filled(mask_of(bay), 99)), bay);
+}
+
+TEST(CellMask, OfAnEmptyBoxStaysEmpty) {
+  const CellMask none{CellBox{}};
+  EXPECT_EQ(dilated(none, 2).count(), 0);
+  EXPECT_EQ(eroded(none, 2).count(), 0);
+  EXPECT_EQ(connected_to(none, {{0, 0}}).count(), 0);
+  EXPECT_EQ(holes_filled(none, 9).count(), 0);
+}
+
+}  // namespace
+}  // namespace roomatlas
