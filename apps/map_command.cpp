@@ -48,13 +48,13 @@ void map(const Settings& settings, const Path& log, const Path& store_file) {
   };
   if (mission->info().readings == 0 || mission->info().odometry == "none") {
     NoSink nowhere;
-    (void)map_mission(peeked, nowhere, settings.record);  // says what is missing
+    (void)map_mission(peeked, nowhere, settings.map);  // says what is missing
   }
 
   GeoPackageStore store(store_file, GeoPackageStore::Mode::create);
   MapSummary summary;
   try {
-    summary = map_mission(peeked, store, settings.record, console_progress(settings));
+    summary = map_mission(peeked, store, settings.map, console_progress(settings));
   } catch (const NotEnoughError&) {
     remove_store(store_file);
     throw;
@@ -63,6 +63,9 @@ void map(const Settings& settings, const Path& log, const Path& store_file) {
   store.put_metadata(metadata_of(info, sha256_of_file(log), settings));
   store.finish();
   show(info.issues, info.issues_not_listed);
+  if (summary.intervals_reversed > 0) {
+    spdlog::info("{} drives were reported forwards but went backwards", summary.intervals_reversed);
+  }
   spdlog::info("{}: {} readings, {:.0f} m -> {} ASRs in {}", log.filename().string(),
                info.readings, info.path_length_m, summary.asrs, store_file.string());
 }

@@ -65,8 +65,11 @@ void add_mission(CLI::App& app, MissionOptions& mission) {
   stage.add("robot-width", mission.footprint.width_m, "m; marks the robot's path", 0.05, 5.0);
 }
 
-void add_map(CLI::App& app, RecorderOptions& record) {
+void add_map(CLI::App& app, MapOptions& options) {
   Stage stage(app, "Rooms (online stage)");
+  stage.flag("find-reverse", options.reckon.find_reverse,
+             "find drives that odometry reports forwards and the readings show backwards");
+  RecorderOptions& record = options.record;
   RoomMapOptions& map = record.map;
   stage.add("cell", map.cell_m, "m; cell of the grid. Smaller needs more readings a cell", 0.02,
             1.0);
@@ -191,14 +194,14 @@ void add_simulation(CLI::App& app, SimulationOptions& simulation) {
 
 void add_parameters(CLI::App& app, Settings& settings) {
   add_mission(app, settings.mission);
-  add_map(app, settings.record);
+  add_map(app, settings.map);
   add_correction(app, settings.assemble);
   add_plan(app, settings);
   add_simulation(app, settings.simulation);
 }
 
 void complete(Settings& settings, const CLI::App& app) {
-  settings.assemble.map = settings.record.map;
+  settings.assemble.map = settings.map.record.map;
   settings.simulation.footprint = settings.mission.footprint;
   settings.simulation.sonar_max_range_m = settings.mission.sonar_max_range_m;
   settings.as_toml = app.config_to_str(true, false);

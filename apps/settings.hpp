@@ -13,7 +13,7 @@ namespace roomatlas::apps {
 /// Everything that can be set, with the defaults of the stages.
 struct Settings {
   MissionOptions mission;
-  RecorderOptions record;
+  MapOptions map;
   AssembleOptions assemble;
   DrawOptions draw;
   SimulationOptions simulation;

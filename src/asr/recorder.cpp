@@ -56,13 +56,14 @@ class AsrRecorder::State {
       : options_(options), footprint_(footprint), sink_(sink), localizer_(std::move(localizer)),
         live_(options.map.cell_m) {}
 
-  void add(const RangeReading& reading) {
-    if (path_.empty() && next_id_ == 1) odom_from_asr_ = reading.odom_from_robot;
+  void add(const RangeReading& reading, const Pose2& reckoned_from_robot) {
+    if (!last_) odom_from_asr_ = reading.odom_from_robot;
     const Pose2 predicted =
-        path_.empty() ? inverse(odom_from_asr_) * reading.odom_from_robot
-                      : path_.back().asr_from_robot * (inverse(path_.back().odom_from_robot) *
-                                                       reading.odom_from_robot);
-    append(reading, localizer_ ? localizer_(reading, predicted, live_) : predicted);
+        last_ ? last_->asr_from_robot * (inverse(last_->reckoned_from_robot) * reckoned_from_robot)
+              : Pose2{};
+    const Pose2 asr_from_robot = localizer_ ? localizer_(reading, predicted, live_) : predicted;
+    last_ = {asr_from_robot, reckoned_from_robot};
+    append(reading, asr_from_robot);
     if (const auto found = search_doorway()) {
       leave_through(*found);
     } else if (along_m_.back() > options_.max_piece_path_m ||
@@ -183,6 +184,7 @@ class AsrRecorder::State {
     entry_ = entry_from(exit, next_id_ - 1);
     if (since_doorway_m_) *since_doorway_m_ += left_m;
     const Pose2 new_from_old = inverse(old_from_new);
+    last_->asr_from_robot = new_from_old * last_->asr_from_robot;
     for (std::size_t i = 0; i < seed_path.size(); ++i) {
       draw(seed_readings[i], new_from_old * seed_path[i].asr_from_robot);
     }
@@ -226,7 +228,14 @@ class AsrRecorder::State {
   AsrSink& sink_;
   const Localizer localizer_;
 
+  /// Where the last reading was taken.
+  struct LastReading {
+    Pose2 asr_from_robot;
+    Pose2 reckoned_from_robot;
+  };
+
   AsrId next_id_ = 1;
+  std::optional<LastReading> last_;
   Pose2 odom_from_asr_;
   std::optional<Exit> entry_;
   std::vector<PathSample> path_;
@@ -244,7 +253,9 @@ AsrRecorder::AsrRecorder(const RecorderOptions& options, const RobotFootprint& f
     : state_(std::make_unique<State>(options, footprint, sink, std::move(localizer))) {}
 AsrRecorder::~AsrRecorder() = default;
 
-void AsrRecorder::add(const RangeReading& reading) { state_->add(reading); }
+void AsrRecorder::add(const RangeReading& reading, const Pose2& reckoned_from_robot) {
+  state_->add(reading, reckoned_from_robot);
+}
 void AsrRecorder::finish() { state_->finish(); }
 std::int64_t AsrRecorder::asrs_written() const { return state_->asrs_written(); }
 

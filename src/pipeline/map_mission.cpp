@@ -41,25 +41,35 @@ void require_enough(const MissionInfo& info, const MapSummary& summary) {
 
 }  // namespace
 
-MapSummary map_mission(MissionSource& mission, AsrSink& sink, const RecorderOptions& options,
+MapSummary map_mission(MissionSource& mission, AsrSink& sink, const MapOptions& options,
                        const Progress& progress) {
   constexpr int kReportEvery = 256;
   CountingSink counting(sink);
+  DeadReckoner reckoner(options.reckon);
   std::optional<AsrRecorder> recorder;  // made once the log has told the robot's footprint
+  const auto record = [&](const std::vector<DeadReckoned>& readings) {
+    if (!recorder) recorder.emplace(options.record, mission.info().footprint, counting);
+    for (const auto& [reading, reckoned] : readings) recorder->add(reading, reckoned);
+  };
+  const auto finish = [&] {
+    record(reckoner.finish());
+    recorder->finish();
+  };
+
   std::int64_t events = 0;
   while (const auto event = mission.next()) {
     if (const auto* truth = std::get_if<TruePose>(&*event)) {
       counting.put(*truth);
     } else {
-      if (!recorder) recorder.emplace(options, mission.info().footprint, counting);
-      recorder->add(std::get<RangeReading>(*event));
+      record(reckoner.add(std::get<RangeReading>(*event)));
     }
     if (progress && ++events % kReportEvery == 0 && !progress("map", mission.progress())) {
-      if (recorder) recorder->finish();
+      finish();
       throw Interrupted("interrupted while mapping");
     }
   }
-  if (recorder) recorder->finish();
+  finish();
+  counting.summary.intervals_reversed = reckoner.intervals_reversed();
   require_enough(mission.info(), counting.summary);
   return counting.summary;
 }

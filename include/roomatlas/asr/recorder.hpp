@@ -39,7 +39,9 @@ class AsrRecorder {
   AsrRecorder& operator=(const AsrRecorder&) = delete;
 
   /// Takes the next reading, in the mission's order. May hand one ASR to the sink.
-  void add(const RangeReading& reading);
+  /// @param reckoned_from_robot the robot's pose by the best odometry there is, in a frame of its
+  ///   own; the log's odometry where nothing better is known
+  void add(const RangeReading& reading, const Pose2& reckoned_from_robot);
   /// Hands over the room being mapped. Call once, at the mission's end or interruption.
   void finish();
 

@@ -10,15 +10,22 @@
 #include "roomatlas/evaluate/evaluate.hpp"
 #include "roomatlas/graph/doors.hpp"
 #include "roomatlas/graph/recognise.hpp"
+#include "roomatlas/match/dead_reckoner.hpp"
 #include "roomatlas/merge/merge.hpp"
 #include "roomatlas/mission/mission.hpp"
 
 namespace roomatlas {
 
+struct MapOptions {
+  DeadReckonerOptions reckon;
+  RecorderOptions record;
+};
+
 /// What the online stage saw.
 struct MapSummary {
   std::int64_t asrs = 0;
   std::int64_t wall_vertices = 0;
+  int intervals_reversed = 0;  ///< drives between stops that odometry reported the wrong way round
 };
 
 /// Online stage: a mission's events become ASRs in the sink, room by room.
@@ -26,7 +33,7 @@ struct MapSummary {
 ///   was mapped by then is in the sink), Interrupted when `progress` says so (the room being
 ///   mapped has been handed over)
 [[nodiscard]] MapSummary map_mission(MissionSource& mission, AsrSink& sink,
-                                     const RecorderOptions& options, const Progress& progress = {});
+                                     const MapOptions& options, const Progress& progress = {});
 
 struct AssembleOptions {
   RecogniseOptions recognise;
