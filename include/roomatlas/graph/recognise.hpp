@@ -8,7 +8,7 @@ namespace roomatlas {
 struct RecogniseOptions {
   double gate_m = 0.4;           ///< two doorways this near are the same, however short the path
   double gate_growth = 0.02;     ///< metres added to the gate a metre of path driven between them
-  double max_gate_m = 1.0;       ///< doors of one wall are seldom nearer than this
+  double max_gate_m = 1.5;       ///< doors of one wall are seldom nearer than this
   double max_turn_deg = 35.0;    ///< directions of one doorway agree this well
   double max_width_difference_m = 0.45;
 };
@@ -29,7 +29,7 @@ struct RoomOptions {
                                     ///< outline is in the same room
   double wall_beside_door_m = 0.6;  ///< a doorway that separates rooms has wall beside a jamb over
                                     ///< this length ...
-  double min_wall_share = 0.6;      ///< ... of which this share has been seen
+  double min_wall_share = 0.45;     ///< ... of which this share has been seen
 };
 
 /// Decides which ASRs are the same room: those joined by open passages, those on the same side of
