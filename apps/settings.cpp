@@ -21,7 +21,7 @@ class Stage {
   }
   void flag(const std::string& name, bool& value, const std::string& meaning) {
     app_.add_flag("--" + name + ",!--no-" + name, value, meaning)
-        ->capture_default_str()
+        ->default_str(value ? "true" : "false")
         ->group(heading_);
   }
   template <typename Choice>
@@ -78,6 +78,9 @@ void add_map(CLI::App& app, MapOptions& options) {
             100.0);
   stage.add("sonar-no-echo", map.sonar_no_echo_m,
             "m; how much a sonar without echo frees. Larger tears open walls seen at a flat angle",
+            0.0, 100.0);
+  stage.add("laser-no-echo", map.laser_no_echo_m,
+            "m; how much a laser without echo in range frees. Larger maps what glass lets through",
             0.0, 100.0);
   stage.add("epsilon", map.epsilon, "certainty above which a cell is occupied (paper: 7)", -2.0,
             14.5);

@@ -18,7 +18,7 @@ Point2 relative_to(const Exit& exit, const Point2& point_asr) {
 }  // namespace
 
 RayOptions ray_options(const RoomMapOptions& options) {
-  return {options.max_mapped_range_m, options.sonar_no_echo_m};
+  return {options.max_mapped_range_m, options.sonar_no_echo_m, options.laser_no_echo_m};
 }
 
 bool moved_enough(const Pose2& from, const Pose2& to, const RoomMapOptions& options) {

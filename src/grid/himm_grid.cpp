@@ -102,15 +102,13 @@ std::vector<Ray> rays_of(const RangeReading& reading, const Pose2& grid_from_rob
       ++ignored;
       continue;
     }
-    const bool is_echo = range_m < sensor.max_range_m;
-    const double believed_m = is_echo || sensor.kind == SensorKind::laser
-                                  ? std::min(range_m, sensor.max_range_m)
-                                  : options.sonar_no_echo_m;
+    const bool is_obstacle = range_m < sensor.max_range_m && range_m <= options.max_mapped_range_m;
+    const double free_m = sensor.kind == SensorKind::laser ? options.laser_no_echo_m
+                                                           : options.sonar_no_echo_m;
+    const double seen_m =
+        is_obstacle ? range_m : std::min({range_m, free_m, options.max_mapped_range_m});
     const Pose2 grid_from_beam = grid_from_robot * sensor.robot_from_beam[i];
-    const Point2 end =
-        grid_from_beam * Point2(std::min(believed_m, options.max_mapped_range_m), 0.0);
-    rays.push_back({{grid_from_beam.position(), end},
-                    is_echo && range_m <= options.max_mapped_range_m});
+    rays.push_back({{grid_from_beam.position(), grid_from_beam * Point2(seen_m, 0.0)}, is_obstacle});
   }
   return rays;
 }

@@ -105,7 +105,7 @@ TEST(RaysOf, CutsAtTheMappedRangeAndCountsWhatIsNoMeasurement) {
   const RangeReading reading{0.0, {}, std::make_shared<RangeSensor>(sensor),
                              {1.0F, 4.5F, 5.0F, nan, infinity, 0.0F}};
   std::int64_t ignored = 0;
-  const std::vector<Ray> rays = rays_of(reading, {1.0, 0.0, 0.0}, {4.0, 1.0}, ignored);
+  const std::vector<Ray> rays = rays_of(reading, {1.0, 0.0, 0.0}, {4.0, 1.0, 4.0}, ignored);
   ASSERT_EQ(rays.size(), 3U);
   EXPECT_EQ(ignored, 3);
   EXPECT_NEAR(rays[0].segment.b.x(), 2.1, 1e-6);
@@ -115,7 +115,7 @@ TEST(RaysOf, CutsAtTheMappedRangeAndCountsWhatIsNoMeasurement) {
   EXPECT_FALSE(rays[2].ends_at_obstacle);
 }
 
-TEST(RaysOf, ASonarWithoutEchoFreesLittleALaserFreesItsRange) {
+TEST(RaysOf, WithoutEchoASonarFreesLittleAndALaserMore) {
   RangeSensor sensor;
   sensor.max_range_m = 5.0;
   sensor.robot_from_beam.assign(1, Pose2{});
@@ -123,10 +123,10 @@ TEST(RaysOf, ASonarWithoutEchoFreesLittleALaserFreesItsRange) {
   const auto reach = [&](SensorKind kind) {
     sensor.kind = kind;
     const RangeReading reading{0.0, {}, std::make_shared<RangeSensor>(sensor), {5.0F}};
-    return rays_of(reading, {}, {8.0, 1.0}, ignored).at(0).segment.b.x();
+    return rays_of(reading, {}, {8.0, 1.0, 3.0}, ignored).at(0).segment.b.x();
   };
   EXPECT_DOUBLE_EQ(reach(SensorKind::sonar), 1.0);
-  EXPECT_DOUBLE_EQ(reach(SensorKind::laser), 5.0);
+  EXPECT_DOUBLE_EQ(reach(SensorKind::laser), 3.0);
 }
 
 }  // namespace

@@ -17,6 +17,8 @@ struct RoomMapOptions {
                                     ///< walls by the heading drift inside a room
   double sonar_no_echo_m = 1.0;     ///< a sonar without echo frees this much alone: a wall hit at a
                                     ///< flat angle gives none, so larger tears walls open
+  double laser_no_echo_m = 5.0;     ///< the same for a laser without echo in the mapped range;
+                                    ///< larger maps what glass lets through as room
   double epsilon = 7.0;             ///< paper IV: C above it is occupied
   double gamma_cells = 4.0;         ///< paper IV: largest gap inside a polyline
   double tau_cells = 2.0;           ///< paper IV: points closer than this are dropped

@@ -63,7 +63,8 @@ class HimmGrid {
 /// How far readings are believed.
 struct RayOptions {
   double max_mapped_range_m = 8.0;  ///< rays are cut there and then end in free space
-  double sonar_no_echo_m = 1.0;     ///< how much a sonar without echo frees; a laser's whole ray is
+  double sonar_no_echo_m = 1.0;     ///< how much a sonar without echo frees
+  double laser_no_echo_m = 5.0;     ///< how much a laser without echo in the mapped range frees
 };
 
 /// The rays of a reading: one a beam that measured something.
