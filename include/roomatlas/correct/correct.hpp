@@ -24,8 +24,8 @@ struct CorrectOptions {
   double odometry_heading_deg = 1.0;         ///< the same for its heading ...
   double odometry_heading_deg_per_m = 0.6;   ///< ... a metre; smaller resists the walls' direction
   double odometry_heading_per_turn = 0.03;   ///< ... and this share of the turns made
-  double doorway_position_m = 0.12;          ///< of a doorway seen twice
-  double doorway_heading_deg = 8.0;          ///< two jambs a metre apart, each a cell off
+  double doorway_position_m = 0.08;          ///< of a doorway seen twice
+  double doorway_heading_deg = 5.0;          ///< two jambs a metre apart, each half a cell off
   double wall_heading_deg = 2.0;             ///< of a room's walls against the building's direction,
                                              ///< however long they are ...
   double wall_heading_deg_m = 15.0;          ///< ... with this over their length beside it
