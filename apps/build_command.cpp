@@ -37,12 +37,17 @@ void write_summary(const Path& store_file, const std::optional<Evaluation>& eval
 void build(const Settings& settings, const Path& log, const Path& out,
            const std::vector<Path>& truth) {
   (void)open_mission(log, settings.mission);  // an unreadable log leaves no folder behind
-  std::filesystem::create_directories(out);
+  const bool is_new_folder = std::filesystem::create_directories(out);
   const Path store = out / "building.gpkg";
   if (is_mapped_already(settings, log, store)) {
     spdlog::info("{} holds this mission already; assembling it again", store.string());
   } else {
-    map(settings, log, store);
+    try {
+      map(settings, log, store);
+    } catch (const NotEnoughError&) {
+      if (is_new_folder) std::filesystem::remove(out);  // nothing came of it
+      throw;
+    }
   }
   assemble(settings, store);
   export_all(settings, store, {"svg", "png", "geojson", "tum", "dot"}, out);

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "program.hpp"
+
+namespace roomatlas::test {
+namespace {
+
+/// Builds from a file of this content; the folder of results must not appear.
+Outcome build_from(const std::string& content) {
+  const Folder folder;
+  const auto log = folder.write("mission.clf", content);
+  const Outcome outcome = run("build " + log.string() + " -q -o " + (folder / "out").string());
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  return outcome;
+}
+
+void expect_one_line(const Outcome& outcome, int exit_code, const std::string& mentions) {
+  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+  EXPECT_EQ(outcome.err.rfind("error: ", 0), 0U) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_NE(outcome.err.find(mentions), std::string::npos) << outcome.err;
+}
+
+std::string scan(double x, double timestamp, double range) {
+  std::string line = "FLASER 180";
+  for (int i = 0; i < 180; ++i) line += " " + std::to_string(range);
+  const std::string pose = " " + std::to_string(x) + " 0 0";
+  return line + pose + pose + " " + std::to_string(timestamp) + " host " +
+         std::to_string(timestamp) + "\n";
+}
+
+TEST(BadInput, AMissingFileIsNamed) {
+  expect_one_line(run("build /no/such/mission.clf -o /tmp/never"), 3, "/no/such/mission.clf");
+  EXPECT_FALSE(std::filesystem::exists("/tmp/never"));
+}
+
+TEST(BadInput, AnEmptyFileIsRefused) { expect_one_line(build_from(""), 3, "empty"); }
+
+TEST(BadInput, ABinaryFileIsRefused) {
+  expect_one_line(build_from(std::string("\x7f" "ELF\0\1\2\0", 8) + std::string(500, '\0')), 3,
+                  "mission.clf");
+}
+
+TEST(BadInput, ATextThatIsNoLogIsRefusedWithTheTagsThatAreKnown) {
+  expect_one_line(build_from("dear robot,\nwhere have you been?\n"), 3, "FLASER");
+}
+
+TEST(BadInput, ALogWithoutRangesIsNotEnough) {
+  std::string log;
+  for (int i = 0; i < 50; ++i) {
+    log += "ODOM " + std::to_string(0.1 * i) + " 0 0 0.1 0 0 " + std::to_string(i) + " host 0\n";
+  }
+  expect_one_line(build_from(log), 4, "no range readings");
+}
+
+TEST(BadInput, ALogWithoutOdometryIsNotEnough) {
+  std::string log;
+  for (int i = 0; i < 20; ++i) log += scan(0.0, i, 2.0);
+  expect_one_line(build_from(log), 4, "no odometry");
+}
+
+TEST(BadInput, AMissionThatSawNoWallIsNotEnough) {
+  std::string log;
+  for (int i = 0; i < 50; ++i) log += scan(0.1 * i, i, 81.91);
+  const Outcome outcome = build_from(log);
+  expect_one_line(outcome, 4, "no wall was seen");
+}
+
+TEST(BadInput, AWrongCommandLineIsAUsageError) {
+  for (const char* arguments :
+       {"", "fly", "build", "build x.clf", "build x.clf -o y --no-such-option 1",
+        "build x.clf -o y --cell 7", "export x.gpkg -f gif -o y"}) {
+    EXPECT_EQ(run(arguments).exit_code, 2) << arguments;
+  }
+}
+
+TEST(BadInput, AnUnknownKeyInTheConfigurationIsAUsageError) {
+  const Folder folder;
+  const auto config = folder.write("config.toml", "no-such-key=1\n");
+  EXPECT_EQ(run("--config " + config.string() + " config --print").exit_code, 2);
+}
+
+TEST(BadInput, AStoreThatIsNoneIsNamed) {
+  const Folder folder;
+  const auto file = folder.write("x.gpkg", "not a database");
+  expect_one_line(run("-q assemble " + file.string()), 3, "x.gpkg");
+}
+
+TEST(Help, AndVersionAndConfigurationAnswer) {
+  EXPECT_EQ(run("--help").exit_code, 0);
+  EXPECT_EQ(run("build --help").exit_code, 0);
+  EXPECT_EQ(run("--version").exit_code, 0);
+  const Outcome defaults = run("config --print");
+  EXPECT_EQ(defaults.exit_code, 0);
+  const Folder folder;
+  const auto file = folder.write("config.toml", defaults.out);
+  const Outcome again = run("--config " + file.string() + " config --print");
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_NE(defaults.out.find("heading-bias=true"), std::string::npos);
+  EXPECT_NE(again.out.find("heading-bias=true"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace roomatlas::test

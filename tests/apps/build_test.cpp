@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
+
+#include "program.hpp"
+#include "support/shared_data.hpp"
+
+namespace roomatlas::test {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string kWorld = std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/eight_rooms";
+
+/// The demo mission, simulated once for all tests of this file.
+const Folder& demo() {
+  static const Folder folder;
+  static const Outcome simulated =
+      run("-q simulate " + kWorld + ".geojson --drive " + kWorld + ".drive -o " +
+          (folder / "mission").string());
+  EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
+  return folder;
+}
+
+std::string mission() { return (demo() / "mission" / "mission.clf").string(); }
+
+std::vector<std::string> first_fields(const std::string& text) {
+  std::vector<std::string> fields;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) fields.push_back(line.substr(0, line.find(' ')));
+  return fields;
+}
+
+TEST(Build, TheDemoHasItsRoomsAndDoorsWhereTheyAre) {
+  const Folder folder;
+  const Outcome built = run("-q --json build " + mission() + " --truth " +
+                            (demo() / "mission" / "truth.geojson").string() + " -o " +
+                            (folder / "out").string());
+  ASSERT_EQ(built.exit_code, 0) << built.err;
+  const Json evaluation = Json::parse(built.out);
+  EXPECT_GE(evaluation["plan"]["f1"].get<double>(), 0.8);
+  EXPECT_TRUE(evaluation["plan"]["missed_used_doors"].empty());
+  EXPECT_EQ(evaluation["plan"]["used_true_doors"].size(), 13U);
+  EXPECT_LT(evaluation["true_poses"]["after"]["position_m"]["mean"].get<double>(),
+            evaluation["true_poses"]["before"]["position_m"]["mean"].get<double>());
+}
+
+TEST(Build, TwoRunsGiveTheSameBytesAndNoneHoldsAFolderOfThisRun) {
+  const Folder folder;
+  for (const char* name : {"a", "b"}) {
+    ASSERT_EQ(run("-q build " + mission() + " -o " + (folder / name).string()).exit_code, 0);
+  }
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "a")) {
+    const std::string first = content_of(entry.path());
+    EXPECT_EQ(first, content_of(folder / "b" / entry.path().filename())) << entry.path();
+    EXPECT_EQ(first.find(folder.operator/("").string()), std::string::npos) << entry.path();
+    ++files;
+  }
+  EXPECT_GE(files, 9);
+}
+
+TEST(Build, TheTrajectoryHasOnePoseForEachReadingWithTheLogsTimestamps) {
+  const Folder folder;
+  ASSERT_EQ(run("-q build " + mission() + " -o " + (folder / "out").string()).exit_code, 0);
+  std::vector<double> in_log;
+  std::istringstream lines(content_of(mission()));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("SONAR", 0) != 0) continue;
+    std::istringstream fields(line);
+    std::vector<std::string> words{std::istream_iterator<std::string>(fields), {}};
+    in_log.push_back(std::stod(words[words.size() - 3]));
+  }
+  const auto stamps = first_fields(content_of(folder / "out" / "trajectory_corrected.tum"));
+  ASSERT_EQ(stamps.size(), in_log.size());
+  for (std::size_t i = 0; i < stamps.size(); ++i) EXPECT_EQ(std::stod(stamps[i]), in_log[i]);
+}
+
+TEST(Build, ALogThatIsCutShortIsMappedUpToTheCutWithAWarning) {
+  const Folder folder;
+  const std::string whole = content_of(mission());
+  const auto log = folder.write("cut.clf", whole.substr(0, whole.size() / 3));
+  const Outcome built = run("build " + log.string() + " -o " + (folder / "out").string());
+  EXPECT_EQ(built.exit_code, 0) << built.err;
+  EXPECT_NE(built.err.find("cut short"), std::string::npos) << built.err;
+  EXPECT_TRUE(std::filesystem::exists(folder / "out" / "plan.svg"));
+}
+
+TEST(Build, AnOpenHallWithoutDoorsIsOneRoom) {
+  const Folder folder;
+  const auto world = folder.write("hall.geojson", R"({"type":"FeatureCollection",
+    "roomatlas":{"schema":"plan","version":1,"units":"m","title":"Hall"},"features":[
+    {"type":"Feature","properties":{"kind":"hall","id":1},"geometry":{"type":"Polygon",
+     "coordinates":[[[0,0],[14,0],[14,9],[0,9],[0,0]]]}},
+    {"type":"Feature","properties":{"kind":"wall"},"geometry":{"type":"Polygon",
+     "coordinates":[[[-0.2,-0.2],[14.2,-0.2],[14.2,9.2],[-0.2,9.2],[-0.2,-0.2]],
+                    [[0,0],[0,9],[14,9],[14,0],[0,0]]]}}]})");
+  const auto drive = folder.write("hall.drive", "2 2\n12 2\n12 7\n2 7\n2 4.5\n12 4.5\n");
+  const auto out = (folder / "m").string();
+  ASSERT_EQ(run("-q simulate " + world.string() + " --drive " + drive.string() + " -o " + out)
+                .exit_code,
+            0);
+  ASSERT_EQ(run("-q build " + out + "/mission.clf -o " + out).exit_code, 0);
+  const Json summary = Json::parse(content_of(out + "/summary.json"));
+  EXPECT_EQ(summary["plan"]["rooms"].size(), 1U);
+  EXPECT_GT(summary["room_graph"]["asrs"].get<int>(), 1);
+  EXPECT_NEAR(summary["plan"]["area_m2"].get<double>(), 126.0, 15.0);
+}
+
+/// Mean error over all relations after `build`, from the program's own JSON.
+void expect_at_most(const std::string& name, double translation_m, double rotation_deg) {
+  const auto log = shared_data("logs/" + name + "/" + name + ".clf.gz");
+  const auto relations = shared_data("logs/" + name + "/" + name + ".relations");
+  if (!log || !relations) return;
+  const Folder folder;
+  const Outcome built = run("-q --json build " + log->string() + " --truth " + relations->string() +
+                            " -o " + (folder / "out").string());
+  ASSERT_EQ(built.exit_code, 0) << built.err;
+  const Json errors = Json::parse(built.out)["relations"]["after"];
+  EXPECT_EQ(errors["matched"], errors["relations"]);
+  EXPECT_LE(errors["all"]["translation_m"]["mean"].get<double>(), translation_m);
+  EXPECT_LE(errors["all"]["rotation_deg"]["mean"].get<double>(), rotation_deg);
+}
+
+TEST(Build, Fr079ComesBackFromItsOdometry) { expect_at_most("fr079", 3.2, 15.0); }
+
+TEST(Build, AcesIsNotWorseThanItsOdometry) { expect_at_most("aces", 0.549, 2.33); }
+
+}  // namespace
+}  // namespace roomatlas::test
