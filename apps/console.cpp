@@ -43,16 +43,21 @@ Progress console_progress(const Settings& settings) {
 }
 
 void show(const Issues& issues, std::int64_t not_listed, std::size_t limit) {
-  for (std::size_t i = 0; i < std::min(limit, issues.size()); ++i) {
-    switch (issues[i].severity) {
-      case Severity::note: spdlog::info("{}", to_string(issues[i])); break;
-      case Severity::warning: spdlog::warn("{}", to_string(issues[i])); break;
-      case Severity::error: spdlog::error("{}", to_string(issues[i])); break;
+  std::size_t notes = 0;
+  std::size_t shown = 0;
+  for (const Issue& issue : issues) {
+    if (issue.severity == Severity::note) {
+      spdlog::debug("{}", to_string(issue));
+      ++notes;
+    } else if (shown < limit) {
+      spdlog::log(issue.severity == Severity::error ? spdlog::level::err : spdlog::level::warn,
+                  "{}", to_string(issue));
+      ++shown;
     }
   }
-  const auto more = static_cast<std::int64_t>(issues.size() - std::min(limit, issues.size())) +
-                    not_listed;
+  const auto more = std::ssize(issues) - static_cast<std::ptrdiff_t>(notes + shown) + not_listed;
   if (more > 0) spdlog::warn("{} more of these (--json lists them)", more);
+  if (notes > 0) spdlog::info("{} notes (-v shows them, summary.json lists them)", notes);
 }
 
 }  // namespace roomatlas::apps

@@ -13,7 +13,8 @@ void set_up_console(const Settings& settings);
 /// none with --quiet. Says stop after Ctrl-C.
 [[nodiscard]] Progress console_progress(const Settings& settings);
 
-/// Shows issues as warnings, the first `limit` of them, and how many more there are.
+/// Shows warnings and errors, the first `limit` of them, and how many more there are. Notes are
+/// counted, and shown with --verbose.
 void show(const Issues& issues, std::int64_t not_listed = 0, std::size_t limit = 10);
 
 }  // namespace roomatlas::apps

@@ -90,7 +90,10 @@ void report_healed(AsrId asr, const Polygon& shape_mm, double healed_mm2, Issues
     issues.push_back({Severity::note, "", 0, asr_field(asr), "runs clockwise: reversed"});
   } else if (shape_mm.holes.empty() &&
              std::abs(std::abs(drawn_mm2) - healed_mm2) >= kHealedArea_mm2) {
-    issues.push_back({Severity::warning, "", 0, asr_field(asr),
+    constexpr double kHarmlessShare = 0.01;  // a spike; a lobe of the room is another matter
+    const double changed_mm2 = std::abs(std::abs(drawn_mm2) - healed_mm2);
+    const bool is_harmless = changed_mm2 < kHarmlessShare * healed_mm2;
+    issues.push_back({is_harmless ? Severity::note : Severity::warning, "", 0, asr_field(asr),
                       "crosses itself: its area counts as " + square_metres(healed_mm2) +
                           " under the non-zero rule, not " + square_metres(std::abs(drawn_mm2))});
   }
