@@ -10,9 +10,10 @@ namespace {
 
 void print_row(const char* subject, const char* when, const char* unit, const Statistics& errors) {
   if (errors.count == 0) return;
-  fmt::print("  {:<20} {:<8} {:>6}  mean {:>8.3f} {:<3}  std {:>8.3f}  median {:>8.3f}  max {:>8.3f}\n",
-             subject, when, errors.count, errors.mean, unit, errors.standard_deviation,
-             errors.median, errors.maximum);
+  fmt::print(
+      "  {:<20} {:<8} {:>6}  mean {:>8.3f} {:<3}  std {:>8.3f}  median {:>8.3f}  max {:>8.3f}\n",
+      subject, when, errors.count, errors.mean, unit, errors.standard_deviation, errors.median,
+      errors.maximum);
 }
 
 void print_subset(const char* subject, const RelationSubset& before, const RelationSubset& after) {
@@ -41,12 +42,12 @@ void print(const TruePosesBeforeAfter& poses) {
 }
 
 void print(const PlanErrors& plan) {
-  fmt::print("rooms: {} found, {} true; precision {:.2f}, recall {:.2f}, F1 {:.2f} at IoU 0.5; "
-             "mean IoU {:.2f}\n",
-             plan.rooms, plan.true_rooms, plan.precision, plan.recall, plan.f1, plan.mean_iou);
+  fmt::print(
+      "rooms: {} found, {} true; precision {:.2f}, recall {:.2f}, F1 {:.2f} at IoU 0.5; "
+      "mean IoU {:.2f}\n",
+      plan.rooms, plan.true_rooms, plan.precision, plan.recall, plan.f1, plan.mean_iou);
   fmt::print("doors: {} matched within 0.5 m; {} of {} that the robot used were found\n",
-             plan.door_matches.size(),
-             plan.used_true_doors.size() - plan.missed_used_doors.size(),
+             plan.door_matches.size(), plan.used_true_doors.size() - plan.missed_used_doors.size(),
              plan.used_true_doors.size());
   for (const DoorMatch& match : plan.door_matches) {
     fmt::print("  door {:>3} is true door {:>3}, {:.2f} m apart\n", match.door, match.true_door,

@@ -11,8 +11,8 @@ namespace roomatlas::apps {
 
 /// Judges an assembled store against true poses in it and the given truth files. Nothing when
 /// there is neither.
-[[nodiscard]] std::optional<Evaluation> evaluation_of(const std::filesystem::path& store,
-                                                      const std::vector<std::filesystem::path>& truth);
+[[nodiscard]] std::optional<Evaluation> evaluation_of(
+    const std::filesystem::path& store, const std::vector<std::filesystem::path>& truth);
 
 /// Tables for people, on stdout.
 void print(const Evaluation& evaluation);

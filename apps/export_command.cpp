@@ -78,10 +78,8 @@ const std::map<std::string, Exporter>& exporters() {
          write_tum(out / "trajectory_odometry.tum", from.placed.odometry);
          write_tum(out / "trajectory_corrected.tum", from.placed.corrected);
        }},
-      {"dot",
-       [](const Exported& from, const Settings&, const Path& out) {
-         write_file(out / "rooms.dot", to_dot(from.graph));
-       }},
+      {"dot", [](const Exported& from, const Settings&,
+                 const Path& out) { write_file(out / "rooms.dot", to_dot(from.graph)); }},
       {"json",
        [](const Exported& from, const Settings&, const Path& out) {
          write_file(out / "summary.json",

@@ -74,9 +74,8 @@ void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
                                [&] { apps::assemble(settings, a.store); });
   positional(assemble, "STORE", a.store, "store to complete");
 
-  CLI::App* exported = command("export", "store -> drawings and files", [&] {
-    apps::export_all(settings, a.store, a.formats, a.out);
-  });
+  CLI::App* exported = command("export", "store -> drawings and files",
+                               [&] { apps::export_all(settings, a.store, a.formats, a.out); });
   positional(exported, "STORE", a.store, "assembled store");
   exported->add_option("-f,--format", a.formats, "formats, separated by commas")
       ->delimiter(',')
@@ -97,9 +96,8 @@ void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
       ->configurable(false);
   output(simulate, a.out, "folder for mission.clf, truth.tum and truth.geojson");
 
-  CLI::App* config = command("config", "the parameters as a configuration file (TOML)", [&] {
-    fmt::print("{}", app.config_to_str(true, true));
-  });
+  CLI::App* config = command("config", "the parameters as a configuration file (TOML)",
+                             [&] { fmt::print("{}", app.config_to_str(true, true)); });
   config->add_flag("--print", a.print_config, "print every parameter with default and meaning")
       ->configurable(false);
 }

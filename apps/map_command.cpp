@@ -66,8 +66,8 @@ void map(const Settings& settings, const Path& log, const Path& store_file) {
   if (summary.intervals_reversed > 0) {
     spdlog::info("{} drives were reported forwards but went backwards", summary.intervals_reversed);
   }
-  spdlog::info("{}: {} readings, {:.0f} m -> {} ASRs in {}", log.filename().string(),
-               info.readings, info.path_length_m, summary.asrs, store_file.string());
+  spdlog::info("{}: {} readings, {:.0f} m -> {} ASRs in {}", log.filename().string(), info.readings,
+               info.path_length_m, summary.asrs, store_file.string());
 }
 
 void info(const Settings& settings, const Path& log) {

@@ -108,8 +108,8 @@ void add_map(CLI::App& app, MapOptions& options) {
   stage.add("door-widening", record.doorway.widening_m,
             "m; both sides of a door are this much wider. Smaller finds doors in corridors", 0.0,
             5.0);
-  stage.add("door-lag", record.doorway_lag_m,
-            "m; how far behind the robot doors are looked for", 0.1, 5.0);
+  stage.add("door-lag", record.doorway_lag_m, "m; how far behind the robot doors are looked for",
+            0.1, 5.0);
   stage.add("max-piece", record.max_piece_path_m,
             "m; longer visits are cut: odometry bends longer pieces", 1.0, 1000.0);
   stage.flag("keep-readings", record.keep_readings,
@@ -121,8 +121,8 @@ void add_correction(CLI::App& app, AssembleOptions& assemble) {
   CorrectOptions& correct = assemble.correct;
   stage.choice("model", correct.model,
                "se2, or rotation: the paper's, rooms turn about their entry pivots",
-               std::map<std::string, CorrectionModel>{{"se2", CorrectionModel::se2},
-                                                      {"rotation", CorrectionModel::rotation_only}});
+               std::map<std::string, CorrectionModel>{
+                   {"se2", CorrectionModel::se2}, {"rotation", CorrectionModel::rotation_only}});
   stage.flag("wall-directions", correct.use_wall_directions,
              "rectilinear rooms follow the building's direction");
   stage.flag("heading-bias", correct.use_heading_bias,
@@ -137,15 +137,15 @@ void add_correction(CLI::App& app, AssembleOptions& assemble) {
             45.0);
   stage.add("odometry-heading-turn", correct.odometry_heading_per_turn,
             "share of the turns made; sigma between rooms", 0.0, 1.0);
-  stage.add("doorway-position", correct.doorway_position_m, "m; sigma of a doorway seen twice", 1e-3,
-            10.0);
+  stage.add("doorway-position", correct.doorway_position_m, "m; sigma of a doorway seen twice",
+            1e-3, 10.0);
   stage.add("doorway-heading", correct.doorway_heading_deg, "deg; sigma of a doorway seen twice",
             0.01, 90.0);
   stage.add("wall-heading", correct.wall_heading_deg, "deg; sigma of a room's walls", 0.01, 45.0);
   stage.add("wall-heading-length", correct.wall_heading_deg_m,
             "deg m; over the length of the walls, added to it", 0.0, 1000.0);
-  stage.add("wall-gate", correct.wall_gate_deg,
-            "deg; walls farther off follow no common direction", 0.0, 45.0);
+  stage.add("wall-gate", correct.wall_gate_deg, "deg; walls farther off follow no common direction",
+            0.0, 45.0);
   stage.add("robust-sigmas", correct.robust_sigmas,
             "doorways and walls off by more sigmas lose weight", 0.1, 1000.0);
   stage.add("doorway-gate", assemble.recognise.gate_m,
@@ -162,7 +162,8 @@ void add_plan(CLI::App& app, Settings& settings) {
   stage.add("room-overlap", assemble.rooms.min_overlap_share,
             "share of the smaller outline from which two visits are one room", 0.0, 1.0);
   stage.add("room-path", assemble.rooms.min_path_share,
-            "share of a path inside another visit's outline from which both are one room", 0.0, 1.0);
+            "share of a path inside another visit's outline from which both are one room", 0.0,
+            1.0);
   stage.add("door-wall-share", assemble.rooms.min_wall_share,
             "share of wall beside a door's jambs, else it is no door but a gap", 0.0, 1.0);
   stage.flag("map-again", assemble.map_again,

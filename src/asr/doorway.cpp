@@ -7,12 +7,12 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kStepM = 0.05;      // sampling along a chord: half a cell
-constexpr double kMaxReachM = 2.0;   // half-chords are not followed farther
-constexpr int kAngles = 11;          // chord directions, within ...
+constexpr double kStepM = 0.05;       // sampling along a chord: half a cell
+constexpr double kMaxReachM = 2.0;    // half-chords are not followed farther
+constexpr int kAngles = 11;           // chord directions, within ...
 constexpr double kMaxSkewDeg = 40.0;  // ... this angle of the perpendicular to the motion
-constexpr double kMinJambM = 0.15;   // a jamb nearer than this would touch the robot
-constexpr double kSideReachM = 1.5;  // how wide the space ahead and behind is measured
+constexpr double kMinJambM = 0.15;    // a jamb nearer than this would touch the robot
+constexpr double kSideReachM = 1.5;   // how wide the space ahead and behind is measured
 
 /// Distance from `from` along `along` to the first obstacle; nothing within `reach_m`.
 std::optional<double> first_obstacle(const HimmGrid& grid, const Point2& from, const Point2& along,
@@ -78,8 +78,7 @@ std::optional<Doorway> find_doorway(const HimmGrid& grid, const Pose2& grid_from
   }
   const Point2 along = direction(chord->heading_rad);
   const Point2 left(-along.y(), along.x());
-  const Point2 middle =
-      grid_from_path.position() + (chord->left_m - chord->right_m) / 2.0 * left;
+  const Point2 middle = grid_from_path.position() + (chord->left_m - chord->right_m) / 2.0 * left;
   const double needed_m = chord->width_m() + options.widening_m;
   if (width_beside(grid, middle, along, options.occupied_value) <= needed_m ||
       width_beside(grid, middle, -along, options.occupied_value) <= needed_m) {

@@ -68,10 +68,9 @@ RoomMap map_room(const std::vector<PathSample>& path, const std::vector<RangeRea
                  const std::vector<Exit>& exits, const RobotFootprint& footprint,
                  const RoomMapOptions& options) {
   RoomMap map;
-  map.grid =
-      himm_of_room(path, readings, exits, footprint, options, map.counters.ignored_ranges);
-  map.cleaned = clean_map(
-      map.grid, {.epsilon = options.epsilon, .max_range_m = options.max_mapped_range_m});
+  map.grid = himm_of_room(path, readings, exits, footprint, options, map.counters.ignored_ranges);
+  map.cleaned =
+      clean_map(map.grid, {.epsilon = options.epsilon, .max_range_m = options.max_mapped_range_m});
   const std::vector<CellChain> chains = extract_points(map.cleaned, options.gamma_cells);
   const std::vector<Point2> jambs = jambs_of(exits);
   for (const Polyline& points :

@@ -12,7 +12,7 @@
 namespace roomatlas {
 namespace {
 
-constexpr int kCloseCells = 2;       // gaps between neighbouring beams
+constexpr int kCloseCells = 2;         // gaps between neighbouring beams
 constexpr double kHalfPassageM = 0.5;  // what is seen through narrower gaps is another room
 constexpr double kRegrowM = 0.25;      // gives corners back that the opening rounds off
 constexpr double kBeyondDepthM = 0.8;  // how far the path's footprint reaches over a door line
@@ -88,14 +88,14 @@ std::optional<Point2> wall_near(const Cell& outside, const CellMap& cleaned, con
   constexpr int kReach = 2;
   std::optional<Cell> nearest;
   double nearest_cells = std::numeric_limits<double>::infinity();
-  for_each_cell({{outside.x - kReach, outside.y - kReach},
-                 {outside.x + kReach + 1, outside.y + kReach + 1}},
-                [&](const Cell& cell) {
-                  const double off = distance_cells(cell, outside);
-                  if (cleaned.at(cell) != CellState::occupied || off >= nearest_cells) return;
-                  nearest = cell;
-                  nearest_cells = off;
-                });
+  for_each_cell(
+      {{outside.x - kReach, outside.y - kReach}, {outside.x + kReach + 1, outside.y + kReach + 1}},
+      [&](const Cell& cell) {
+        const double off = distance_cells(cell, outside);
+        if (cleaned.at(cell) != CellState::occupied || off >= nearest_cells) return;
+        nearest = cell;
+        nearest_cells = off;
+      });
   if (!nearest) return std::nullopt;
   return options.refine_points ? refined_point(*nearest, grid, options.epsilon)
                                : grid.frame().center_of(*nearest);
@@ -178,9 +178,8 @@ Polygon outline_of(const HimmGrid& grid, const CellMap& cleaned,
       outline.outer = std::move(ring);  // islands of the path (a lost scrap) do not count
     }
   }
-  std::erase_if(outline.holes, [&](const Ring& hole) {
-    return !contains(outline.outer, hole.front());
-  });
+  std::erase_if(outline.holes,
+                [&](const Ring& hole) { return !contains(outline.outer, hole.front()); });
   return outline;
 }
 

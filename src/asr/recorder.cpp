@@ -23,7 +23,7 @@ struct DoorwayOnPath {
 
 Exit exit_of(const Doorway& doorway) {
   return {PassageKind::doorway, false, doorway.grid_from_pivot, doorway.width_m, doorway.jambs,
-          std::nullopt, 0.0};
+          std::nullopt,         0.0};
 }
 
 Exit open_passage_at(const Pose2& asr_from_robot) {
@@ -53,7 +53,10 @@ class AsrRecorder::State {
  public:
   State(const RecorderOptions& options, const RobotFootprint& footprint, AsrSink& sink,
         Localizer localizer)
-      : options_(options), footprint_(footprint), sink_(sink), localizer_(std::move(localizer)),
+      : options_(options),
+        footprint_(footprint),
+        sink_(sink),
+        localizer_(std::move(localizer)),
         live_(options.map.cell_m) {}
 
   void add(const RangeReading& reading, const Pose2& reckoned_from_robot) {
@@ -82,9 +85,8 @@ class AsrRecorder::State {
   /// Adds a reading to the room: path, readings and the live grid.
   void append(const RangeReading& reading, const Pose2& asr_from_robot) {
     const double step_m =
-        path_.empty()
-            ? 0.0
-            : (asr_from_robot.position() - path_.back().asr_from_robot.position()).norm();
+        path_.empty() ? 0.0
+                      : (asr_from_robot.position() - path_.back().asr_from_robot.position()).norm();
     along_m_.push_back(path_.empty() ? 0.0 : along_m_.back() + step_m);
     path_.push_back({reading.timestamp_s, asr_from_robot, reading.odom_from_robot});
     readings_.push_back(reading);
@@ -107,8 +109,7 @@ class AsrRecorder::State {
       const auto at = std::lower_bound(along_m_.begin(), along_m_.end(), m);
       return std::min(static_cast<std::size_t>(at - along_m_.begin()), path_.size() - 1);
     };
-    const Point2 from =
-        path_[along(along_m_[index] - kHeadingSpanM)].asr_from_robot.position();
+    const Point2 from = path_[along(along_m_[index] - kHeadingSpanM)].asr_from_robot.position();
     const Point2 to = path_[along(along_m_[index] + kHeadingSpanM)].asr_from_robot.position();
     const Point2 motion = to - from;
     if (motion.norm() < kHeadingSpanM / 2.0) return std::nullopt;
@@ -134,8 +135,8 @@ class AsrRecorder::State {
     const bool decided = passed_m > kBestWithinM || (!doorway && passed_m > kBestWithinM / 2.0);
     if (!decided) return std::nullopt;
     const DoorwayOnPath found = *std::exchange(candidate_, std::nullopt);
-    const bool too_near = since_doorway_m_ && *since_doorway_m_ + found.at_m <
-                                                  options_.min_doorway_gap_m;
+    const bool too_near =
+        since_doorway_m_ && *since_doorway_m_ + found.at_m < options_.min_doorway_gap_m;
     return too_near ? std::nullopt : std::optional<DoorwayOnPath>(found);
   }
 
@@ -243,7 +244,7 @@ class AsrRecorder::State {
   std::vector<double> along_m_;  ///< length of the path up to each sample
   HimmGrid live_;                ///< the room as seen so far, not yet cut at doors
   std::optional<Pose2> last_drawn_;
-  double searched_to_m_ = 0.0;   ///< doorways were looked for up to here
+  double searched_to_m_ = 0.0;  ///< doorways were looked for up to here
   std::optional<DoorwayOnPath> candidate_;
   std::optional<double> since_doorway_m_;  ///< from the last doorway to this ASR's first sample
 };

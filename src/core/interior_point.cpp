@@ -25,7 +25,9 @@ struct SearchCell {
   double bound_m = 0.0;
 
   SearchCell(const Polygon& polygon, const Point2& at, double half)
-      : center(at), half_m(half), clearance_m(clearance(polygon, at)),
+      : center(at),
+        half_m(half),
+        clearance_m(clearance(polygon, at)),
         bound_m(clearance_m + half * std::sqrt(2.0)) {}
   bool operator<(const SearchCell& other) const { return bound_m < other.bound_m; }
 };

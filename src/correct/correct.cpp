@@ -17,8 +17,8 @@ void align_with_walls(const Measurements& measurements, const State& state,
     if (measurements.is_fixed[i]) {
       const Pose2& fixed = measurements.odom_from_asr[i];
       const double turn = -wrap_quarter(state.direction_rad[static_cast<std::size_t>(component)]);
-      aligned_from_building[component] = Pose2{fixed.x_m, fixed.y_m, turn} *
-                                         Pose2{-fixed.x_m, -fixed.y_m, 0.0};
+      aligned_from_building[component] =
+          Pose2{fixed.x_m, fixed.y_m, turn} * Pose2{-fixed.x_m, -fixed.y_m, 0.0};
     }
     const Pose2& aligned = aligned_from_building.at(component);
     asrs[i].building_from_asr_before = aligned * asrs[i].building_from_asr_before;
@@ -39,9 +39,12 @@ void fill_moves(std::vector<AsrCorrection>& asrs) {
 
 const char* to_string(FactorKind kind) {
   switch (kind) {
-    case FactorKind::odometry: return "odometry";
-    case FactorKind::doorway: return "doorway";
-    case FactorKind::wall_direction: return "wall_direction";
+    case FactorKind::odometry:
+      return "odometry";
+    case FactorKind::doorway:
+      return "doorway";
+    case FactorKind::wall_direction:
+      return "wall_direction";
   }
   return "unknown";
 }

@@ -55,8 +55,8 @@ class WallDirectionFactor : public ceres::SizedCostFunction<1, kPoseSize, 1> {
       : offset_rad_(wall_plus_quarters_rad), sigma_rad_(sigma_rad) {}
   bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override {
-    residuals[0] = wrap_angle(parameters[0][kPoseSize - 1] + offset_rad_ - parameters[1][0]) /
-                   sigma_rad_;
+    residuals[0] =
+        wrap_angle(parameters[0][kPoseSize - 1] + offset_rad_ - parameters[1][0]) / sigma_rad_;
     if (jacobians == nullptr) return true;
     if (jacobians[0] != nullptr) {
       for (int i = 0; i < kPoseSize; ++i) jacobians[0][i] = 0.0;

@@ -80,9 +80,9 @@ double mean_of(const Belief& belief) {
 
 /// The mission as the model sees it.
 struct Chain {
-  std::vector<Belief> wall;    // likelihood at each ASR
-  std::vector<Belief> drift;   // from the ASR before; unused where `starts`
-  std::vector<bool> starts;    // no driven edge leads here from an earlier ASR
+  std::vector<Belief> wall;   // likelihood at each ASR
+  std::vector<Belief> drift;  // from the ASR before; unused where `starts`
+  std::vector<bool> starts;   // no driven edge leads here from an earlier ASR
 };
 
 Chain chain_of(const Measurements& measurements, const HeadingBias& bias,
@@ -149,15 +149,13 @@ SmoothedHeadings smooth_headings(const Measurements& measurements, const Heading
   return result;
 }
 
-HeadingBias estimate_heading_bias(const Measurements& measurements,
-                                  const CorrectOptions& options) {
+HeadingBias estimate_heading_bias(const Measurements& measurements, const CorrectOptions& options) {
   constexpr int kMinAsrs = 8;
   constexpr double kPriorPerM = radians(1.0);
   constexpr double kPriorPerRad = 0.03;
   HeadingBias best;
-  const auto walls =
-      std::count_if(measurements.walls.begin(), measurements.walls.end(),
-                    [](const auto& wall) { return wall.has_value(); });
+  const auto walls = std::count_if(measurements.walls.begin(), measurements.walls.end(),
+                                   [](const auto& wall) { return wall.has_value(); });
   if (walls < kMinAsrs) return best;
   best.asrs = static_cast<int>(walls);
   const auto score = [&](const HeadingBias& bias) {

@@ -13,9 +13,8 @@ Measurements measurements_of(const std::vector<Asr>& asrs, const RoomGraph& grap
     index_of[asr.id] = measurements.ids.size();
     measurements.ids.push_back(asr.id);
     measurements.odom_from_asr.push_back(asr.odom_from_asr);
-    measurements.walls.push_back(options.use_wall_directions
-                                     ? wall_direction(asr.walls, options.walls)
-                                     : std::nullopt);
+    measurements.walls.push_back(
+        options.use_wall_directions ? wall_direction(asr.walls, options.walls) : std::nullopt);
     measurements.path_length_m.push_back(path_length_m(asr));
     measurements.turning.push_back(turning(asr));
   }
@@ -26,8 +25,7 @@ Measurements measurements_of(const std::vector<Asr>& asrs, const RoomGraph& grap
     if (component == components) ++components;
   }
   for (const PassageEdge& edge : edges_of(graph)) {
-    auto& edges =
-        edge.source == EdgeSource::driven ? measurements.driven : measurements.recognised;
+    auto& edges = edge.source == EdgeSource::driven ? measurements.driven : measurements.recognised;
     edges.push_back({index_of.at(edge.from), index_of.at(edge.to), edge});
   }
   if (options.use_heading_bias) {
@@ -44,8 +42,8 @@ HeadingAndPosition sigmas_of(const PassageEdge& edge, const CorrectOptions& opti
       std::hypot(radians(options.odometry_heading_deg),
                  radians(options.odometry_heading_deg_per_m) * edge.path_length_m,
                  options.odometry_heading_per_turn * edge.turning.absolute_rad);
-  return {heading_rad, options.odometry_position_m +
-                           options.odometry_position_m_per_m * edge.path_length_m};
+  return {heading_rad,
+          options.odometry_position_m + options.odometry_position_m_per_m * edge.path_length_m};
 }
 
 std::optional<double> wall_offset(const Measurements& measurements, const State& state,
@@ -53,8 +51,8 @@ std::optional<double> wall_offset(const Measurements& measurements, const State&
   if (!measurements.walls[index]) return std::nullopt;
   const auto component = static_cast<std::size_t>(measurements.component[index]);
   const double wall = measurements.walls[index]->angle_rad;
-  const double apart = state.building_from_asr[index].theta_rad + wall -
-                       state.direction_rad[component];
+  const double apart =
+      state.building_from_asr[index].theta_rad + wall - state.direction_rad[component];
   const double left_over = wrap_quarter(apart);
   if (std::abs(left_over) > radians(options.wall_gate_deg)) return std::nullopt;
   return wall - (apart - left_over);

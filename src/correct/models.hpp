@@ -94,7 +94,7 @@ struct ModelResult {
 
 [[nodiscard]] ModelResult solve_se2(const Measurements& measurements, const State& start,
                                     const CorrectOptions& options);
-[[nodiscard]] ModelResult solve_rotation_only(const Measurements& measurements,
-                                              const State& start, const CorrectOptions& options);
+[[nodiscard]] ModelResult solve_rotation_only(const Measurements& measurements, const State& start,
+                                              const CorrectOptions& options);
 
 }  // namespace roomatlas

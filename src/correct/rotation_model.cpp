@@ -36,8 +36,7 @@ std::vector<Pose2> poses_of(const Measurements& measurements, const std::vector<
   std::vector<Pose2> poses = measurements.odom_from_asr;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (into[i] != nullptr) {
-      const Point2 pivot =
-          poses[into[i]->from] * into[i]->measured.from_from_to.position();
+      const Point2 pivot = poses[into[i]->from] * into[i]->measured.from_from_to.position();
       poses[i].x_m = pivot.x();
       poses[i].y_m = pivot.y();
     }
@@ -94,8 +93,8 @@ ModelResult solve_rotation_only(const Measurements& measurements, const State& s
     if (!offset) continue;
     const auto component = static_cast<std::size_t>(measurements.component[i]);
     const auto block = problem.AddResidualBlock(
-        new WallDirectionFactor<1>(*offset, wall_sigma_rad(*measurements.walls[i], options)), robust(),
-        &headings[i], &directions[component]);
+        new WallDirectionFactor<1>(*offset, wall_sigma_rad(*measurements.walls[i], options)),
+        robust(), &headings[i], &directions[component]);
     FactorReport report;
     report.kind = FactorKind::wall_direction;
     report.from = measurements.ids[i];

@@ -32,8 +32,7 @@ void solve(ceres::Problem& problem, std::vector<ReportedFactor>& factors,
     FactorReport& report = factor.report;
     report.chi_square_after = chi_square(problem, factor);
     const double squared_scale = options.robust_sigmas * options.robust_sigmas;
-    report.weight =
-        factor.is_robust ? 1.0 / (1.0 + report.chi_square_after / squared_scale) : 1.0;
+    report.weight = factor.is_robust ? 1.0 / (1.0 + report.chi_square_after / squared_scale) : 1.0;
     result.factors.push_back(report);
   }
 }

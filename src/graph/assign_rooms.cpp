@@ -11,7 +11,7 @@ namespace {
 constexpr double kLatticeM = 0.2;
 constexpr double kDoorwayReachM = 0.8;  // path nearer to a doorway tells little about the room
 constexpr double kTellingPathM = 0.8;   // shorter paths tell nothing
-constexpr double kWallReachM = 0.25;  // evidence for wall beside a jamb may be this far off
+constexpr double kWallReachM = 0.25;    // evidence for wall beside a jamb may be this far off
 
 /// Sets of ASRs that belong together.
 class SameSet {
@@ -36,8 +36,7 @@ class PlacedWalls {
   PlacedWalls(const std::vector<Asr>& asrs, const Placement& placement) {
     for (const Asr& asr : asrs) {
       for (const WallPolyline& wall : asr.walls) {
-        Polyline& line =
-            walls_.emplace_back(transformed(placement.at(asr.id), wall.vertices_asr));
+        Polyline& line = walls_.emplace_back(transformed(placement.at(asr.id), wall.vertices_asr));
         boxes_.push_back(bounds(line));
       }
     }
@@ -92,9 +91,8 @@ std::map<AsrId, double> separations(const std::vector<Asr>& asrs, const RoomGrap
     for (const Exit& exit : asr.exits) {
       if (exit.is_entry || !exit.neighbor || !placement.contains(*exit.neighbor)) continue;
       const Pose2& pivot = placement.at(*exit.neighbor);  // where the ASR behind it begins
-      own[*exit.neighbor] = exit.kind == PassageKind::doorway
-                                ? separation(walls, pivot, exit.width_m, options)
-                                : 0.0;
+      own[*exit.neighbor] =
+          exit.kind == PassageKind::doorway ? separation(walls, pivot, exit.width_m, options) : 0.0;
     }
   }
   SameSet same_doorway(asrs);

@@ -29,8 +29,8 @@ std::vector<Crossing> crossings_between_rooms(const std::vector<Asr>& asrs,
       const RoomId from_room = room_of_asr.at(asr.id);
       const RoomId to_room = room_of_asr.at(*exit.neighbor);
       if (from_room == to_room) continue;
-      crossings.push_back({*exit.neighbor, placement.at(*exit.neighbor), exit.width_m, from_room,
-                           to_room});
+      crossings.push_back(
+          {*exit.neighbor, placement.at(*exit.neighbor), exit.width_m, from_room, to_room});
     }
   }
   return crossings;

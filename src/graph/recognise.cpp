@@ -26,8 +26,8 @@ std::vector<Crossing> crossings_of(const std::vector<Asr>& asrs, const Placement
       if (exit.is_entry || exit.kind != PassageKind::doorway || !exit.neighbor) continue;
       if (!placement.contains(*exit.neighbor)) continue;
       // the pivot is the origin of the ASR behind it
-      crossings.push_back({asr.id, *exit.neighbor, placement.at(*exit.neighbor), exit.width_m,
-                           driven_m});
+      crossings.push_back(
+          {asr.id, *exit.neighbor, placement.at(*exit.neighbor), exit.width_m, driven_m});
     }
   }
   return crossings;
@@ -36,12 +36,12 @@ std::vector<Crossing> crossings_of(const std::vector<Asr>& asrs, const Placement
 /// How far apart two crossings are if they may be of the same doorway, else nothing.
 std::optional<double> distance_if_same(const Crossing& earlier, const Crossing& later,
                                        const RecogniseOptions& options) {
-  const double gate_m = std::min(options.max_gate_m,
-                                 options.gate_m + options.gate_growth * (later.at_m - earlier.at_m));
+  const double gate_m = std::min(
+      options.max_gate_m, options.gate_m + options.gate_growth * (later.at_m - earlier.at_m));
   const double apart_m =
       (earlier.building_from_pivot.position() - later.building_from_pivot.position()).norm();
-  const double turn = std::abs(wrap_angle(later.building_from_pivot.theta_rad -
-                                          earlier.building_from_pivot.theta_rad));
+  const double turn = std::abs(
+      wrap_angle(later.building_from_pivot.theta_rad - earlier.building_from_pivot.theta_rad));
   const double skew = std::min(turn, kPi - turn);
   if (apart_m > gate_m || skew > radians(options.max_turn_deg) ||
       std::abs(earlier.width_m - later.width_m) > options.max_width_difference_m) {
@@ -70,9 +70,13 @@ std::vector<PassageEdge> recognise_doorways(const std::vector<Asr>& asrs,
     const double turn = wrap_angle(crossings[later].building_from_pivot.theta_rad -
                                    crossings[*best].building_from_pivot.theta_rad);
     const bool is_same_way = std::abs(turn) < kPi / 2.0;
-    found.push_back({crossings[*best].to, crossings[later].to,
-                     {0.0, 0.0, is_same_way ? 0.0 : wrap_angle(kPi)}, PassageKind::doorway,
-                     EdgeSource::recognised, 0.0, {}});
+    found.push_back({crossings[*best].to,
+                     crossings[later].to,
+                     {0.0, 0.0, is_same_way ? 0.0 : wrap_angle(kPi)},
+                     PassageKind::doorway,
+                     EdgeSource::recognised,
+                     0.0,
+                     {}});
   }
   return found;
 }

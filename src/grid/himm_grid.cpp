@@ -49,8 +49,7 @@ void HimmGrid::cover(const Cell& cell) {
 void HimmGrid::add(const Cell& cell, int half_steps) {
   std::int8_t& stored = cells_[box_.index_of(cell)];
   if (stored == kRobotPath) return;
-  stored = static_cast<std::int8_t>(
-      std::clamp(stored + half_steps, kMinHalfSteps, kMaxHalfSteps));
+  stored = static_cast<std::int8_t>(std::clamp(stored + half_steps, kMinHalfSteps, kMaxHalfSteps));
 }
 
 void HimmGrid::add_sweep(const std::vector<Ray>& rays) {
@@ -85,8 +84,8 @@ void HimmGrid::mark_robot(const Pose2& grid_from_robot, const RobotFootprint& fo
   cover(high);
   for_each_cell({low, {high.x + 1, high.y + 1}}, [&](const Cell& cell) {
     const Point2 at = robot_from_grid * frame_.center_of(cell);
-    const bool under = std::abs(at.x()) <= footprint.length_m / 2.0 &&
-                       std::abs(at.y()) <= footprint.width_m / 2.0;
+    const bool under =
+        std::abs(at.x()) <= footprint.length_m / 2.0 && std::abs(at.y()) <= footprint.width_m / 2.0;
     if (under) cells_[box_.index_of(cell)] = kRobotPath;
   });
 }
@@ -103,12 +102,13 @@ std::vector<Ray> rays_of(const RangeReading& reading, const Pose2& grid_from_rob
       continue;
     }
     const bool is_obstacle = range_m < sensor.max_range_m && range_m <= options.max_mapped_range_m;
-    const double free_m = sensor.kind == SensorKind::laser ? options.laser_no_echo_m
-                                                           : options.sonar_no_echo_m;
+    const double free_m =
+        sensor.kind == SensorKind::laser ? options.laser_no_echo_m : options.sonar_no_echo_m;
     const double seen_m =
         is_obstacle ? range_m : std::min({range_m, free_m, options.max_mapped_range_m});
     const Pose2 grid_from_beam = grid_from_robot * sensor.robot_from_beam[i];
-    rays.push_back({{grid_from_beam.position(), grid_from_beam * Point2(seen_m, 0.0)}, is_obstacle});
+    rays.push_back(
+        {{grid_from_beam.position(), grid_from_beam * Point2(seen_m, 0.0)}, is_obstacle});
   }
   return rays;
 }

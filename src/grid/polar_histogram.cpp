@@ -27,8 +27,7 @@ std::vector<double> polar_histogram(const HimmGrid& grid, const Point2& center,
     double beta_deg = degrees(std::atan2(offset.y(), offset.x()));
     if (beta_deg <= 0.0) beta_deg += 360.0;
     // (2) m = C^2 s
-    const double magnitude =
-        certainty * certainty * (1.0 - distance_m / options.window_radius_m);
+    const double magnitude = certainty * certainty * (1.0 - distance_m / options.window_radius_m);
     // (3) k_phi sums m over phi - 1 < beta <= phi, in units of the sector
     const auto phi = static_cast<int>(std::ceil(beta_deg / options.sector_deg - 1e-9));
     density[static_cast<std::size_t>(std::clamp(phi, 1, sectors) - 1)] += magnitude;

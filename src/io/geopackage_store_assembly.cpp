@@ -129,9 +129,9 @@ void GeoPackageStore::put_assembly(const Correction& correction, const FloorPlan
                                    const std::map<AsrId, RoomId>& room_of_asr) {
   state_->transaction([&](Database& db) {
     for (const char* table : kResultTables) db.execute("DELETE FROM " + std::string(table));
-    db.run("INSERT INTO assembly VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", plan.title, correction.converged,
-           correction.model, correction.message, correction.initial_cost, correction.final_cost,
-           correction.iterations, correction.odometry_bias.rad_per_m,
+    db.run("INSERT INTO assembly VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", plan.title,
+           correction.converged, correction.model, correction.message, correction.initial_cost,
+           correction.final_cost, correction.iterations, correction.odometry_bias.rad_per_m,
            correction.odometry_bias.rad_per_rad, correction.odometry_bias.asrs);
     write_correction(db, correction);
     write_plan(db, plan);

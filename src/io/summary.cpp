@@ -53,9 +53,8 @@ Json json_of(const PlanErrors& errors) {
   }
   Json doors = Json::array();
   for (const DoorMatch& match : errors.door_matches) {
-    doors.push_back({{"door", match.door},
-                     {"true_door", match.true_door},
-                     {"distance_m", match.distance_m}});
+    doors.push_back(
+        {{"door", match.door}, {"true_door", match.true_door}, {"distance_m", match.distance_m}});
   }
   return {{"rooms", errors.rooms},
           {"true_rooms", errors.true_rooms},

@@ -8,7 +8,7 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kMaxComparedM = 8.0;     // farther returns move too much with the heading
+constexpr double kMaxComparedM = 8.0;  // farther returns move too much with the heading
 constexpr std::size_t kBeamsCompared = 60;
 constexpr double kIndependentBeams = 8.0;  // neighbouring beams see the same wall
 constexpr double kWorstSigmas = 3.0;       // a return on something else costs no more than this
@@ -41,8 +41,8 @@ std::optional<Sighting> sighting_of(const RangeSensor& sensor, const Point2& poi
   for (std::size_t i = 0; i < sensor.robot_from_beam.size(); ++i) {
     const Pose2& beam = sensor.robot_from_beam[i];
     const Point2 to_point = point_robot - beam.position();
-    const double off = std::abs(
-        wrap_angle(std::atan2(to_point.y(), to_point.x()) - beam.theta_rad));
+    const double off =
+        std::abs(wrap_angle(std::atan2(to_point.y(), to_point.x()) - beam.theta_rad));
     if (off > best_off) continue;
     best_off = off;
     best = Sighting{i, to_point.norm()};
@@ -99,8 +99,9 @@ std::vector<DeadReckoned> DeadReckoner::release(bool is_reversed) {
 }
 
 std::vector<DeadReckoned> DeadReckoner::add(const RangeReading& reading) {
-  const RangeReading* previous =
-      !waiting_.empty() ? &waiting_.back() : last_released_ ? &*last_released_ : nullptr;
+  const RangeReading* previous = !waiting_.empty() ? &waiting_.back()
+                                 : last_released_  ? &*last_released_
+                                                   : nullptr;
   const Pose2 step = previous != nullptr ? step_between(*previous, reading) : Pose2{};
   const bool stopped = step.position().norm() < options_.stop_step_m;
   std::vector<DeadReckoned> released;

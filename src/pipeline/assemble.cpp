@@ -86,12 +86,10 @@ std::vector<Exit> other_doors_of(const Asr& asr, RoomId room, const Pose2& build
 
 /// The ASR's outline, cut at every door of its room.
 Polygon outline_cut_at_doors(const AsrSource& source, const Asr& asr, RoomId room,
-                             const Pose2& building_from_asr,
-                             const std::vector<BuildingDoor>& doors,
+                             const Pose2& building_from_asr, const std::vector<BuildingDoor>& doors,
                              const RobotFootprint& footprint, const AssembleOptions& options) {
   const std::vector<Exit> others =
-      options.map_again ? other_doors_of(asr, room, building_from_asr, doors)
-                        : std::vector<Exit>{};
+      options.map_again ? other_doors_of(asr, room, building_from_asr, doors) : std::vector<Exit>{};
   if (others.empty()) return asr.outline_asr;
   const Asr whole = source.get(asr.id, AsrDetail::readings);
   if (whole.readings.empty()) return asr.outline_asr;
@@ -121,8 +119,8 @@ Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
 
   std::vector<PlacedOutline> outlines;
   for (const Asr& asr : asrs) {
-    report(progress, "outline", static_cast<double>(outlines.size()) /
-                                    static_cast<double>(asrs.size()));
+    report(progress, "outline",
+           static_cast<double>(outlines.size()) / static_cast<double>(asrs.size()));
     const RoomId room = assembly.room_of_asr.at(asr.id);
     const Pose2& building_from_asr = placement.at(asr.id);
     const Polygon outline = outline_cut_at_doors(source, asr, room, building_from_asr,

@@ -34,9 +34,13 @@ RoomGraph graph_of(const AsrSource& source, const Correction& correction) {
     if (factor.kind != FactorKind::doorway || !added.insert({factor.from, factor.to}).second) {
       continue;
     }
-    add_edge(graph, {factor.from, factor.to,
+    add_edge(graph, {factor.from,
+                     factor.to,
                      inverse(placement.at(factor.from)) * placement.at(factor.to),
-                     PassageKind::doorway, EdgeSource::recognised, 0.0, {}});
+                     PassageKind::doorway,
+                     EdgeSource::recognised,
+                     0.0,
+                     {}});
   }
   return graph;
 }

@@ -96,16 +96,14 @@ class PathVisibility {
 
 void break_blocks(CellMap& map, const PathVisibility& visibility) {
   for_each_cell(map.box, [&](const Cell& corner) {
-    const Cell block[4] = {corner,
-                           {corner.x + 1, corner.y},
-                           {corner.x, corner.y + 1},
-                           {corner.x + 1, corner.y + 1}};
+    const Cell block[4] = {
+        corner, {corner.x + 1, corner.y}, {corner.x, corner.y + 1}, {corner.x + 1, corner.y + 1}};
     if (!std::all_of(std::begin(block), std::end(block),
                      [&](const Cell& cell) { return map.at(cell) == CellState::occupied; })) {
       return;
     }
-    const Cell* farthest = std::max_element(
-        std::begin(block), std::end(block), [&](const Cell& a, const Cell& b) {
+    const Cell* farthest =
+        std::max_element(std::begin(block), std::end(block), [&](const Cell& a, const Cell& b) {
           return visibility.squared_distance_to_path(a) < visibility.squared_distance_to_path(b);
         });
     map.states[map.box.index_of(*farthest)] = CellState::unknown;

@@ -43,9 +43,8 @@ CellChain follow(CellMask& left, const Cell& start, const std::vector<Cell>& ste
 
 std::vector<CellChain> extract_points(const CellMap& map, double gamma_cells) {
   CellMask left(map.box);
-  for_each_cell(map.box, [&](const Cell& cell) {
-    left.set(cell, map.at(cell) == CellState::occupied);
-  });
+  for_each_cell(map.box,
+                [&](const Cell& cell) { left.set(cell, map.at(cell) == CellState::occupied); });
   const std::vector<Cell> steps = steps_within(gamma_cells);
   std::vector<CellChain> chains;
   for_each_cell(map.box, [&](const Cell& start) {

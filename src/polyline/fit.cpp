@@ -74,9 +74,9 @@ MaybeLine fit_by_regression(const Polyline& points, double min_abs_rho) {
     syy += offset.y() * offset.y();
   }
   if (sxx <= 0.0 || syy <= 0.0) return std::nullopt;
-  const double b1 = sxy / sxx;                      // (4)
-  const double b0 = mean.y() - b1 * mean.x();       // (5)
-  const double rho = sxy / std::sqrt(sxx * syy);    // (6)
+  const double b1 = sxy / sxx;                    // (4)
+  const double b0 = mean.y() - b1 * mean.x();     // (5)
+  const double rho = sxy / std::sqrt(sxx * syy);  // (6)
   if (!(std::abs(rho) >= min_abs_rho)) return std::nullopt;
   return Line2{{mean.x(), b0 + b1 * mean.x()}, Point2(1.0, b1).normalized()};
 }
@@ -112,9 +112,9 @@ FittedPolyline fit_lines(const Polyline& points, const std::vector<std::size_t>&
     const MaybeLine before = has_before ? lines[(v + edges - 1) % edges] : std::nullopt;
     const MaybeLine after = has_after ? lines[v] : std::nullopt;
     const bool is_pinned = std::binary_search(pinned.begin(), pinned.end(), kept[v]);
-    result.vertices.push_back(is_pinned ? points[kept[v]]
-                                        : corner(points[kept[v]], before, after,
-                                                 options.max_corner_shift_m));
+    result.vertices.push_back(
+        is_pinned ? points[kept[v]]
+                  : corner(points[kept[v]], before, after, options.max_corner_shift_m));
   }
   return result;
 }

@@ -126,8 +126,8 @@ std::vector<CellBoundary> trace_boundaries(const CellMask& mask, const CellFrame
       for (CellEdge edge = start; !traced[slot(edge)]; edge = next_edge(mask, edge)) {
         traced[slot(edge)] = true;
         const Cell outside = moved(edge.cell, kSides[edge.side]);
-        boundary.edge_midpoints.push_back(
-            (frame.center_of(edge.cell) + frame.center_of(outside)) / 2.0);
+        boundary.edge_midpoints.push_back((frame.center_of(edge.cell) + frame.center_of(outside)) /
+                                          2.0);
         boundary.outside_cells.push_back(outside);
       }
     }

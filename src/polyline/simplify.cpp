@@ -10,8 +10,8 @@ std::vector<std::size_t> decimate(const Polyline& points, double tau_m,
                                   const std::vector<std::size_t>& pinned) {
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool must_stay = i == 0 || i + 1 == points.size() ||
-                           std::binary_search(pinned.begin(), pinned.end(), i);
+    const bool must_stay =
+        i == 0 || i + 1 == points.size() || std::binary_search(pinned.begin(), pinned.end(), i);
     if (must_stay || (points[i] - points[kept.back()]).norm() >= tau_m) kept.push_back(i);
   }
   return kept;

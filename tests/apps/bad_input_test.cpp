@@ -40,8 +40,11 @@ TEST(BadInput, AMissingFileIsNamed) {
 TEST(BadInput, AnEmptyFileIsRefused) { expect_one_line(build_from(""), 3, "empty"); }
 
 TEST(BadInput, ABinaryFileIsRefused) {
-  expect_one_line(build_from(std::string("\x7f" "ELF\0\1\2\0", 8) + std::string(500, '\0')), 3,
-                  "mission.clf");
+  expect_one_line(build_from(std::string("\x7f"
+                                         "ELF\0\1\2\0",
+                                         8) +
+                             std::string(500, '\0')),
+                  3, "mission.clf");
 }
 
 TEST(BadInput, ATextThatIsNoLogIsRefusedWithTheTagsThatAreKnown) {

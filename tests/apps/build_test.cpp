@@ -19,9 +19,8 @@ const std::string kWorld = std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/eig
 /// The demo mission, simulated once for all tests of this file.
 const Folder& demo() {
   static const Folder folder;
-  static const Outcome simulated =
-      run("-q simulate " + kWorld + ".geojson --drive " + kWorld + ".drive -o " +
-          (folder / "mission").string());
+  static const Outcome simulated = run("-q simulate " + kWorld + ".geojson --drive " + kWorld +
+                                       ".drive -o " + (folder / "mission").string());
   EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
   return folder;
 }
@@ -31,15 +30,16 @@ std::string mission() { return (demo() / "mission" / "mission.clf").string(); }
 std::vector<std::string> first_fields(const std::string& text) {
   std::vector<std::string> fields;
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) fields.push_back(line.substr(0, line.find(' ')));
+  for (std::string line; std::getline(lines, line);)
+    fields.push_back(line.substr(0, line.find(' ')));
   return fields;
 }
 
 TEST(Build, TheDemoHasItsRoomsAndDoorsWhereTheyAre) {
   const Folder folder;
-  const Outcome built = run("-q --json build " + mission() + " --truth " +
-                            (demo() / "mission" / "truth.geojson").string() + " -o " +
-                            (folder / "out").string());
+  const Outcome built =
+      run("-q --json build " + mission() + " --truth " +
+          (demo() / "mission" / "truth.geojson").string() + " -o " + (folder / "out").string());
   ASSERT_EQ(built.exit_code, 0) << built.err;
   const Json evaluation = Json::parse(built.out);
   EXPECT_GE(evaluation["plan"]["f1"].get<double>(), 0.8);
@@ -101,9 +101,9 @@ TEST(Build, AnOpenHallWithoutDoorsIsOneRoom) {
                     [[0,0],[0,9],[14,9],[14,0],[0,0]]]}}]})");
   const auto drive = folder.write("hall.drive", "2 2\n12 2\n12 7\n2 7\n2 4.5\n12 4.5\n");
   const auto out = (folder / "m").string();
-  ASSERT_EQ(run("-q simulate " + world.string() + " --drive " + drive.string() + " -o " + out)
-                .exit_code,
-            0);
+  ASSERT_EQ(
+      run("-q simulate " + world.string() + " --drive " + drive.string() + " -o " + out).exit_code,
+      0);
   ASSERT_EQ(run("-q build " + out + "/mission.clf -o " + out).exit_code, 0);
   const Json summary = Json::parse(content_of(out + "/summary.json"));
   EXPECT_EQ(summary["plan"]["rooms"].size(), 1U);

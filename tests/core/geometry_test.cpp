@@ -39,7 +39,8 @@ TEST(Geometry, InteriorPointOfAnLShapeLiesInsideUnlikeItsCentroid) {
 }
 
 TEST(Geometry, InteriorPointAgreesWithAFineSearch) {
-  const Polygon shape{{{0, 0}, {6, 0.5}, {5, 4}, {2, 3}, {1, 5}}, {{{2, 1}, {2, 2}, {3, 2}, {3, 1}}}};
+  const Polygon shape{{{0, 0}, {6, 0.5}, {5, 4}, {2, 3}, {1, 5}},
+                      {{{2, 1}, {2, 2}, {3, 2}, {3, 1}}}};
   const auto clearance = [&](const Point2& p) {
     return std::min(distance_to_boundary(shape.outer, p), distance_to_boundary(shape.holes[0], p));
   };

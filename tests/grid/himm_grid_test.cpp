@@ -80,7 +80,8 @@ TEST(HimmGrid, AgreesWithAMapOfDoublesOnRandomSweeps) {
       for (int dy = -1; dy <= 1; ++dy) add({to.x + dx, to.y + dy}, dx == 0 && dy == 0 ? 3 : 1.5);
     }
   }
-  for (const auto& [cell, value] : expected) EXPECT_EQ(grid.value({cell.first, cell.second}), value);
+  for (const auto& [cell, value] : expected)
+    EXPECT_EQ(grid.value({cell.first, cell.second}), value);
 }
 
 TEST(BresenhamLine, HasOneCellForEachStepOfTheLongerAxisAndStaysWithinHalfACell) {
@@ -102,8 +103,8 @@ TEST(RaysOf, CutsAtTheMappedRangeAndCountsWhatIsNoMeasurement) {
   sensor.robot_from_beam.assign(6, Pose2{0.1, 0.0, 0.0});
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
-  const RangeReading reading{0.0, {}, std::make_shared<RangeSensor>(sensor),
-                             {1.0F, 4.5F, 5.0F, nan, infinity, 0.0F}};
+  const RangeReading reading{
+      0.0, {}, std::make_shared<RangeSensor>(sensor), {1.0F, 4.5F, 5.0F, nan, infinity, 0.0F}};
   std::int64_t ignored = 0;
   const std::vector<Ray> rays = rays_of(reading, {1.0, 0.0, 0.0}, {4.0, 1.0, 4.0}, ignored);
   ASSERT_EQ(rays.size(), 3U);

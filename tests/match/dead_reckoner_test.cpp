@@ -11,7 +11,7 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kWidthM = 7.0;   // a room from (0, 0) to (7, 5)
+constexpr double kWidthM = 7.0;  // a room from (0, 0) to (7, 5)
 constexpr double kHeightM = 5.0;
 
 std::shared_ptr<const RangeSensor> laser() {
@@ -100,8 +100,7 @@ TEST(DeadReckoner, TurnsRoundADriveThatWentBackwardsAndWasReportedForwards) {
 }
 
 TEST(DeadReckoner, LeavesHonestOdometryAlone) {
-  const auto there_and_back =
-      joined(joined(steps(15, 0.1), steps(2, 0.0)), steps(12, -0.1));
+  const auto there_and_back = joined(joined(steps(15, 0.1), steps(2, 0.0)), steps(12, -0.1));
   const Result result = reckon(drive(there_and_back, there_and_back));
   EXPECT_EQ(result.reversed, 0);
   for (const DeadReckoned& one : result.readings) {

@@ -22,10 +22,10 @@ enum class PassageKind {
 /// stored for later use as pivot points").
 struct Exit {
   PassageKind kind = PassageKind::doorway;
-  bool is_entry = false;         ///< the robot came in here; else it left here
-  Pose2 asr_from_pivot;          ///< mid-point of the passage; theta points out of this ASR
-  double width_m = 0.0;          ///< jamb to jamb; 0 for an open passage
-  Segment2 jambs_asr;            ///< a is left, b is right when looking out of the ASR
+  bool is_entry = false;          ///< the robot came in here; else it left here
+  Pose2 asr_from_pivot;           ///< mid-point of the passage; theta points out of this ASR
+  double width_m = 0.0;           ///< jamb to jamb; 0 for an open passage
+  Segment2 jambs_asr;             ///< a is left, b is right when looking out of the ASR
   std::optional<AsrId> neighbor;  ///< the ASR on the other side, where the robot was there
   double timestamp_s = 0.0;
 };
@@ -44,14 +44,14 @@ struct PathSample {
 
 /// Sizes before and after (paper Fig. 2 and 9).
 struct AsrCounters {
-  std::int64_t grid_cells = 0;       ///< cells of the HIMM's bounding box
-  std::int64_t grid_bytes = 0;       ///< one byte a cell
-  std::int64_t occupied_cells = 0;   ///< over epsilon, before cleaning
-  std::int64_t cleaned_cells = 0;    ///< after cleaning
+  std::int64_t grid_cells = 0;      ///< cells of the HIMM's bounding box
+  std::int64_t grid_bytes = 0;      ///< one byte a cell
+  std::int64_t occupied_cells = 0;  ///< over epsilon, before cleaning
+  std::int64_t cleaned_cells = 0;   ///< after cleaning
   std::int64_t extracted_points = 0;
-  std::int64_t vertices = 0;         ///< of walls
-  std::int64_t geometry_bytes = 0;   ///< vertices x 2 x 4 (millimetres as 32-bit integers)
-  std::int64_t ignored_ranges = 0;   ///< NaN, infinite or not positive
+  std::int64_t vertices = 0;        ///< of walls
+  std::int64_t geometry_bytes = 0;  ///< vertices x 2 x 4 (millimetres as 32-bit integers)
+  std::int64_t ignored_ranges = 0;  ///< NaN, infinite or not positive
 };
 
 /// Absolute space representation (paper section II.B.1): what one visit to one space left
@@ -67,12 +67,12 @@ struct Asr {
   RoomId room = 0;
   double start_s = 0.0;
   double end_s = 0.0;
-  Pose2 odom_from_asr;                ///< where odometry put the frame: the uncorrected placement
+  Pose2 odom_from_asr;  ///< where odometry put the frame: the uncorrected placement
   std::vector<WallPolyline> walls;
-  Polygon outline_asr;                ///< free space, cut at the door lines; may be empty
-  std::vector<Exit> exits;            ///< the entry first (none for the first ASR)
+  Polygon outline_asr;      ///< free space, cut at the door lines; may be empty
+  std::vector<Exit> exits;  ///< the entry first (none for the first ASR)
   Point2 reference_point_asr = Point2::Zero();
-  std::vector<PathSample> path;       ///< one a reading
+  std::vector<PathSample> path;        ///< one a reading
   std::vector<RangeReading> readings;  ///< parallel to `path`, or empty when not kept
   AsrCounters counters;
 };

@@ -9,19 +9,19 @@
 namespace roomatlas {
 
 struct DoorwayOptions {
-  double min_width_m = 0.6;      ///< smaller takes furniture gaps for doors
-  double max_width_m = 1.1;      ///< larger takes narrow corridors for doors
-  double max_jamb_m = 1.0;       ///< each jamb is at most this far from the path
-  double widening_m = 0.5;       ///< the room on both sides must be this much wider
-  double occupied_value = 5.0;   ///< C from which a cell is a jamb; below epsilon, since jambs are
-                                 ///< seen by few readings
+  double min_width_m = 0.6;     ///< smaller takes furniture gaps for doors
+  double max_width_m = 1.1;     ///< larger takes narrow corridors for doors
+  double max_jamb_m = 1.0;      ///< each jamb is at most this far from the path
+  double widening_m = 0.5;      ///< the room on both sides must be this much wider
+  double occupied_value = 5.0;  ///< C from which a cell is a jamb; below epsilon, since jambs are
+                                ///< seen by few readings
 };
 
 /// An opening between two jambs that the path goes through.
 struct Doorway {
   Pose2 grid_from_pivot;  ///< mid-point; theta is the direction of travel through it
   double width_m = 0.0;
-  Segment2 jambs;         ///< a left, b right of the direction of travel
+  Segment2 jambs;  ///< a left, b right of the direction of travel
 };
 
 /// The doorway that the path goes through at a pose, if there is one: the narrowest chord between

@@ -24,10 +24,10 @@ struct RoomMapOptions {
   double tau_cells = 2.0;           ///< paper IV: points closer than this are dropped
   double simplify_tolerance_m = 0.12;  ///< Douglas-Peucker; the paper gives none. Over one cell,
                                        ///< so that steps of the raster do not become corners
-  bool refine_points = true;        ///< centre the walls in their raised band; false: cell centres
-  double insert_every_m = 0.05;     ///< a sweep is mapped after this much motion ...
-  double insert_every_deg = 2.0;    ///< ... or turn; standing still would count one view as many
-  double min_hole_m2 = 3.0;         ///< smaller holes in the outline (furniture) are filled
+  bool refine_points = true;      ///< centre the walls in their raised band; false: cell centres
+  double insert_every_m = 0.05;   ///< a sweep is mapped after this much motion ...
+  double insert_every_deg = 2.0;  ///< ... or turn; standing still would count one view as many
+  double min_hole_m2 = 3.0;       ///< smaller holes in the outline (furniture) are filled
   FitOptions fit;
 };
 
@@ -54,9 +54,8 @@ struct RoomMap {
 /// The grid of a room alone: the first step of `map_room`.
 [[nodiscard]] HimmGrid himm_of_room(const std::vector<PathSample>& path,
                                     const std::vector<RangeReading>& readings,
-                                    const std::vector<Exit>& exits,
-                                    const RobotFootprint& footprint, const RoomMapOptions& options,
-                                    std::int64_t& ignored_ranges);
+                                    const std::vector<Exit>& exits, const RobotFootprint& footprint,
+                                    const RoomMapOptions& options, std::int64_t& ignored_ranges);
 
 /// True when a sweep at `to` is worth mapping after one at `from`.
 [[nodiscard]] bool moved_enough(const Pose2& from, const Pose2& to, const RoomMapOptions& options);

@@ -16,9 +16,9 @@ class AsrSink {
 };
 
 enum class AsrDetail {
-  geometry,       ///< frame, walls, outline, exits, counters
-  path,           ///< and the path
-  readings,       ///< and the readings
+  geometry,  ///< frame, walls, outline, exits, counters
+  path,      ///< and the path
+  readings,  ///< and the readings
 };
 
 /// Where the offline stage reads from. No call reads more of the building than it names.

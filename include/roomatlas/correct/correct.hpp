@@ -19,19 +19,19 @@ struct CorrectOptions {
   WallDirectionOptions walls;
   bool use_heading_bias = true;  ///< estimate odometry's drift from the walls, and take it out
 
-  double odometry_position_m = 0.03;         ///< of a pivot, however short the way to it ...
-  double odometry_position_m_per_m = 0.02;   ///< ... plus this for each metre driven in the ASR
-  double odometry_heading_deg = 1.0;         ///< the same for its heading ...
-  double odometry_heading_deg_per_m = 0.6;   ///< ... a metre; smaller resists the walls' direction
-  double odometry_heading_per_turn = 0.03;   ///< ... and this share of the turns made
-  double doorway_position_m = 0.08;          ///< of a doorway seen twice
-  double doorway_heading_deg = 5.0;          ///< two jambs a metre apart, each half a cell off
-  double wall_heading_deg = 2.0;             ///< of a room's walls against the building's direction,
-                                             ///< however long they are ...
-  double wall_heading_deg_m = 15.0;          ///< ... with this over their length beside it
-  double wall_gate_deg = 25.0;               ///< walls farther off follow no building direction;
-                                             ///< at 45 a wing at an angle is bent into the rest
-  double robust_sigmas = 2.0;                ///< doorways and walls off by more lose weight (Cauchy)
+  double odometry_position_m = 0.03;        ///< of a pivot, however short the way to it ...
+  double odometry_position_m_per_m = 0.02;  ///< ... plus this for each metre driven in the ASR
+  double odometry_heading_deg = 1.0;        ///< the same for its heading ...
+  double odometry_heading_deg_per_m = 0.6;  ///< ... a metre; smaller resists the walls' direction
+  double odometry_heading_per_turn = 0.03;  ///< ... and this share of the turns made
+  double doorway_position_m = 0.08;         ///< of a doorway seen twice
+  double doorway_heading_deg = 5.0;         ///< two jambs a metre apart, each half a cell off
+  double wall_heading_deg = 2.0;            ///< of a room's walls against the building's direction,
+                                            ///< however long they are ...
+  double wall_heading_deg_m = 15.0;         ///< ... with this over their length beside it
+  double wall_gate_deg = 25.0;              ///< walls farther off follow no building direction;
+                                            ///< at 45 a wing at an angle is bent into the rest
+  double robust_sigmas = 2.0;               ///< doorways and walls off by more lose weight (Cauchy)
   int max_iterations = 100;
 };
 

@@ -10,9 +10,9 @@ namespace roomatlas {
 
 /// What a measurement between ASRs came from.
 enum class FactorKind {
-  odometry,         ///< the robot drove from one into the next
-  doorway,          ///< the same doorway seen again: a pivot shared by two visits
-  wall_direction,   ///< the walls of a rectilinear room follow the building's direction
+  odometry,        ///< the robot drove from one into the next
+  doorway,         ///< the same doorway seen again: a pivot shared by two visits
+  wall_direction,  ///< the walls of a rectilinear room follow the building's direction
 };
 
 [[nodiscard]] const char* to_string(FactorKind kind);
@@ -21,7 +21,7 @@ enum class FactorKind {
 struct FactorReport {
   FactorKind kind = FactorKind::odometry;
   AsrId from = 0;
-  AsrId to = 0;                    ///< 0 for a factor on one ASR alone
+  AsrId to = 0;                     ///< 0 for a factor on one ASR alone
   double chi_square_before = -1.0;  ///< at the uncorrected poses; negative: not computed
   double chi_square_after = -1.0;
   double weight = 0.0;  ///< of the robust loss at the solution, [0, 1]; near 0: rejected
@@ -30,7 +30,7 @@ struct FactorReport {
 /// Where one ASR was and where it is now, in building metres.
 struct AsrCorrection {
   AsrId asr = 0;
-  std::int64_t component = 0;  ///< connected component of the graph; each has one fixed ASR
+  std::int64_t component = 0;      ///< connected component of the graph; each has one fixed ASR
   Pose2 building_from_asr_before;  ///< as odometry placed it
   Pose2 building_from_asr;         ///< corrected
   double moved_m = 0.0;            ///< distance between the two origins
@@ -48,14 +48,14 @@ struct HeadingBias {
 /// for success.
 struct Correction {
   bool converged = false;
-  std::string model;     ///< "se2" or "rotation_only"
-  std::string message;   ///< why the solver stopped
+  std::string model;    ///< "se2" or "rotation_only"
+  std::string message;  ///< why the solver stopped
   double initial_cost = -1.0;
   double final_cost = -1.0;
   int iterations = 0;
   HeadingBias odometry_bias;
-  std::vector<AsrCorrection> asrs;     ///< ascending by ASR
-  std::vector<FactorReport> factors;   ///< in the order in which they were added
+  std::vector<AsrCorrection> asrs;    ///< ascending by ASR
+  std::vector<FactorReport> factors;  ///< in the order in which they were added
 };
 
 /// The placement that odometry alone gives: nothing corrected.

@@ -10,8 +10,8 @@ namespace roomatlas {
 struct WallDirectionOptions {
   double min_edge_m = 0.4;         ///< shorter edges say little about direction
   double min_total_m = 3.0;        ///< less wall than this gives no direction
-  double min_aligned_share = 0.5;  ///< of the wall's length within 6 degrees; below, the room is not
-                                   ///< rectilinear and must not be bent into it
+  double min_aligned_share = 0.5;  ///< of the wall's length within 6 degrees; below, the room is
+                                   ///< not rectilinear and must not be bent into it
 };
 
 /// The direction that a room's walls share, modulo 90 degrees.

@@ -11,10 +11,10 @@ namespace roomatlas {
 
 /// What a plan drawing shows besides the plan itself. Everything is optional.
 struct PlanAnnotations {
-  std::string mission;              ///< for the title block, such as "fr079.clf.gz"
-  std::string date;                 ///< of the mission, never of the drawing
+  std::string mission;  ///< for the title block, such as "fr079.clf.gz"
+  std::string date;     ///< of the mission, never of the drawing
   double path_length_m = 0.0;
-  Polyline trajectory;              ///< thin line; building metres
+  Polyline trajectory;                                ///< thin line; building metres
   std::vector<std::pair<RoomId, RoomId>> room_graph;  ///< drawn as a faint graph when not empty
 };
 

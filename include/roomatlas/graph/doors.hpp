@@ -18,8 +18,7 @@ struct BuildingDoor {
 /// Crossings that the graph recognises as the same doorway are one; so are those between the same
 /// two rooms that lie within 0.8 m.
 [[nodiscard]] std::vector<BuildingDoor> doors_of(const std::vector<Asr>& asrs,
-                                                 const RoomGraph& graph,
-                                                 const Placement& placement,
+                                                 const RoomGraph& graph, const Placement& placement,
                                                  const std::map<AsrId, RoomId>& room_of_asr);
 
 /// The jambs of a door, left and right of its direction.

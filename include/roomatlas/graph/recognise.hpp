@@ -6,10 +6,10 @@
 namespace roomatlas {
 
 struct RecogniseOptions {
-  double gate_m = 0.4;           ///< two doorways this near are the same, however short the path
-  double gate_growth = 0.02;     ///< metres added to the gate a metre of path driven between them
-  double max_gate_m = 1.5;       ///< doors of one wall are seldom nearer than this
-  double max_turn_deg = 35.0;    ///< directions of one doorway agree this well
+  double gate_m = 0.4;         ///< two doorways this near are the same, however short the path
+  double gate_growth = 0.02;   ///< metres added to the gate a metre of path driven between them
+  double max_gate_m = 1.5;     ///< doors of one wall are seldom nearer than this
+  double max_turn_deg = 35.0;  ///< directions of one doorway agree this well
   double max_width_difference_m = 0.45;
 };
 
@@ -23,8 +23,8 @@ struct RecogniseOptions {
                                                           const RecogniseOptions& options);
 
 struct RoomOptions {
-  double min_overlap_share = 0.4;  ///< outlines that share this much of the smaller one are one
-                                   ///< room; smaller joins rooms whose placement is off
+  double min_overlap_share = 0.4;   ///< outlines that share this much of the smaller one are one
+                                    ///< room; smaller joins rooms whose placement is off
   double min_path_share = 0.5;      ///< a path that runs this much of its length inside another
                                     ///< outline is in the same room
   double wall_beside_door_m = 0.6;  ///< a doorway that separates rooms has wall beside a jamb over
@@ -33,9 +33,8 @@ struct RoomOptions {
 };
 
 /// Decides which ASRs are the same room: those joined by open passages, those on the same side of
-/// a doorway seen twice, those whose outlines overlap or whose path runs in the other's outline, and
-/// those on the two sides of an opening
-/// that has no wall beside it (a gap between furniture).
+/// a doorway seen twice, those whose outlines overlap or whose path runs in the other's outline,
+/// and those on the two sides of an opening that has no wall beside it (a gap between furniture).
 /// @returns the room of each ASR; rooms are numbered 1, 2, 3 ... by their first ASR
 [[nodiscard]] std::map<AsrId, RoomId> assign_rooms(const std::vector<Asr>& asrs,
                                                    const RoomGraph& graph,

@@ -25,11 +25,11 @@ struct Ray {
 /// a scanner with 180 beams wears away the walls that it sees at a flat angle.
 class HimmGrid {
  public:
-  static constexpr int kHitHalfSteps = 6;         ///< +3 at the hit
-  static constexpr int kNeighborHalfSteps = 3;    ///< +1.5 at its eight neighbours
-  static constexpr int kFreeHalfSteps = -2;       ///< -1 along the ray
-  static constexpr int kMaxHalfSteps = 30;        ///< 15
-  static constexpr int kMinHalfSteps = -6;        ///< -3
+  static constexpr int kHitHalfSteps = 6;          ///< +3 at the hit
+  static constexpr int kNeighborHalfSteps = 3;     ///< +1.5 at its eight neighbours
+  static constexpr int kFreeHalfSteps = -2;        ///< -1 along the ray
+  static constexpr int kMaxHalfSteps = 30;         ///< 15
+  static constexpr int kMinHalfSteps = -6;         ///< -3
   static constexpr std::int8_t kRobotPath = -128;  ///< the robot stood here
 
   explicit HimmGrid(double cell_m) : frame_{cell_m} {}

@@ -8,7 +8,7 @@
 namespace roomatlas {
 
 struct PolarHistogramOptions {
-  double sector_deg = 5.0;      ///< width of a cone; must divide 360. Wider smooths gaps away
+  double sector_deg = 5.0;       ///< width of a cone; must divide 360. Wider smooths gaps away
   double window_radius_m = 2.0;  ///< cells farther away do not count
 };
 

@@ -10,18 +10,18 @@ namespace roomatlas {
 
 /// A reading, and where the robot is by odometry whose direction has been checked.
 struct DeadReckoned {
-  RangeReading reading;      ///< as in the log
+  RangeReading reading;       ///< as in the log
   Pose2 reckoned_from_robot;  ///< continuous; starts at the first odometry pose
 };
 
 struct DeadReckonerOptions {
-  bool find_reverse = true;      ///< off: odometry is taken as it is
-  double stop_step_m = 0.03;     ///< a shorter step ends an interval: only there can a robot turn
-                                 ///< from forwards to backwards
-  double min_apart_m = 0.18;     ///< pairs of readings nearer than this cannot tell
-  double max_apart_m = 0.55;     ///< farther ones see too different things
-  double range_sigma_m = 0.08;   ///< agreement of two readings of one wall
-  double flip_log_odds = 3.0;    ///< evidence needed to reverse an interval; smaller flips falsely
+  bool find_reverse = true;     ///< off: odometry is taken as it is
+  double stop_step_m = 0.03;    ///< a shorter step ends an interval: only there can a robot turn
+                                ///< from forwards to backwards
+  double min_apart_m = 0.18;    ///< pairs of readings nearer than this cannot tell
+  double max_apart_m = 0.55;    ///< farther ones see too different things
+  double range_sigma_m = 0.08;  ///< agreement of two readings of one wall
+  double flip_log_odds = 3.0;   ///< evidence needed to reverse an interval; smaller flips falsely
 };
 
 /// Odometry that never reports a backward step counts each one double. Between two stops the

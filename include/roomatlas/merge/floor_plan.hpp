@@ -18,17 +18,17 @@ enum class RoomKind { room, corridor, hall };
 /// One place of the building. All coordinates are building metres.
 struct PlanRoom {
   RoomId id = 0;
-  std::string name;              ///< shown on the plan; the number where nobody named it
+  std::string name;  ///< shown on the plan; the number where nobody named it
   RoomKind kind = RoomKind::room;
-  std::vector<Polygon> parts;    ///< disjoint, with holes; usually one, the largest first
+  std::vector<Polygon> parts;  ///< disjoint, with holes; usually one, the largest first
   double area_m2 = 0.0;
   Point2 label_point = Point2::Zero();  ///< well inside the largest part
-  std::vector<AsrId> asrs;       ///< the visits that make it up; empty in a world
+  std::vector<AsrId> asrs;              ///< the visits that make it up; empty in a world
 };
 
 struct PlanDoor {
   std::int64_t id = 0;
-  Segment2 jambs;                ///< the door line
+  Segment2 jambs;  ///< the door line
   double width_m = 0.0;
   Ring opening;                  ///< the hole in the wall, four corners
   std::optional<RoomId> room_a;  ///< the rooms on its two sides, where known; room_a < room_b

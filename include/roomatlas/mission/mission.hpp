@@ -56,21 +56,21 @@ struct MissionOptions {
 /// Summary of what has been read so far.
 struct MissionInfo {
   std::string file;
-  std::string format;                              ///< "CARMEN"
-  std::map<std::string, std::int64_t> line_counts;  ///< lines by tag, those that were read
+  std::string format;                                       ///< "CARMEN"
+  std::map<std::string, std::int64_t> line_counts;          ///< lines by tag, those that were read
   std::map<std::string, std::int64_t> ignored_line_counts;  ///< lines by unknown tag
-  std::int64_t readings = 0;       ///< range readings handed out
+  std::int64_t readings = 0;                                ///< range readings handed out
   std::int64_t true_poses = 0;
   std::int64_t malformed_lines = 0;
   std::int64_t steps_back_in_time = 0;
-  double path_length_m = 0.0;      ///< along odometry
+  double path_length_m = 0.0;  ///< along odometry
   std::optional<double> first_timestamp_s;
   std::optional<double> last_timestamp_s;
-  bool has_times = true;           ///< false: readings are indexed by their number
-  std::string odometry;            ///< "ODOM lines", "poses in scans" or "none"
+  bool has_times = true;  ///< false: readings are indexed by their number
+  std::string odometry;   ///< "ODOM lines", "poses in scans" or "none"
   RobotFootprint footprint;
   std::vector<std::shared_ptr<const RangeSensor>> sensors;  ///< in order of appearance
-  Issues issues;                   ///< the first hundred, then counted
+  Issues issues;                                            ///< the first hundred, then counted
   std::int64_t issues_not_listed = 0;
 };
 

@@ -40,9 +40,9 @@ struct AssembleOptions {
   RoomOptions rooms;
   CorrectOptions correct;
   MergeOptions merge;
-  RoomMapOptions map;        ///< for mapping rooms again once all doors are known
-  bool map_again = true;     ///< cut the rooms' outlines at doors that only later visits found
-  int max_rounds = 5;        ///< of recognising doorways and correcting
+  RoomMapOptions map;     ///< for mapping rooms again once all doors are known
+  bool map_again = true;  ///< cut the rooms' outlines at doors that only later visits found
+  int max_rounds = 5;     ///< of recognising doorways and correcting
 };
 
 /// Everything that the offline stage finds.

@@ -23,9 +23,9 @@ struct CellMap {
 };
 
 struct CleanOptions {
-  double epsilon = 7.0;       ///< C > epsilon is occupied (paper IV). Higher drops faint walls
-  double max_range_m = 5.0;   ///< how far the path may be for a cell to count as seen from it
-  bool thin = true;           ///< break 2 x 2 blocks of occupied cells
+  double epsilon = 7.0;      ///< C > epsilon is occupied (paper IV). Higher drops faint walls
+  double max_range_m = 5.0;  ///< how far the path may be for a cell to count as seen from it
+  bool thin = true;          ///< break 2 x 2 blocks of occupied cells
 };
 
 /// CleanMap (paper III.B, Fig. 4 and 5): an occupied cell stays only if the robot's path can be

@@ -15,8 +15,8 @@ enum class FitMethod {
 
 struct FitOptions {
   FitMethod method = FitMethod::total_least_squares;
-  double max_sigma_m = 0.07;     ///< 0.7 cell. Larger straightens curved walls
-  double min_abs_rho = 0.9;      ///< paper III.E; |rho| because walls may fall as well as rise
+  double max_sigma_m = 0.07;        ///< 0.7 cell. Larger straightens curved walls
+  double min_abs_rho = 0.9;         ///< paper III.E; |rho| because walls may fall as well as rise
   double max_corner_shift_m = 0.4;  ///< a corner may move this far to where its lines meet
 };
 
@@ -50,8 +50,7 @@ struct FittedPolyline {
 /// @param pinned indices of `points` that keep their place
 /// @param closed joins the last vertex to the first with an edge of its own (points after the
 ///   last kept one belong to it); the first kept index must then be 0
-[[nodiscard]] FittedPolyline fit_lines(const Polyline& points,
-                                       const std::vector<std::size_t>& kept,
+[[nodiscard]] FittedPolyline fit_lines(const Polyline& points, const std::vector<std::size_t>& kept,
                                        const FitOptions& options,
                                        const std::vector<std::size_t>& pinned = {},
                                        bool closed = false);

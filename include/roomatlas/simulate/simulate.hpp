@@ -12,22 +12,22 @@ namespace roomatlas {
 
 /// Errors of simulated wheel odometry, per metre driven.
 struct OdometryErrors {
-  double length_share = 0.005;           ///< each driven length is reported longer by this share
-  double heading_bias_deg_per_m = 0.1;   ///< constant drift
+  double length_share = 0.005;          ///< each driven length is reported longer by this share
+  double heading_bias_deg_per_m = 0.1;  ///< constant drift
   double heading_noise_deg_per_sqrt_m = 1.0;  ///< random walk
 };
 
 struct SonarErrors {
-  double range_noise_m = 0.02;    ///< standard deviation
-  double dropout_share = 0.02;    ///< readings lost at random, [0, 1]
+  double range_noise_m = 0.02;       ///< standard deviation
+  double dropout_share = 0.02;       ///< readings lost at random, [0, 1]
   double specular_limit_deg = 40.0;  ///< beyond this angle of incidence there is no echo
 };
 
 struct SimulationOptions {
-  std::uint64_t seed = 1;        ///< decides everything that is random
+  std::uint64_t seed = 1;  ///< decides everything that is random
   double speed_m_per_s = 0.4;
   double turn_rate_deg_per_s = 45.0;
-  double rate_hz = 10.0;         ///< of odometry and of the ring
+  double rate_hz = 10.0;  ///< of odometry and of the ring
   double start_timestamp_s = 1000000000.0;
   double sonar_max_range_m = 5.0;
   double sonar_cone_deg = 20.0;
