@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace roomatlas {
 namespace {
@@ -32,9 +33,11 @@ struct Chord {
   [[nodiscard]] double width_m() const { return left_m + right_m; }
 };
 
+/// Chords are measured in steps, so that several are equally narrow: the one in their middle is
+/// across the doorway.
 std::optional<Chord> narrowest_chord(const HimmGrid& grid, const Pose2& at,
                                      const DoorwayOptions& options) {
-  std::optional<Chord> best;
+  std::vector<Chord> narrowest;
   for (int i = 0; i < kAngles; ++i) {
     const double skew = radians(kMaxSkewDeg) * (2.0 * i / (kAngles - 1) - 1.0);
     const double heading = at.theta_rad + skew;
@@ -45,9 +48,14 @@ std::optional<Chord> narrowest_chord(const HimmGrid& grid, const Pose2& at,
         first_obstacle(grid, at.position(), -left, kMaxReachM, options.occupied_value);
     if (!to_left || !to_right) continue;
     const Chord chord{heading, *to_left, *to_right};
-    if (!best || chord.width_m() < best->width_m()) best = chord;
+    const double wider_m =
+        narrowest.empty() ? 0.0 : chord.width_m() - narrowest.front().width_m();
+    if (wider_m > kStepM / 2.0) continue;
+    if (wider_m < -kStepM / 2.0) narrowest.clear();
+    narrowest.push_back(chord);
   }
-  return best;
+  if (narrowest.empty()) return std::nullopt;
+  return narrowest[(narrowest.size() - 1) / 2];
 }
 
 /// The greatest width of the space 0.4 to 0.8 m along `along` from the chord's mid-point.

@@ -69,8 +69,7 @@ class AsrRecorder::State {
     append(reading, asr_from_robot);
     if (const auto found = search_doorway()) {
       leave_through(*found);
-    } else if (along_m_.back() > options_.max_piece_path_m ||
-               path_.size() >= static_cast<std::size_t>(options_.max_piece_readings)) {
+    } else if (along_m_.back() > options_.max_piece_path_m || is_full()) {
       leave_open();
     }
   }
@@ -154,13 +153,19 @@ class AsrRecorder::State {
     since_doorway_m_ = 0.0;
   }
 
-  /// Cuts the room where doorways have been looked for already, so that none is lost at the cut.
+  /// Cuts the room where doorways have been looked for already, so that none is lost at the cut;
+  /// but not so early that a robot that hardly moves would be cut again at once.
   void leave_open() {
+    if (path_.size() < 2) return;
     const double cut_m = std::max(0.0, along_m_.back() - options_.doorway_lag_m - kBestWithinM);
     const auto cut = std::lower_bound(along_m_.begin(), along_m_.end(), cut_m);
-    const auto split = std::max<std::ptrdiff_t>(1, cut - along_m_.begin());
-    leave(open_passage_at(path_[static_cast<std::size_t>(split)].asr_from_robot),
-          static_cast<std::size_t>(split));
+    std::size_t split = std::max<std::size_t>(1, static_cast<std::size_t>(cut - along_m_.begin()));
+    if (is_full()) split = std::max(split, path_.size() / 2);
+    leave(open_passage_at(path_[split].asr_from_robot), split);
+  }
+
+  [[nodiscard]] bool is_full() const {
+    return path_.size() >= static_cast<std::size_t>(options_.max_piece_readings);
   }
 
   /// Closes the ASR with the samples before `split`, and opens the next with the rest.
