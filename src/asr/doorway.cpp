@@ -33,8 +33,8 @@ struct Chord {
   [[nodiscard]] double width_m() const { return left_m + right_m; }
 };
 
-/// Chords are measured in steps, so that several are equally narrow: the one in their middle is
-/// across the doorway.
+/// Chords are measured in steps, so that several are equally narrow: of these, the one across the
+/// motion.
 std::optional<Chord> narrowest_chord(const HimmGrid& grid, const Pose2& at,
                                      const DoorwayOptions& options) {
   std::vector<Chord> narrowest;
@@ -55,7 +55,10 @@ std::optional<Chord> narrowest_chord(const HimmGrid& grid, const Pose2& at,
     narrowest.push_back(chord);
   }
   if (narrowest.empty()) return std::nullopt;
-  return narrowest[(narrowest.size() - 1) / 2];
+  return *std::min_element(narrowest.begin(), narrowest.end(), [&](const Chord& a, const Chord& b) {
+    return std::abs(wrap_angle(a.heading_rad - at.theta_rad)) <
+           std::abs(wrap_angle(b.heading_rad - at.theta_rad));
+  });
 }
 
 /// The greatest width of the space 0.4 to 0.8 m along `along` from the chord's mid-point.
