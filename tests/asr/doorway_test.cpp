@@ -77,7 +77,7 @@ void expect_door_of_two_rooms(const Polyline& drive, const Pose2& grid_from_worl
   const double axis_rad = std::abs(wrap_angle(travel_rad)) < kPi / 2.0 ? 0.0 : kPi;
   EXPECT_LE(
       degrees_between(doorway->grid_from_pivot.theta_rad, grid_from_world.theta_rad + axis_rad),
-      25.0);
+      20.0);
   const Point2 left = inverse(doorway->grid_from_pivot) * doorway->jambs.a;
   const Point2 right = inverse(doorway->grid_from_pivot) * doorway->jambs.b;
   EXPECT_LT((left - Point2(0.0, doorway->width_m / 2.0)).norm(), 1e-9);
@@ -108,6 +108,21 @@ TEST(FindDoorway, FindsTheDoorsOwnDirectionWhenThePathGoesThroughItAskew) {
     expect_door_of_two_rooms({kDoor - 1.5 * along, kDoor + 1.5 * along}, {0.03, 0.04, 0.0},
                              radians(askew_deg));
   }
+}
+
+TEST(FindDoorway, LeansToNeitherSide) {
+  const Polyline drive = way_points_of(kTwoRooms);
+  double sum_deg = 0.0;
+  int count = 0;
+  for (double turn_deg = 0.0; turn_deg < 90.0; turn_deg += 5.0) {
+    const Pose2 grid_from_world{-7.21, 3.57, radians(turn_deg)};
+    for (const Doorway& doorway : doorways_along(kTwoRooms, drive, grid_from_world)) {
+      sum_deg += degrees(wrap_angle(doorway.grid_from_pivot.theta_rad - grid_from_world.theta_rad));
+      ++count;
+    }
+  }
+  ASSERT_GE(count, 40);
+  EXPECT_NEAR(sum_deg / count, 0.0, 3.0);
 }
 
 TEST(FindDoorway, FindsNothingInTheMiddleOfARoom) {

@@ -55,7 +55,7 @@ TEST(Recorder, PutsThePivotsIntoTheDoors) {
     const Pose2 world_from_asr = world_from_odom * asr.odom_from_asr;
     EXPECT_NEAR(world_from_asr.x_m, door.x(), 0.3) << "in the wall or at its face";
     EXPECT_NEAR(world_from_asr.y_m, door.y(), 0.1);
-    EXPECT_LE(std::abs(degrees(world_from_asr.theta_rad)), 25.0) << "x points into the room";
+    EXPECT_LE(std::abs(degrees(world_from_asr.theta_rad)), 20.0) << "x points into the room";
     EXPECT_NEAR(asr.exits[0].width_m, 0.9, 0.15);
   }
 }
