@@ -10,10 +10,11 @@ namespace roomatlas::apps {
 
 void assemble(const Settings& settings, const Path& store_file) {
   GeoPackageStore store(store_file, GeoPackageStore::Mode::update);
-  Assembly assembly = roomatlas::assemble(store, footprint_of(store.metadata()), settings.assemble,
+  const Metadata metadata = store.metadata();
+  Assembly assembly = roomatlas::assemble(store, footprint_of(metadata), settings.assemble,
                                           console_progress(settings));
-  const auto mission = store.metadata().find("mission_file");
-  assembly.plan.title = mission == store.metadata().end() ? "" : mission->second;
+  const auto mission = metadata.find("mission_file");
+  assembly.plan.title = mission == metadata.end() ? "" : mission->second;
   store.put_assembly(assembly.correction, assembly.plan, assembly.room_of_asr);
   store.finish();
   show(assembly.plan.issues);
