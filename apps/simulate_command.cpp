@@ -12,7 +12,7 @@ void simulate(const Settings& settings, const Path& world_file, const Path& driv
   const FloorPlan world = read_plan(world_file);
   const Drive drive = read_drive(drive_file);
   std::filesystem::create_directories(out);
-  CarmenWriter log(out / "mission.clf", pioneer_sonar_ring(settings.simulation),
+  CarmenWriter log(out / "mission.clf", range_sensor(settings.simulation),
                    settings.simulation.footprint);
   Trajectory truth;
   roomatlas::simulate(world, drive, settings.simulation, [&](const SimulatedStep& step) {

@@ -42,10 +42,39 @@ std::string parameter_line(const char* name, double value) {
   return line + " " + kHost + " 0\n";
 }
 
+/// FLASER lines carry no bearings: readers take 181 beams as one a degree from -90 to 90.
+void require_front_laser(const RangeSensor& sensor) {
+  if (sensor.kind != SensorKind::laser) return;
+  const std::vector<Pose2>& beams = sensor.robot_from_beam;
+  if (beams.size() != 181 || beams.front().theta_rad != radians(-90.0) ||
+      beams.back().theta_rad != radians(90.0)) {
+    throw std::invalid_argument("FLASER: expected 181 beams from -90 to 90 degrees");
+  }
+}
+
+std::string sonar_line(const RangeReading& reading, const RangeSensor& ring) {
+  std::string line = "SONAR";
+  append_numbers(line, {2.0 * ring.half_cone_rad});
+  line += " " + std::to_string(reading.ranges_m.size());
+  for (const float range_m : reading.ranges_m) append_range(line, range_m, ring.max_range_m);
+  for (const Pose2& robot_from_beam : ring.robot_from_beam) append_pose(line, robot_from_beam);
+  return line;
+}
+
+std::string flaser_line(const RangeReading& reading, const RangeSensor& laser) {
+  std::string line = "FLASER " + std::to_string(reading.ranges_m.size());
+  for (const float range_m : reading.ranges_m) append_range(line, range_m, laser.max_range_m);
+  const Pose2& first = laser.robot_from_beam.front();
+  append_pose(line, reading.odom_from_robot * Pose2{first.x_m, first.y_m, 0.0});
+  append_pose(line, reading.odom_from_robot);
+  return line;
+}
+
 }  // namespace
 
 struct CarmenWriter::State {
-  State(const Path& file, RangeSensor sonar_ring) : output(file), ring(std::move(sonar_ring)) {}
+  State(const Path& file, RangeSensor range_sensor)
+      : output(file), sensor(std::move(range_sensor)) {}
 
   void write_line(std::string& line, double timestamp_s) {
     if (!start_s) start_s = timestamp_s;
@@ -56,13 +85,14 @@ struct CarmenWriter::State {
   }
 
   io::OutputFile output;
-  RangeSensor ring;
+  RangeSensor sensor;
   std::optional<double> start_s;  ///< the logger's clock counts from here
 };
 
-CarmenWriter::CarmenWriter(const Path& file, const RangeSensor& ring,
+CarmenWriter::CarmenWriter(const Path& file, const RangeSensor& sensor,
                            const RobotFootprint& footprint)
-    : state_(std::make_unique<State>(file, ring)) {
+    : state_(std::make_unique<State>(file, sensor)) {
+  require_front_laser(sensor);
   state_->output.write(
       "# CARMEN Logfile\n"
       "# file format is one message per line\n"
@@ -70,34 +100,33 @@ CarmenWriter::CarmenWriter(const Path& file, const RangeSensor& ring,
       "# PARAM param_name param_value\n"
       "# ODOM x y theta tv rv accel\n"
       "# SONAR cone_angle num_sonars [range_readings] [offset_x offset_y offset_theta]\n"
+      "# FLASER num_readings [range_readings] x y theta odom_x odom_y odom_theta\n"
       "# TRUEPOS true_x true_y true_theta odom_x odom_y odom_theta\n");
   state_->output.write(parameter_line("robot_length", footprint.length_m));
   state_->output.write(parameter_line("robot_width", footprint.width_m));
-  state_->output.write(parameter_line("robot_max_sonar", ring.max_range_m));
+  const bool is_laser = sensor.kind == SensorKind::laser;
+  state_->output.write(
+      parameter_line(is_laser ? "robot_front_laser_max" : "robot_max_sonar", sensor.max_range_m));
 }
 
 CarmenWriter::~CarmenWriter() = default;
 
 void CarmenWriter::write(const SimulatedStep& step) {
   const OdometryStep& odometry = step.odometry;
-  const std::vector<float>& ranges_m = step.sonar.ranges_m;
-  const std::vector<Pose2>& mounting = state_->ring.robot_from_beam;
-  if (ranges_m.size() != mounting.size()) {
-    throw std::invalid_argument("a step has " + std::to_string(ranges_m.size()) +
-                                " ranges but the ring has " + std::to_string(mounting.size()) +
-                                " sonars");
+  const RangeSensor& sensor = state_->sensor;
+  if (step.reading.ranges_m.size() != sensor.robot_from_beam.size()) {
+    throw std::invalid_argument("a step has " + std::to_string(step.reading.ranges_m.size()) +
+                                " ranges but the sensor has " +
+                                std::to_string(sensor.robot_from_beam.size()) + " beams");
   }
   std::string line = "ODOM";
   append_pose(line, odometry.odom_from_robot);
   append_numbers(line, {odometry.speed_m_per_s, odometry.turn_rate_rad_per_s, 0.0});
   state_->write_line(line, odometry.timestamp_s);
 
-  line = "SONAR";
-  append_numbers(line, {2.0 * state_->ring.half_cone_rad});
-  line += " " + std::to_string(ranges_m.size());
-  for (const float range_m : ranges_m) append_range(line, range_m, state_->ring.max_range_m);
-  for (const Pose2& robot_from_beam : mounting) append_pose(line, robot_from_beam);
-  state_->write_line(line, step.sonar.timestamp_s);
+  line = sensor.kind == SensorKind::laser ? flaser_line(step.reading, sensor)
+                                          : sonar_line(step.reading, sensor);
+  state_->write_line(line, step.reading.timestamp_s);
 
   line = "TRUEPOS";
   append_pose(line, step.truth.world_from_robot);

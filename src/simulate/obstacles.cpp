@@ -7,6 +7,8 @@
 namespace roomatlas {
 namespace {
 
+constexpr double kBucketM = 2.0;
+
 void append_edges(const Ring& ring, std::vector<Segment2>& edges) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Segment2 edge{ring[i], ring[(i + 1) % ring.size()]};
@@ -32,11 +34,41 @@ std::vector<Segment2> obstacle_edges(const FloorPlan& world) {
   return edges;
 }
 
-std::vector<Segment2> edges_within(const std::vector<Segment2>& edges, const Point2& center,
-                                   double radius_m) {
+ObstacleIndex::Bucket ObstacleIndex::bucket_of(const Point2& point) {
+  return {static_cast<int>(std::floor(point.x() / kBucketM)),
+          static_cast<int>(std::floor(point.y() / kBucketM))};
+}
+
+ObstacleIndex::ObstacleIndex(std::vector<Segment2> edges) : edges_(std::move(edges)) {
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const Segment2& edge = edges_[i];
+    const auto [min_x, min_y] = bucket_of(edge.a.cwiseMin(edge.b));
+    const auto [max_x, max_y] = bucket_of(edge.a.cwiseMax(edge.b));
+    for (int x = min_x; x <= max_x; ++x) {
+      for (int y = min_y; y <= max_y; ++y) {
+        const Point2 middle = kBucketM * Point2(x + 0.5, y + 0.5);
+        if (distance(edge, middle) <= kBucketM) buckets_[{x, y}].push_back(i);
+      }
+    }
+  }
+}
+
+std::vector<Segment2> ObstacleIndex::within(const Point2& center, double radius_m) const {
+  const auto [min_x, min_y] = bucket_of(center - Point2::Constant(radius_m));
+  const auto [max_x, max_y] = bucket_of(center + Point2::Constant(radius_m));
+  std::vector<std::size_t> found;
+  for (int x = min_x; x <= max_x; ++x) {
+    const auto end = buckets_.upper_bound({x, max_y});
+    for (auto bucket = buckets_.lower_bound({x, min_y}); bucket != end; ++bucket) {
+      found.insert(found.end(), bucket->second.begin(), bucket->second.end());
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
   std::vector<Segment2> near;
-  std::copy_if(edges.begin(), edges.end(), std::back_inserter(near),
-               [&](const Segment2& edge) { return distance(edge, center) <= radius_m; });
+  for (const std::size_t i : found) {
+    if (distance(edges_[i], center) <= radius_m) near.push_back(edges_[i]);
+  }
   return near;
 }
 

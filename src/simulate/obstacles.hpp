@@ -4,7 +4,10 @@
 #include "roomatlas/core/geometry.hpp"
 #include "roomatlas/merge/floor_plan.hpp"
 
+#include <cstddef>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace roomatlas {
@@ -15,10 +18,22 @@ namespace roomatlas {
 /// The edges of everything that stops a beam: walls and furniture.
 [[nodiscard]] std::vector<Segment2> obstacle_edges(const FloorPlan& world);
 
-/// The edges that come within `radius_m` of a point. Casting the rays of one sweep against these
-/// few costs less than walking a grid does at the ranges of a sonar.
-[[nodiscard]] std::vector<Segment2> edges_within(const std::vector<Segment2>& edges,
-                                                 const Point2& center, double radius_m);
+/// The edges of a world in square buckets, so that what is near a point is found without looking
+/// at the whole building. Casting the rays of one sweep against these few costs less than walking
+/// a grid does at the ranges of a sonar.
+class ObstacleIndex {
+ public:
+  explicit ObstacleIndex(std::vector<Segment2> edges);
+  /// The edges that come within `radius_m` of a point, in the order in which they were given.
+  [[nodiscard]] std::vector<Segment2> within(const Point2& center, double radius_m) const;
+
+ private:
+  using Bucket = std::pair<int, int>;
+  [[nodiscard]] static Bucket bucket_of(const Point2& point);
+
+  std::vector<Segment2> edges_;
+  std::map<Bucket, std::vector<std::size_t>> buckets_;
+};
 
 /// Where a ray first meets an edge.
 struct RayHit {

@@ -2,14 +2,28 @@
 #include "odometer.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace roomatlas {
+
+OdometryErrors odometry_errors(OdometryPreset preset) {
+  switch (preset) {
+    case OdometryPreset::mild:
+      return {0.005, 0.1, 1.0, 0.0};
+    case OdometryPreset::typical:
+      return {0.01, 0.3, 2.0, 0.0};
+    case OdometryPreset::hard:
+      return {-0.04, 3.3, 2.0, -0.04};
+  }
+  throw std::invalid_argument("unknown odometry preset");
+}
 
 Odometer::Odometer(const OdometryErrors& errors, std::uint64_t seed)
     : errors_(errors), heading_noise_(seed, "odometry heading") {}
 
 Odometer::Increment Odometer::add(double length_m, double turn_rad) {
-  Increment reported{length_m * (1.0 + errors_.length_share), turn_rad};
+  Increment reported{length_m * (1.0 + errors_.length_share),
+                     turn_rad * (1.0 + errors_.turn_share)};
   if (length_m > 0.0) {
     reported.turn_rad += radians(errors_.heading_bias_deg_per_m * length_m);
     reported.turn_rad += radians(errors_.heading_noise_deg_per_sqrt_m * std::sqrt(length_m)) *

@@ -11,7 +11,8 @@ namespace roomatlas {
 
 /// What wheel odometry makes of true motions. Over a driven length L (of any number of pieces)
 /// the reported length is L (1 + length_share) and the heading error is normal with mean
-/// heading_bias L and standard deviation heading_noise sqrt(L). Turns on the spot are exact.
+/// heading_bias L and standard deviation heading_noise sqrt(L). A turn is reported larger by
+/// turn_share.
 /// The frame is a real robot's: it starts at (0, 0, 0).
 class Odometer {
  public:

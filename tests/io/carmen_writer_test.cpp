@@ -27,7 +27,7 @@ SimulatedStep step_at(int i, const std::shared_ptr<const RangeSensor>& ring) {
   const Pose2 odometry{0.04 * i, 1.0 / 3.0, wrap_angle(0.01 * i)};
   SimulatedStep step;
   step.odometry = {time_s, odometry, 0.4, 0.1};
-  step.sonar = {time_s, odometry, ring, {0.1F + 0.01F * static_cast<float>(i), 2.345678F, 1.0F}};
+  step.reading = {time_s, odometry, ring, {0.1F + 0.01F * static_cast<float>(i), 2.345678F, 1.0F}};
   step.truth = {time_s, {0.05 * i, 0.0, wrap_angle(0.02 * i)}};
   return step;
 }
@@ -46,9 +46,9 @@ TEST(CarmenWriter, WhatItWritesReadsBackToTheSameBits) {
     const SimulatedStep step = step_at(i, ring);
     const RangeReading& reading = log.readings[static_cast<std::size_t>(i)];
     const TruePose& truth = log.true_poses[static_cast<std::size_t>(i)];
-    EXPECT_EQ(reading.timestamp_s, step.sonar.timestamp_s);
+    EXPECT_EQ(reading.timestamp_s, step.reading.timestamp_s);
     EXPECT_EQ(reading.odom_from_robot, step.odometry.odom_from_robot);
-    EXPECT_EQ(reading.ranges_m, step.sonar.ranges_m);
+    EXPECT_EQ(reading.ranges_m, step.reading.ranges_m);
     EXPECT_EQ(truth.timestamp_s, step.truth.timestamp_s);
     EXPECT_EQ(truth.world_from_robot, step.truth.world_from_robot);
   }
@@ -66,7 +66,7 @@ TEST(CarmenWriter, NoEchoReadsBackAsNoEchoAndAMissingMeasurementAsMissing) {
   const auto ring = ring_of_three();
   CarmenWriter writer(folder / "mission.clf", *ring, {});
   SimulatedStep step = step_at(0, ring);
-  step.sonar.ranges_m = {4.7F, 9.0F, std::numeric_limits<float>::quiet_NaN()};
+  step.reading.ranges_m = {4.7F, 9.0F, std::numeric_limits<float>::quiet_NaN()};
   writer.write(step);
   writer.finish();
   const test::ReadLog log = read_log(folder / "mission.clf");
@@ -85,7 +85,7 @@ TEST(CarmenWriter, WritesTheLinesAsCarmensLoggerDoes) {
   ring.robot_from_beam = {{0.1, 0.2, 0.5}};
   SimulatedStep step;
   step.odometry = {100.5, {1, 2, 0.25}, 0.4, 0};
-  step.sonar = {100.5, {1, 2, 0.25}, std::make_shared<RangeSensor>(ring), {1.5F}};
+  step.reading = {100.5, {1, 2, 0.25}, std::make_shared<RangeSensor>(ring), {1.5F}};
   step.truth = {100.5, {3, 4, 0.75}};
   CarmenWriter writer(folder / "mission.clf", ring, {0.5, 0.4});
   writer.write(step);
@@ -116,7 +116,7 @@ TEST(CarmenWriter, RefusesAStepOfAnotherRing) {
   const auto ring = ring_of_three();
   CarmenWriter writer(folder / "mission.clf", *ring, {});
   SimulatedStep step = step_at(0, ring);
-  step.sonar.ranges_m.pop_back();
+  step.reading.ranges_m.pop_back();
   EXPECT_THROW(writer.write(step), std::invalid_argument);
 }
 

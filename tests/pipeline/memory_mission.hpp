@@ -48,7 +48,7 @@ inline std::vector<MissionEvent> sonar_mission(const WorldDrawing& drawing,
                                                const SimulationOptions& options = {}) {
   std::vector<MissionEvent> events;
   simulate(plan_of(drawing), way_points_of(drawing), options, [&](const SimulatedStep& step) {
-    events.emplace_back(step.sonar);
+    events.emplace_back(step.reading);
     events.emplace_back(step.truth);
   });
   return events;

@@ -26,7 +26,7 @@ bool same_odometry(const std::vector<SimulatedStep>& a, const std::vector<Simula
 
 bool same_ranges(const std::vector<SimulatedStep>& a, const std::vector<SimulatedStep>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
-    return x.sonar.ranges_m == y.sonar.ranges_m;
+    return x.reading.ranges_m == y.reading.ranges_m;
   });
 }
 
@@ -48,14 +48,14 @@ TEST(Determinism, AnotherSeedGivesOtherErrorsOnTheSameTruth) {
 
 TEST(Determinism, WhatTheSonarsDoLeavesOdometryAsItIs) {
   SimulationOptions noisy = with_seed(1);
-  noisy.sonar = {0.2, 0.5, 10.0};
+  noisy.sonar = {0.2, 0.5, 10.0, 0.3};
   EXPECT_TRUE(
       same_odometry(run(square_room(), kAround, with_seed(1)), run(square_room(), kAround, noisy)));
 }
 
 TEST(Determinism, OdometryErrorsLeaveTheSonarsAsTheyAre) {
   SimulationOptions drifting = with_seed(1);
-  drifting.odometry = {0.1, 1.0, 0.0};
+  drifting.odometry = {0.1, 1.0, 0.0, 0.1};
   EXPECT_TRUE(same_ranges(run(square_room(), kAround, with_seed(1)),
                           run(square_room(), kAround, drifting)));
 }

@@ -55,9 +55,9 @@ TEST(Drive, TurnsOnTheSpotTheShorterWay) {
 
 TEST(Drive, EveryPartOfAStepHasTheSameTimestamp) {
   for (const SimulatedStep& step : run(square_room(), {{1, 1}, {3, 3}}, exact())) {
-    EXPECT_EQ(step.odometry.timestamp_s, step.sonar.timestamp_s);
+    EXPECT_EQ(step.odometry.timestamp_s, step.reading.timestamp_s);
     EXPECT_EQ(step.odometry.timestamp_s, step.truth.timestamp_s);
-    EXPECT_EQ(step.odometry.odom_from_robot, step.sonar.odom_from_robot);
+    EXPECT_EQ(step.odometry.odom_from_robot, step.reading.odom_from_robot);
   }
 }
 

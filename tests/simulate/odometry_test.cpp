@@ -29,7 +29,7 @@ Drive zigzag() {
 TEST(Odometry, StartsAtItsOwnOriginWhereverTheRobotStands) {
   const auto steps = run({}, {{3, 4}, {3, 9}}, exact());
   EXPECT_EQ(steps.front().odometry.odom_from_robot, Pose2());
-  EXPECT_EQ(steps.front().sonar.odom_from_robot, Pose2());
+  EXPECT_EQ(steps.front().reading.odom_from_robot, Pose2());
   EXPECT_EQ(steps.front().odometry.speed_m_per_s, 0.0);
 }
 

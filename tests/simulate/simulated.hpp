@@ -17,8 +17,8 @@ inline std::vector<SimulatedStep> run(const FloorPlan& world, const Drive& drive
 /// Nothing random, no odometry errors, beams without width, echoes from every angle.
 inline SimulationOptions exact() {
   SimulationOptions options;
-  options.odometry = {0.0, 0.0, 0.0};
-  options.sonar = {0.0, 0.0, 90.0};
+  options.odometry = {0.0, 0.0, 0.0, 0.0};
+  options.sonar = {0.0, 0.0, 90.0, 0.0};
   options.sonar_cone_deg = 0.0;
   return options;
 }

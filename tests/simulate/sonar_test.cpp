@@ -14,7 +14,7 @@ const Drive kFromTheMiddle = {{2, 2}, {2.4, 2}};
 
 /// The first sweep: from the middle of the room, looking along x.
 std::vector<float> first_sweep(const FloorPlan& world, const SimulationOptions& options) {
-  return run(world, kFromTheMiddle, options).front().sonar.ranges_m;
+  return run(world, kFromTheMiddle, options).front().reading.ranges_m;
 }
 
 TEST(PioneerSonarRing, HasItsRealBearingsClockwiseFromTheLeft) {
@@ -87,7 +87,7 @@ TEST(Sonar, LosesTheGivenShareOfReadings) {
   double readings = 0.0;
   double lost = 0.0;
   for (const SimulatedStep& step : run(square_room(), kFromTheMiddle, options)) {
-    for (const float range_m : step.sonar.ranges_m) {
+    for (const float range_m : step.reading.ranges_m) {
       readings += 1.0;
       if (range_m >= 5.0F) lost += 1.0;
     }
@@ -104,7 +104,7 @@ TEST(Sonar, RangeNoiseHasTheGivenDeviationAndNoMean) {
   double sum = 0.0;
   double sum_of_squares = 0.0;
   for (const SimulatedStep& step : run(square_room(), kFromTheMiddle, options)) {
-    const double error_m = static_cast<double>(step.sonar.ranges_m[0]) - 1.8;  // along the wall
+    const double error_m = static_cast<double>(step.reading.ranges_m[0]) - 1.8;  // along the wall
     count += 1.0;
     sum += error_m;
     sum_of_squares += error_m * error_m;

@@ -38,10 +38,12 @@ void write_tum(const Path& file, const Trajectory& trajectory);
 /// Way-points of a scripted drive: `x y` a line, metres, `#` starts a comment.
 [[nodiscard]] Drive read_drive(const Path& file);
 
-/// Writes a CARMEN log with PARAM, ODOM, SONAR and TRUEPOS lines, step by step.
+/// Writes a CARMEN log with PARAM, ODOM, SONAR or FLASER, and TRUEPOS lines, step by step. A laser
+/// must have 181 beams from -90 to 90 degrees, since FLASER lines carry no bearings
+/// (std::invalid_argument).
 class CarmenWriter {
  public:
-  CarmenWriter(const Path& file, const RangeSensor& ring, const RobotFootprint& footprint);
+  CarmenWriter(const Path& file, const RangeSensor& sensor, const RobotFootprint& footprint);
   ~CarmenWriter();
   CarmenWriter(const CarmenWriter&) = delete;
   CarmenWriter& operator=(const CarmenWriter&) = delete;

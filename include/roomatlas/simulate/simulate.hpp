@@ -10,30 +10,46 @@
 
 namespace roomatlas {
 
-/// Errors of simulated wheel odometry, per metre driven.
+/// Errors of simulated wheel odometry. The defaults are the preset `mild`.
 struct OdometryErrors {
   double length_share = 0.005;          ///< each driven length is reported longer by this share
-  double heading_bias_deg_per_m = 0.1;  ///< constant drift
-  double heading_noise_deg_per_sqrt_m = 1.0;  ///< random walk
+  double heading_bias_deg_per_m = 0.1;  ///< constant drift over length
+  double heading_noise_deg_per_sqrt_m = 1.0;  ///< random walk over length
+  double turn_share = 0.0;                    ///< each turn is reported larger by this share
 };
+
+/// `mild`; `typical`: what a good robot does on carpet; `hard`: the worst recorded log we know
+/// (3.3 deg/m, lengths short by 4 %, turns by 4 %).
+enum class OdometryPreset { mild, typical, hard };
+[[nodiscard]] OdometryErrors odometry_errors(OdometryPreset preset);
 
 struct SonarErrors {
   double range_noise_m = 0.02;       ///< standard deviation
   double dropout_share = 0.02;       ///< readings lost at random, [0, 1]
   double specular_limit_deg = 40.0;  ///< beyond this angle of incidence there is no echo
+  double crosstalk_share = 0.005;    ///< readings in which a sonar hears its neighbour's ping, and
+                                     ///< so the nearer of both echoes, [0, 1]
+};
+
+struct LaserErrors {
+  double range_noise_m = 0.01;   ///< standard deviation
+  double dropout_share = 0.002;  ///< beams lost at random, [0, 1]
 };
 
 struct SimulationOptions {
   std::uint64_t seed = 1;  ///< decides everything that is random
   double speed_m_per_s = 0.4;
   double turn_rate_deg_per_s = 45.0;
-  double rate_hz = 10.0;  ///< of odometry and of the ring
+  double rate_hz = 10.0;  ///< of odometry and of the sensor
   double start_timestamp_s = 1000000000.0;
+  SensorKind sensor = SensorKind::sonar;
   double sonar_max_range_m = 5.0;
   double sonar_cone_deg = 20.0;
+  double laser_max_range_m = 8.0;
   RobotFootprint footprint;
   OdometryErrors odometry;
   SonarErrors sonar;
+  LaserErrors laser;
 };
 
 /// A scripted drive: way-points in world metres, driven in straight lines and turns on the spot.
@@ -48,13 +64,20 @@ struct OdometryStep {
 
 struct SimulatedStep {
   OdometryStep odometry;
-  RangeReading sonar;
+  RangeReading reading;
   TruePose truth;
 };
 
 /// The ring of the Pioneer 2: 16 sonars, 8 in front, 8 behind, at their real bearings
 /// (+-90, +-50, +-30, +-10 degrees, and the same behind), on the rim of the robot.
 [[nodiscard]] RangeSensor pioneer_sonar_ring(const SimulationOptions& options);
+
+/// A laser scanner that looks ahead: 181 beams without width from -90 to 90 degrees, on the robot's
+/// axis, 0.1 m ahead of its middle.
+[[nodiscard]] RangeSensor front_laser(const SimulationOptions& options);
+
+/// The sensor that `options` choose.
+[[nodiscard]] RangeSensor range_sensor(const SimulationOptions& options);
 
 /// Drives the robot through the world and hands each step to `sink`, in order.
 /// @param world walls and furniture are obstacles; doors are gaps in the walls

@@ -20,18 +20,25 @@ namespace roomatlas {
                                                 const RangeSensor& sensor,
                                                 double specular_limit_rad);
 
-/// Reads a ring of sonars. A lost reading, and one without an echo, is the maximum range.
-class SonarReader {
+/// Reads a ring of sonars or a laser in the world. A lost reading, and one without an echo, is the
+/// maximum range.
+class RangeReader {
  public:
-  SonarReader(const SonarErrors& errors, std::uint64_t seed);
+  explicit RangeReader(const SimulationOptions& options);
+  /// @param edges all that come into the sensor's range
   /// @return metres, one a beam, in (0, max_range_m]
   [[nodiscard]] std::vector<float> read(const std::vector<Segment2>& edges,
-                                        const Pose2& world_from_robot, const RangeSensor& ring);
+                                        const Pose2& world_from_robot, const RangeSensor& sensor);
 
  private:
-  SonarErrors errors_;
+  using Echoes = std::vector<std::optional<double>>;
+  [[nodiscard]] Echoes with_crosstalk(const Echoes& echoes_m);
+
+  SonarErrors sonar_;
+  LaserErrors laser_;
   RandomStream range_noise_;
   RandomStream dropout_;
+  RandomStream crosstalk_;
 };
 
 }  // namespace roomatlas

@@ -22,6 +22,8 @@ constexpr std::array<Sonar, 4> kFrontLeft = {{
 constexpr double kRealHalfLength_m = 0.210;
 constexpr double kRealHalfWidth_m = 0.130;
 
+constexpr double kLaserForwardM = 0.1;
+
 }  // namespace
 
 RangeSensor pioneer_sonar_ring(const SimulationOptions& options) {
@@ -48,6 +50,20 @@ RangeSensor pioneer_sonar_ring(const SimulationOptions& options) {
   for (auto sonar = kFrontLeft.rbegin(); sonar != kFrontLeft.rend(); ++sonar)
     add(*sonar, true, false);
   return ring;
+}
+
+RangeSensor front_laser(const SimulationOptions& options) {
+  RangeSensor laser;
+  laser.kind = SensorKind::laser;
+  laser.max_range_m = options.laser_max_range_m;
+  for (int bearing_deg = -90; bearing_deg <= 90; ++bearing_deg) {
+    laser.robot_from_beam.push_back({kLaserForwardM, 0.0, radians(bearing_deg)});
+  }
+  return laser;
+}
+
+RangeSensor range_sensor(const SimulationOptions& options) {
+  return options.sensor == SensorKind::laser ? front_laser(options) : pioneer_sonar_ring(options);
 }
 
 }  // namespace roomatlas

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "range_reader.hpp"
+
+#include "obstacles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace roomatlas {
+namespace {
+
+constexpr int kRaysPerCone = 9;  // odd: one along the axis. 2.5 degrees apart in a 20 degree cone
+constexpr double kLeastRange_m = 0.001;  // readings that are not positive mean "no measurement"
+
+/// The smallest float that is not under `range_m`, so that a reading "at or beyond" the maximum
+/// still is when compared in double precision.
+float rounded_up(double range_m) {
+  const auto rounded = static_cast<float>(range_m);
+  if (static_cast<double>(rounded) >= range_m) return rounded;
+  return std::nextafter(rounded, std::numeric_limits<float>::infinity());
+}
+
+}  // namespace
+
+std::optional<double> cone_echo_m(const std::vector<Segment2>& edges, const Pose2& world_from_beam,
+                                  const RangeSensor& sensor, double specular_limit_rad) {
+  std::optional<double> nearest_m;
+  const int rays = sensor.half_cone_rad > 0.0 ? kRaysPerCone : 1;
+  for (int ray = 0; ray < rays; ++ray) {
+    const double across = rays == 1 ? 0.0 : 2.0 * ray / (rays - 1) - 1.0;  // -1 to 1
+    const double bearing_rad = world_from_beam.theta_rad + across * sensor.half_cone_rad;
+    const auto hit =
+        cast_ray(edges, world_from_beam.position(), direction(bearing_rad), sensor.max_range_m);
+    if (!hit || hit->incidence_rad > specular_limit_rad) continue;
+    if (!nearest_m || hit->range_m < *nearest_m) nearest_m = hit->range_m;
+  }
+  return nearest_m;
+}
+
+RangeReader::RangeReader(const SimulationOptions& options)
+    : sonar_(options.sonar),
+      laser_(options.laser),
+      range_noise_(options.seed, "range noise"),
+      dropout_(options.seed, "dropout"),
+      crosstalk_(options.seed, "crosstalk") {}
+
+RangeReader::Echoes RangeReader::with_crosstalk(const Echoes& echoes_m) {
+  Echoes heard_m = echoes_m;
+  const std::size_t count = echoes_m.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double draw = crosstalk_.uniform();
+    if (draw >= sonar_.crosstalk_share) continue;
+    const bool left = draw < sonar_.crosstalk_share / 2.0;
+    const auto& neighbor_m = echoes_m[(i + (left ? count - 1 : 1)) % count];
+    if (neighbor_m && (!heard_m[i] || *neighbor_m < *heard_m[i])) heard_m[i] = neighbor_m;
+  }
+  return heard_m;
+}
+
+std::vector<float> RangeReader::read(const std::vector<Segment2>& edges,
+                                     const Pose2& world_from_robot, const RangeSensor& sensor) {
+  const bool is_sonar = sensor.kind == SensorKind::sonar;
+  const double specular_limit_rad = radians(is_sonar ? sonar_.specular_limit_deg : 90.0);
+  Echoes echoes_m;
+  for (const Pose2& robot_from_beam : sensor.robot_from_beam) {
+    echoes_m.push_back(
+        cone_echo_m(edges, world_from_robot * robot_from_beam, sensor, specular_limit_rad));
+  }
+  if (is_sonar) echoes_m = with_crosstalk(echoes_m);
+
+  const double deviation_m = is_sonar ? sonar_.range_noise_m : laser_.range_noise_m;
+  const double dropout_share = is_sonar ? sonar_.dropout_share : laser_.dropout_share;
+  std::vector<float> ranges_m;
+  for (const std::optional<double>& echo_m : echoes_m) {
+    // Always one draw of each a beam: what one beam sees does not change another's noise.
+    const double noise_m = deviation_m * range_noise_.normal();
+    const bool lost = dropout_.uniform() < dropout_share;
+    const double range_m = echo_m && !lost ? *echo_m + noise_m : sensor.max_range_m;
+    ranges_m.push_back(range_m < sensor.max_range_m
+                           ? static_cast<float>(std::max(range_m, kLeastRange_m))
+                           : rounded_up(sensor.max_range_m));
+  }
+  return ranges_m;
+}
+
+}  // namespace roomatlas

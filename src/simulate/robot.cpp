@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace roomatlas {
+namespace {
+
+double reach_of(const RobotFootprint& footprint) {
+  return std::hypot(footprint.length_m, footprint.width_m) / 2.0;
+}
+
+/// Whether a segment enters the rectangle around the origin (Liang and Barsky 1984).
+bool enters(const Segment2& segment, const Point2& half_size) {
+  const Point2 along = segment.b - segment.a;
+  double from = 0.0;
+  double to = 1.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    if (along[axis] == 0.0) {
+      if (std::abs(segment.a[axis]) >= half_size[axis]) return false;
+      continue;
+    }
+    const double first = (-half_size[axis] - segment.a[axis]) / along[axis];
+    const double second = (half_size[axis] - segment.a[axis]) / along[axis];
+    from = std::max(from, std::min(first, second));
+    to = std::min(to, std::max(first, second));
+  }
+  return from < to;
+}
+
+}  // namespace
+
+Robot::Robot(const FloorPlan& world, const SimulationOptions& options,
+             const Pose2& world_from_start)
+    : options_(options),
+      obstacles_(obstacle_edges(world)),
+      sensor_(std::make_shared<const RangeSensor>(range_sensor(options))),
+      odometer_(options.odometry, options.seed),
+      reader_(options),
+      world_from_robot_(world_from_start) {}
+
+SimulatedStep Robot::start() { return sense({}); }
+
+bool Robot::would_touch(const Motion& motion) const {
+  const Pose2 world_from_robot = world_from_robot_ * Pose2{motion.length_m, 0.0, motion.turn_rad};
+  const Point2 half_size{options_.footprint.length_m / 2.0, options_.footprint.width_m / 2.0};
+  const Pose2 robot_from_world = inverse(world_from_robot);
+  for (const Segment2& edge :
+       obstacles_.within(world_from_robot.position(), reach_of(options_.footprint))) {
+    if (enters(transformed(robot_from_world, edge), half_size)) return true;
+  }
+  return false;
+}
+
+SimulatedStep Robot::step(const std::vector<Motion>& motions) {
+  OdometryStep odometry;
+  for (const Motion& motion : motions) {
+    world_from_robot_ = world_from_robot_ * Pose2{motion.length_m, 0.0, motion.turn_rad};
+    const Odometer::Increment reported = odometer_.add(motion.length_m, motion.turn_rad);
+    odometry.speed_m_per_s += reported.length_m * options_.rate_hz;
+    odometry.turn_rate_rad_per_s += reported.turn_rad * options_.rate_hz;
+  }
+  periods_ += 1.0;
+  return sense(odometry);
+}
+
+SimulatedStep Robot::sense(OdometryStep odometry) {
+  odometry.timestamp_s = options_.start_timestamp_s + periods_ / options_.rate_hz;
+  odometry.odom_from_robot = odometer_.odom_from_robot();
+  const auto near = obstacles_.within(world_from_robot_.position(),
+                                      sensor_->max_range_m + reach_of(options_.footprint));
+  SimulatedStep step;
+  step.odometry = odometry;
+  step.reading = {odometry.timestamp_s, odometry.odom_from_robot, sensor_,
+                  reader_.read(near, world_from_robot_, *sensor_)};
+  step.truth = {odometry.timestamp_s, world_from_robot_};
+  return step;
+}
+
+}  // namespace roomatlas

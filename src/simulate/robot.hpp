@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "obstacles.hpp"
+#include "odometer.hpp"
+#include "range_reader.hpp"
+#include "roomatlas/simulate/simulate.hpp"
+#include "route.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace roomatlas {
+
+/// Throws UsageError naming the first option out of its range.
+void require_sound(const SimulationOptions& options);
+
+/// The robot in its world: it moves, its wheels report, its sensor reads. One call is one period
+/// of the clock.
+class Robot {
+ public:
+  Robot(const FloorPlan& world, const SimulationOptions& options, const Pose2& world_from_start);
+
+  /// Senses where the robot stands, at time 0. Call once, first.
+  [[nodiscard]] SimulatedStep start();
+
+  /// Makes the motions of one period, whatever is in the way, and senses where they end.
+  [[nodiscard]] SimulatedStep step(const std::vector<Motion>& motions);
+
+  /// Whether the robot's rectangle would stand in an obstacle after a motion.
+  [[nodiscard]] bool would_touch(const Motion& motion) const;
+
+  [[nodiscard]] const Pose2& world_from_robot() const { return world_from_robot_; }
+
+ private:
+  [[nodiscard]] SimulatedStep sense(OdometryStep odometry);
+
+  SimulationOptions options_;
+  ObstacleIndex obstacles_;
+  std::shared_ptr<const RangeSensor> sensor_;
+  Odometer odometer_;
+  RangeReader reader_;
+  Pose2 world_from_robot_;
+  double periods_ = 0.0;
+};
+
+}  // namespace roomatlas
