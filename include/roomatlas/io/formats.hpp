@@ -35,6 +35,18 @@ void write_tum(const Path& file, const Trajectory& trajectory);
 [[nodiscard]] std::string to_geojson(const FloorPlan& plan);
 [[nodiscard]] FloorPlan read_plan(const Path& file);
 
+struct WorldFileOptions {
+  double resolution_m = 0.0;  ///< of a bare picture, metres a pixel; 0 where it is not known
+  Path room_labels;           ///< picture with the room's number for each pixel; empty for none
+};
+
+/// A world to drive through: a plan as GeoJSON, a nav2 map (YAML, with its picture), or a bare
+/// picture (PNG, PGM; also gzip) with its resolution; told by ending and content. The lower left
+/// corner of a bare picture is the origin. What was assumed about a picture is in the plan's
+/// issues (docs/formats.md). Throws InputError for what cannot be read, UsageError for options
+/// that do not fit the file.
+[[nodiscard]] FloorPlan read_world(const Path& file, const WorldFileOptions& options);
+
 /// Way-points of a scripted drive: `x y` a line, metres, `#` starts a comment.
 [[nodiscard]] Drive read_drive(const Path& file);
 

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "occupancy_world.hpp"
+
+#include "label_contacts.hpp"
+#include "trace_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace roomatlas::io {
+namespace {
+
+constexpr double kSpread_m = 0.3;
+constexpr double kNarrowestDoor_m = 0.3;
+
+enum class Cell : char { unknown, free, occupied };
+
+/// The picture's cells with a rim of unknown ones, so that walls may stand just outside of it.
+CellGrid<Cell> cells_of(const Picture& picture, const OccupancyScale& scale) {
+  const CellGrid<int>& values = picture.values;
+  CellGrid<Cell> cells(values.width() + 2, values.height() + 2, Cell::unknown);
+  for (int y = 0; y < values.height(); ++y) {
+    for (int x = 0; x < values.width(); ++x) {
+      if (values(x, y) == Picture::kTransparent) continue;
+      const double brightness = static_cast<double>(values(x, y)) / picture.white;
+      const double occupancy = scale.negate ? brightness : 1.0 - brightness;
+      if (occupancy > scale.occupied_threshold) cells(x + 1, y + 1) = Cell::occupied;
+      if (occupancy < scale.free_threshold) cells(x + 1, y + 1) = Cell::free;
+    }
+  }
+  return cells;
+}
+
+bool touches_free(const CellGrid<Cell>& cells, int x, int y) {
+  for (int dy = -1; dy <= 1; ++dy) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      if (cells.get(x + dx, y + dy, Cell::unknown) == Cell::free) return true;
+    }
+  }
+  return false;
+}
+
+/// 1 where a wall stands.
+CellGrid<int> obstacles_of(const CellGrid<Cell>& cells, std::int64_t& closed_cells) {
+  CellGrid<int> obstacles(cells.width(), cells.height(), 0);
+  for (int y = 0; y < cells.height(); ++y) {
+    for (int x = 0; x < cells.width(); ++x) {
+      if (cells(x, y) == Cell::free) continue;
+      const bool is_closed = cells(x, y) == Cell::unknown && touches_free(cells, x, y);
+      if (is_closed) ++closed_cells;
+      obstacles(x, y) = is_closed || cells(x, y) == Cell::occupied ? 1 : 0;
+    }
+  }
+  return obstacles;
+}
+
+/// From cells with the rim to world metres.
+class ToWorld {
+ public:
+  explicit ToWorld(const OccupancyScale& scale) : scale_(scale) {}
+
+  Point2 operator()(const Point2& cell) const {
+    return scale_.world_from_picture * Point2(scale_.resolution_m * (cell - Point2(1.0, 1.0)));
+  }
+  Polygon operator()(Polygon polygon) const {
+    for (Point2& point : polygon.outer) point = (*this)(point);
+    for (Ring& hole : polygon.holes) {
+      for (Point2& point : hole) point = (*this)(point);
+    }
+    return polygon;
+  }
+
+ private:
+  const OccupancyScale& scale_;
+};
+
+CellGrid<int> with_rim(const Picture& labels) {
+  CellGrid<int> grid(labels.values.width() + 2, labels.values.height() + 2, 0);
+  for (int y = 0; y < labels.values.height(); ++y) {
+    for (int x = 0; x < labels.values.width(); ++x) {
+      grid(x + 1, y + 1) = std::max(0, labels.values(x, y));
+    }
+  }
+  return grid;
+}
+
+void add_rooms(const CellGrid<int>& labels, const ToWorld& to_world, FloorPlan& plan) {
+  std::map<int, PlanRoom> rooms;
+  for (const TracedRegion& region : trace_cells(labels)) {
+    rooms[region.value].parts.push_back(to_world(region.outline));
+  }
+  for (auto& [label, room] : rooms) {
+    room.id = label;
+    room.name = std::to_string(label);
+    std::stable_sort(room.parts.begin(), room.parts.end(),
+                     [](const Polygon& a, const Polygon& b) { return area(a) > area(b); });
+    for (const Polygon& part : room.parts) room.area_m2 += area(part);
+    room.label_point = interior_point(room.parts.front(), 0.1);
+    plan.rooms.push_back(std::move(room));
+  }
+}
+
+void add_doors(const CellGrid<int>& labels, const ToWorld& to_world, FloorPlan& plan) {
+  std::int64_t narrow = 0;
+  for (const LabelContact& contact : label_contacts(labels)) {
+    PlanDoor door;
+    door.jambs = {to_world(contact.ends.a), to_world(contact.ends.b)};
+    door.width_m = (door.jambs.b - door.jambs.a).norm();
+    if (door.width_m < kNarrowestDoor_m - 1e-9) {
+      ++narrow;
+      continue;
+    }
+    door.id = static_cast<std::int64_t>(plan.doors.size()) + 1;
+    door.room_a = contact.first;
+    door.room_b = contact.second;
+    plan.doors.push_back(door);
+  }
+  if (narrow > 0) {
+    plan.issues.push_back({Severity::note, "", 0, "doors",
+                           std::to_string(narrow) + " places where two labels touch are narrower "
+                                                    "than 0.3 m and are not taken for doors"});
+  }
+  if (plan.doors.empty() && plan.rooms.size() > 1) {
+    plan.issues.push_back({Severity::warning, "", 0, "doors",
+                           "no two labels touch, so the world has rooms but no doors: draw the "
+                           "labels up to 0.3 m from each other in the doorways"});
+  }
+}
+
+/// The labels that count: on free cells, spread to those beside them.
+CellGrid<int> room_cells(const CellGrid<Cell>& cells, const Picture& labels, int most_steps,
+                         FloorPlan& plan) {
+  CellGrid<int> grid = with_rim(labels);
+  CellGrid<char> free(cells.width(), cells.height(), 0);
+  std::int64_t dropped = 0;
+  for (int y = 0; y < cells.height(); ++y) {
+    for (int x = 0; x < cells.width(); ++x) {
+      free(x, y) = cells(x, y) == Cell::free ? 1 : 0;
+      if (free(x, y) == 1 || grid(x, y) == 0) continue;
+      grid(x, y) = 0;
+      ++dropped;
+    }
+  }
+  if (dropped > 0) {
+    plan.issues.push_back(
+        {Severity::note, "", 0, "rooms",
+         std::to_string(dropped) + " labelled pixels are not free and belong to no room"});
+  }
+  return spread_labels(grid, free, most_steps);
+}
+
+std::string size_text(const Picture& picture) {
+  return std::to_string(picture.values.width()) + " x " + std::to_string(picture.values.height());
+}
+
+}  // namespace
+
+FloorPlan world_of_occupancy(const Picture& picture, const OccupancyScale& scale,
+                             const std::optional<Picture>& labels, const std::string& name) {
+  if (labels && size_text(*labels) != size_text(picture)) {
+    throw InputError(name + ": has " + size_text(picture) + " pixels, and its room labels have " +
+                     size_text(*labels) + ": expected the same size");
+  }
+  const CellGrid<Cell> cells = cells_of(picture, scale);
+  FloorPlan plan;
+  std::int64_t closed_cells = 0;
+  const CellGrid<int> obstacles = obstacles_of(cells, closed_cells);
+  const ToWorld to_world(scale);
+  for (const TracedRegion& region : trace_cells(obstacles)) {
+    plan.walls.push_back(to_world(region.outline));
+  }
+  if (std::none_of(cells.begin(), cells.end(), [](Cell cell) { return cell == Cell::free; })) {
+    throw InputError(name +
+                     ": no pixel is free: expected white floor and black walls; where it is "
+                     "the other way round, describe it in a YAML file with \"negate: 1\"");
+  }
+  if (closed_cells > 0) {
+    plan.issues.push_back({Severity::note, "", 0, "walls",
+                           std::to_string(closed_cells) + " unknown cells beside free ones are "
+                                                          "taken for walls"});
+  }
+  if (!labels) return plan;
+  const int most_steps = static_cast<int>(std::ceil(kSpread_m / scale.resolution_m - 1e-9));
+  const CellGrid<int> rooms = room_cells(cells, *labels, most_steps, plan);
+  add_rooms(rooms, to_world, plan);
+  add_doors(rooms, to_world, plan);
+  return plan;
+}
+
+}  // namespace roomatlas::io
