@@ -91,8 +91,7 @@ void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
   CLI::App* simulate = command("simulate", "drive through a world: log with ground truth",
                                [&] { apps::simulate(settings, a.world, a.drive, a.out); });
   positional(simulate, "WORLD", a.world, "plan.local.geojson");
-  simulate->add_option("--drive", a.drive, "way-points of the drive")
-      ->required()
+  simulate->add_option("--drive", a.drive, "way-points; without them the robot explores by itself")
       ->configurable(false);
   output(simulate, a.out, "folder for mission.clf, truth.tum and truth.geojson");
 

@@ -34,6 +34,17 @@ class Stage {
         ->check(CLI::IsMember(keys(names)))
         ->group(heading_);
   }
+  /// A name that stands for several values.
+  template <typename Choice, typename Apply>
+  void preset(const std::string& name, const std::map<std::string, Choice>& names,
+              const std::string& meaning, Apply apply) {
+    app_.add_option_function<std::string>(
+            "--" + name, [apply, names](const std::string& text) { apply(names.at(text)); },
+            meaning)
+        ->default_str("mild")
+        ->check(CLI::IsMember(keys(names)))
+        ->group(heading_);
+  }
 
  private:
   template <typename Choice>
@@ -175,23 +186,45 @@ void add_plan(CLI::App& app, Settings& settings) {
   stage.add("png-dpi", settings.png_dpi, "dots per inch of PNG pictures", 20.0, 1200.0);
 }
 
-void add_simulation(CLI::App& app, SimulationOptions& simulation) {
+void add_simulation(CLI::App& app, Settings& settings) {
+  SimulationOptions& simulation = settings.simulation;
   Stage stage(app, "Simulation");
   app.add_option("--seed", simulation.seed, "decides everything that is random")
       ->capture_default_str()
       ->group("Simulation");
+  stage.choice("sensor", simulation.sensor, "ring of 16 sonars, or laser of 181 beams",
+               std::map<std::string, SensorKind>{{"sonar", SensorKind::sonar},
+                                                 {"laser", SensorKind::laser}});
   stage.add("speed", simulation.speed_m_per_s, "m/s", 0.01, 10.0);
+  // The preset stands before what it sets, so that single values win over it.
+  const std::map<std::string, OdometryPreset> presets = {{"mild", OdometryPreset::mild},
+                                                         {"typical", OdometryPreset::typical},
+                                                         {"hard", OdometryPreset::hard}};
+  stage.preset("odometry", presets, "errors of odometry; the options below change single ones",
+               [&](OdometryPreset preset) { simulation.odometry = odometry_errors(preset); });
   stage.add("odometry-length-error", simulation.odometry.length_share,
             "share by which odometry reports lengths longer", -0.5, 0.5);
   stage.add("odometry-bias", simulation.odometry.heading_bias_deg_per_m, "deg/m; constant drift",
             -45.0, 45.0);
   stage.add("odometry-noise", simulation.odometry.heading_noise_deg_per_sqrt_m,
             "deg/sqrt(m); random walk of the heading", 0.0, 45.0);
+  stage.add("odometry-turn-error", simulation.odometry.turn_share,
+            "share by which odometry reports turns larger", -0.5, 0.5);
   stage.add("sonar-noise", simulation.sonar.range_noise_m, "m; standard deviation of a range", 0.0,
             1.0);
   stage.add("sonar-dropout", simulation.sonar.dropout_share, "share of lost echoes", 0.0, 1.0);
   stage.add("sonar-specular", simulation.sonar.specular_limit_deg,
             "deg; no echo from walls hit at a flatter angle of incidence", 0.0, 90.0);
+  stage.add("sonar-crosstalk", simulation.sonar.crosstalk_share,
+            "share of readings in which a sonar hears its neighbour's echo", 0.0, 1.0);
+  stage.add("laser-noise", simulation.laser.range_noise_m, "m; standard deviation of a range", 0.0,
+            1.0);
+  stage.add("laser-dropout", simulation.laser.dropout_share, "share of lost beams", 0.0, 1.0);
+  stage.add("max-time", settings.explore.max_time_s, "s; the robot's own drive ends then", 1.0,
+            1e6);
+  stage.choice("explore-on", settings.explore.on_odometry,
+               "the pose that the exploring robot believes",
+               std::map<std::string, bool>{{"truth", false}, {"odometry", true}});
 }
 
 }  // namespace
@@ -201,7 +234,7 @@ void add_parameters(CLI::App& app, Settings& settings) {
   add_map(app, settings.map);
   add_correction(app, settings.assemble);
   add_plan(app, settings);
-  add_simulation(app, settings.simulation);
+  add_simulation(app, settings);
 }
 
 void complete(Settings& settings, const CLI::App& app) {

@@ -6,7 +6,7 @@
 
 #include "roomatlas/draw/draw.hpp"
 #include "roomatlas/pipeline/pipeline.hpp"
-#include "roomatlas/simulate/simulate.hpp"
+#include "roomatlas/simulate/explore.hpp"
 
 namespace roomatlas::apps {
 
@@ -17,6 +17,7 @@ struct Settings {
   AssembleOptions assemble;
   DrawOptions draw;
   SimulationOptions simulation;
+  ExploreOptions explore;
   double png_dpi = 110.0;
   bool json = false;
   bool quiet = false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 namespace roomatlas {
@@ -9,6 +9,17 @@ namespace {
 
 double reach_of(const RobotFootprint& footprint) {
   return std::hypot(footprint.length_m, footprint.width_m) / 2.0;
+}
+
+Point2 half_size(const RobotFootprint& footprint) {
+  return {footprint.length_m / 2.0, footprint.width_m / 2.0};
+}
+
+Pose2 after(const std::vector<Motion>& motions, Pose2 world_from_robot) {
+  for (const Motion& motion : motions) {
+    world_from_robot = world_from_robot * Pose2{motion.length_m, 0.0, motion.turn_rad};
+  }
+  return world_from_robot;
 }
 
 /// Whether a segment enters the rectangle around the origin (Liang and Barsky 1984).
@@ -42,25 +53,23 @@ Robot::Robot(const FloorPlan& world, const SimulationOptions& options,
 
 SimulatedStep Robot::start() { return sense({}); }
 
-bool Robot::would_touch(const Motion& motion) const {
-  const Pose2 world_from_robot = world_from_robot_ * Pose2{motion.length_m, 0.0, motion.turn_rad};
-  const Point2 half_size{options_.footprint.length_m / 2.0, options_.footprint.width_m / 2.0};
-  const Pose2 robot_from_world = inverse(world_from_robot);
-  for (const Segment2& edge :
-       obstacles_.within(world_from_robot.position(), reach_of(options_.footprint))) {
-    if (enters(transformed(robot_from_world, edge), half_size)) return true;
-  }
-  return false;
+bool Robot::would_touch(const std::vector<Motion>& motions) const {
+  const Pose2 end = after(motions, world_from_robot_);
+  const Pose2 robot_from_world = inverse(end);
+  const auto near = obstacles_.within(end.position(), reach_of(options_.footprint));
+  return std::any_of(near.begin(), near.end(), [&](const Segment2& edge) {
+    return enters(transformed(robot_from_world, edge), half_size(options_.footprint));
+  });
 }
 
 SimulatedStep Robot::step(const std::vector<Motion>& motions) {
   OdometryStep odometry;
   for (const Motion& motion : motions) {
-    world_from_robot_ = world_from_robot_ * Pose2{motion.length_m, 0.0, motion.turn_rad};
     const Odometer::Increment reported = odometer_.add(motion.length_m, motion.turn_rad);
     odometry.speed_m_per_s += reported.length_m * options_.rate_hz;
     odometry.turn_rate_rad_per_s += reported.turn_rad * options_.rate_hz;
   }
+  world_from_robot_ = after(motions, world_from_robot_);
   periods_ += 1.0;
   return sense(odometry);
 }

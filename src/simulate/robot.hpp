@@ -27,8 +27,8 @@ class Robot {
   /// Makes the motions of one period, whatever is in the way, and senses where they end.
   [[nodiscard]] SimulatedStep step(const std::vector<Motion>& motions);
 
-  /// Whether the robot's rectangle would stand in an obstacle after a motion.
-  [[nodiscard]] bool would_touch(const Motion& motion) const;
+  /// Whether the robot's rectangle would stand in an obstacle after these motions.
+  [[nodiscard]] bool would_touch(const std::vector<Motion>& motions) const;
 
   [[nodiscard]] const Pose2& world_from_robot() const { return world_from_robot_; }
 

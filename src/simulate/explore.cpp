@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/simulate/explore.hpp"
+
+#include "explorer.hpp"
+#include "robot.hpp"
+
+#include <cmath>
+
+namespace roomatlas {
+namespace {
+
+std::optional<RoomId> room_at(const FloorPlan& world, const Point2& point) {
+  for (const PlanRoom& room : world.rooms) {
+    for (const Polygon& part : room.parts) {
+      if (contains(part, point)) return room.id;
+    }
+  }
+  return std::nullopt;
+}
+
+bool fits(const Robot& robot) { return !robot.would_touch({}); }
+
+}  // namespace
+
+Pose2 default_start(const FloorPlan& world, const RobotFootprint& footprint) {
+  SimulationOptions options;
+  const double side_m = std::hypot(footprint.length_m, footprint.width_m);
+  options.footprint = {side_m, side_m};  // so that it can turn
+  for (const PlanRoom& room : world.rooms) {
+    const Pose2 start{room.label_point.x(), room.label_point.y(), 0.0};
+    if (fits(Robot(world, options, start))) return start;
+  }
+  throw InputError("world: no room in which the robot fits at its label point; give a start");
+}
+
+ExploreSummary explore(const FloorPlan& world, const SimulationOptions& simulation,
+                       const ExploreOptions& options,
+                       const std::function<void(const SimulatedStep&)>& sink) {
+  require_sound(simulation);
+  const Pose2 world_from_start =
+      options.world_from_start ? *options.world_from_start
+                               : default_start(world, simulation.footprint);
+  Robot robot(world, simulation, world_from_start);
+  if (!fits(robot)) {
+    throw InputError("start: the robot stands in a wall or in furniture; give another start");
+  }
+  Explorer explorer(simulation);
+  ExploreSummary summary;
+  bool in_contact = false;
+  SimulatedStep step = robot.start();
+  for (;;) {
+    sink(step);
+    if (const auto room = room_at(world, step.truth.world_from_robot.position())) {
+      summary.entered.insert(*room);
+    }
+    const Pose2 believed =
+        options.on_odometry ? step.odometry.odom_from_robot : step.truth.world_from_robot;
+    const std::optional<Steering> steering = explorer.decide(step.reading, believed);
+    summary.finished = !steering && !explorer.is_stuck();
+    if (!steering || summary.duration_s >= options.max_time_s) break;
+
+    std::vector<Motion> motions(2);
+    motions[0].turn_rad = steering->turn_rad;
+    motions[1].length_m = steering->length_m;
+    const bool contact = robot.would_touch(motions);
+    if (contact) motions.clear();
+    if (contact && !in_contact) ++summary.collisions;
+    in_contact = contact;
+    step = robot.step(motions);
+    summary.duration_s += 1.0 / simulation.rate_hz;
+    if (!contact) summary.path_length_m += std::abs(steering->length_m);
+  }
+  summary.rooms_found = static_cast<std::int64_t>(explorer.rooms().count());
+  summary.doorways_found = static_cast<std::int64_t>(explorer.rooms().doors().size());
+  summary.goals_given_up = explorer.goals_given_up();
+  return summary;
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "explorer.hpp"
+
+#include "explorer_doorways.hpp"
+
+#include <algorithm>
+#include <cmath>
+#ifdef EXDEBUG
+#include <cstdio>
+#endif
+
+namespace roomatlas {
+namespace {
+
+constexpr double kMapEveryM = 0.02;
+constexpr double kMapEveryDeg = 1.5;
+constexpr double kRenewEveryS = 0.6;    // ways are found anew on what has been seen since
+constexpr double kAtGoalM = 0.12;
+constexpr double kGiveUpM = 0.3;        // frontiers this near to a hopeless one are hopeless too
+constexpr double kAnchorEveryM = 0.5;
+constexpr double kLookBehindM = 0.6;    // both jambs have been seen by then
+constexpr double kDoorSkipM = 0.2;      // of the way ahead, beside the robot itself
+constexpr double kBeyondDoorM = 0.45;   // how far behind a door its way ends
+constexpr double kStuckM = 0.15;
+constexpr int kStuckGoals = 6;
+
+std::int64_t key_of(const Cell& cell) {
+  return (static_cast<std::int64_t>(cell.x) << 32) ^ static_cast<std::uint32_t>(cell.y);
+}
+
+/// The way's direction around its i-th point.
+Pose2 pose_on(const Polyline& way, std::size_t i) {
+  constexpr std::size_t kReach = 5;
+  const Point2& from = way[i - std::min(i, kReach)];
+  const Point2& to = way[std::min(i + kReach, way.size() - 1)];
+  return {way[i].x(), way[i].y(), std::atan2(to.y() - from.y(), to.x() - from.x())};
+}
+
+}  // namespace
+
+Explorer::Explorer(const SimulationOptions& options)
+    : options_(options),
+      limits_{options.speed_m_per_s / options.rate_hz,
+              radians(options.turn_rate_deg_per_s) / options.rate_hz},
+      map_(options.footprint),
+      rooms_(map_.frame()) {}
+
+std::optional<Steering> Explorer::decide(const RangeReading& reading,
+                                         const Pose2& map_from_robot) {
+  const Point2 position = map_from_robot.position();
+  sense(reading, map_from_robot);
+  follow_rooms(map_from_robot);
+  if (goal_ && !renew(*goal_, position)) goal_.reset();
+  if (!goal_) goal_ = next_goal(position);
+#ifdef EXDEBUG
+  { static Point2 last(1e9,1e9); if (goal_ && (goal_->way.back()-last).norm()>1e-6) { last=goal_->way.back();
+   std::fprintf(stderr,"%.1f at (%.2f %.2f) room %zu zone %d goal %s%d (%.2f %.2f) len %.2f doors %zu\n",time_s_,position.x(),position.y(),rooms_.current(),zone_?(int)*zone_:-1,goal_->door?"door ":goal_->ignores_doors?"left ":"front ",goal_->door?(int)*goal_->door:-1,last.x(),last.y(),length(goal_->way),rooms_.doors().size());}}
+#endif
+  if (!goal_ || is_stuck_) return std::nullopt;
+  time_s_ += 1.0 / options_.rate_hz;
+  return steer(map_, near_hits(reading, map_from_robot), map_from_robot, options_.footprint,
+               goal_->way, limits_);
+}
+
+void Explorer::sense(const RangeReading& reading, const Pose2& map_from_robot) {
+  if (last_mapped_) {
+    const Pose2 moved = inverse(*last_mapped_) * map_from_robot;
+    if (moved.position().norm() < kMapEveryM &&
+        std::abs(moved.theta_rad) < radians(kMapEveryDeg)) {
+      return;
+    }
+  }
+  last_mapped_ = map_from_robot;
+  map_.add(reading, map_from_robot);
+}
+
+void Explorer::follow_rooms(const Pose2& map_from_robot) {
+  const Point2 position = map_from_robot.position();
+  const auto zone = rooms_.door_at(position);
+  if (zone_ && zone != zone_) {
+    const auto left = *zone_;
+    zone_ = zone;
+    rooms_.leave(left, position, [&] { return known_room_here(position); });
+    if (goal_ && !goal_->door) goal_.reset();
+  }
+  zone_ = zone;
+  if (!track_.empty() && (position - track_.back()).norm() < kMapEveryM) return;
+  if ((position - last_moved_).norm() > kStuckM) {
+    last_moved_ = position;
+    given_up_here_ = 0;
+  }
+  if (track_.empty() || (position - track_.back()).norm() > kAnchorEveryM / 10.0) {
+    track_.push_back(position);
+    if (!zone_) look_behind(map_from_robot);
+    if (!zone_ && track_.size() % 10 == 1) rooms_.anchor(position);
+  }
+}
+
+/// Doorways that were not seen ahead are found once the robot is through.
+void Explorer::look_behind(const Pose2& map_from_robot) {
+  const auto back = static_cast<std::size_t>(kLookBehindM / (kAnchorEveryM / 10.0));
+  if (track_.size() < back + 6) return;
+  const Pose2 at = pose_on(track_, track_.size() - 1 - back);
+  const auto doorway = seen_doorway(map_, at);
+  if (!doorway) return;
+  // The robot is beyond it already: the door belongs to the room where it was seen from.
+  const Point2 before = at * Point2(-1.0, 0.0);
+  const auto doors = rooms_.doors().size();
+  if (!rooms_.add(*doorway, before)) return;
+  const Point2 position = map_from_robot.position();
+  rooms_.leave(doors, position, [&] { return known_room_here(position); });
+  goal_.reset();
+}
+
+std::optional<ExplorerRooms::Room> Explorer::known_room_here(const Point2& position) {
+  const auto nowhere = [](const Cell&) { return false; };
+  (void)paths_.way(map_, position, nowhere,
+                   [&](const Cell& cell) { return rooms_.is_closed(cell, std::nullopt); });
+  for (ExplorerRooms::Room room = 0; room < rooms_.count(); ++room) {
+    const auto& anchors = rooms_.anchors()[room];
+    if (std::any_of(anchors.begin(), anchors.end(), [&](const Point2& anchor) {
+          return paths_.reached(map_.frame().cell_of(anchor));
+        })) {
+      return room;
+    }
+  }
+  return std::nullopt;
+}
+
+bool Explorer::is_wanted_frontier(const Cell& cell) const {
+  return map_.is_frontier(cell) && !given_up_.contains(key_of(cell));
+}
+
+double Explorer::deadline_s(const Polyline& way) const {
+  return time_s_ + 15.0 + 4.0 * length(way) / options_.speed_m_per_s;
+}
+
+std::optional<Explorer::Goal> Explorer::next_goal(const Point2& position) {
+  if (auto goal = frontier_goal(position)) return goal;
+  for (const ExplorerRooms::Door door : rooms_.untaken()) {
+    if (auto goal = door_goal(door, position)) return goal;
+    rooms_.note_failure(door);
+  }
+  while (const auto door = rooms_.way_back()) {
+    if (auto goal = door_goal(*door, position)) return goal;
+    rooms_.note_failure(*door);
+  }
+  return leftover_goal(position);
+}
+
+std::optional<Explorer::Goal> Explorer::frontier_goal(const Point2& position) {
+  for (;;) {
+    auto way = paths_.way(
+        map_, position, [&](const Cell& cell) { return is_wanted_frontier(cell); },
+        [&](const Cell& cell) { return rooms_.is_closed(cell, zone_); });
+    if (!way) return std::nullopt;
+    if (find_doorway_on(*way, position)) continue;
+    return Goal{{}, rooms_.current(), false, deadline_s(*way), std::move(*way)};
+  }
+}
+
+/// A way that leaves through a doorway is no frontier of this room: the door is noted instead.
+bool Explorer::find_doorway_on(const Polyline& way, const Point2& position) {
+  for (std::size_t i = 0; i < way.size(); i += 2) {
+    if ((way[i] - position).norm() < kDoorSkipM || rooms_.door_at(way[i])) continue;
+    const auto doorway = seen_doorway(map_, pose_on(way, i));
+    if (doorway && rooms_.add(*doorway, position)) return true;
+  }
+  return false;
+}
+
+std::optional<Explorer::Goal> Explorer::door_goal(ExplorerRooms::Door door,
+                                                  const Point2& position) {
+  const Doorway& doorway = rooms_.doors()[door].doorway;
+  const auto is_in_line = [&](const Point2& at) {
+    return std::abs((inverse(doorway.grid_from_pivot) * at).y()) <= doorway.width_m / 2.0;
+  };
+  const auto closed = [&](const Cell& cell) {
+    return rooms_.is_closed(cell, door) && rooms_.is_closed(cell, zone_);
+  };
+  const auto is_beyond = [&](const Cell& cell) {
+    const Point2 at = map_.frame().center_of(cell);
+    const double beyond_m = rooms_.beyond_m(door, at);
+    return beyond_m >= kBeyondDoorM && beyond_m <= 2.0 * kBeyondDoorM && is_in_line(at);
+  };
+  const auto is_before = [&](const Cell& cell) {
+    const Point2 at = map_.frame().center_of(cell);
+    return std::abs(rooms_.beyond_m(door, at)) <= kBeyondDoorM && is_in_line(at) &&
+           is_wanted_frontier(cell);
+  };
+  auto way = paths_.way(map_, position, is_beyond, closed);
+  if (!way) way = paths_.way(map_, position, is_before, closed);
+  if (!way) return std::nullopt;
+  return Goal{door, rooms_.current(), false, deadline_s(*way), std::move(*way)};
+}
+
+/// What no room claims: a frontier that only a way through several doors reaches.
+std::optional<Explorer::Goal> Explorer::leftover_goal(const Point2& position) {
+  auto way = paths_.way(
+      map_, position, [&](const Cell& cell) { return is_wanted_frontier(cell); },
+      [](const Cell&) { return false; });
+  if (!way) return std::nullopt;
+  return Goal{{}, rooms_.current(), true, deadline_s(*way), std::move(*way)};
+}
+
+bool Explorer::is_done(const Goal& goal) const {
+  if (goal.door) return !zone_ && rooms_.current() != goal.from;
+  return !is_wanted_frontier(map_.frame().cell_of(goal.way.back()));
+}
+
+/// Finds the way anew now and then; false when the goal is given up.
+bool Explorer::renew(Goal& goal, const Point2& position) {
+  const bool arrived = (goal.way.back() - position).norm() <= kAtGoalM;
+  if (time_s_ < renew_s_ && !arrived) return true;
+  renew_s_ = time_s_ + kRenewEveryS;
+  if (is_done(goal)) return false;
+  if (time_s_ > goal.deadline_s || (arrived && !goal.door)) {
+    give_up(goal, position);
+    return false;
+  }
+  std::optional<Goal> renewed;
+  if (goal.door) {
+    renewed = door_goal(*goal.door, position);
+  } else {
+    const Cell target = map_.frame().cell_of(goal.way.back());
+    auto way = paths_.way(
+        map_, position, [&](const Cell& cell) { return cell == target; },
+        [&](const Cell& cell) { return !goal.ignores_doors && rooms_.is_closed(cell, zone_); });
+    if (way && !goal.ignores_doors && find_doorway_on(*way, position)) return false;
+    if (way) renewed = Goal{{}, rooms_.current(), goal.ignores_doors, 0.0, std::move(*way)};
+  }
+  if (!renewed) {
+    if (goal.door) rooms_.note_failure(*goal.door);
+    return false;
+  }
+  goal.way = std::move(renewed->way);
+  return true;
+}
+
+void Explorer::give_up(const Goal& goal, const Point2& position) {
+  ++goals_given_up_;
+#ifdef EXDEBUG
+  std::fprintf(stderr,"   GIVE UP %.1f at (%.2f %.2f) deadline %.1f\n",time_s_,position.x(),position.y(),goal.deadline_s);
+#endif
+  if (goal.door) rooms_.note_failure(*goal.door);
+  const bool moved = (position - last_moved_).norm() > kStuckM;
+  given_up_here_ = moved ? 0 : given_up_here_ + 1;
+  if (given_up_here_ >= kStuckGoals) is_stuck_ = true;
+  const Cell hopeless = map_.frame().cell_of(goal.way.back());
+  const int reach = static_cast<int>(kGiveUpM / map_.frame().cell_m);
+  for_each_cell({{hopeless.x - reach, hopeless.y - reach},
+                 {hopeless.x + reach + 1, hopeless.y + reach + 1}},
+                [&](const Cell& cell) {
+                  if (distance_cells(cell, hopeless) <= reach) given_up_.insert(key_of(cell));
+                });
+}
+
+}  // namespace roomatlas

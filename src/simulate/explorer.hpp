@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "explorer_map.hpp"
+#include "explorer_paths.hpp"
+#include "explorer_rooms.hpp"
+#include "steering.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <unordered_set>
+
+namespace roomatlas {
+
+/// Decides where the robot goes, from its readings alone.
+class Explorer {
+ public:
+  Explorer(const SimulationOptions& options);
+
+  /// Takes one reading and says what to do in the next period; nothing when all is explored, or
+  /// when the robot cannot move any more.
+  [[nodiscard]] std::optional<Steering> decide(const RangeReading& reading,
+                                               const Pose2& map_from_robot);
+
+  [[nodiscard]] const ExplorerRooms& rooms() const { return rooms_; }
+  [[nodiscard]] std::int64_t goals_given_up() const { return goals_given_up_; }
+  [[nodiscard]] bool is_stuck() const { return is_stuck_; }
+
+ private:
+  /// Where the robot is going: a frontier of its map, or through a door.
+  struct Goal {
+    std::optional<ExplorerRooms::Door> door;
+    ExplorerRooms::Room from = 0;  ///< the room in which it was chosen
+    bool ignores_doors = false;  ///< a frontier that was left over, wherever it is
+    double deadline_s = 0.0;
+    Polyline way;
+  };
+
+  void sense(const RangeReading& reading, const Pose2& map_from_robot);
+  void follow_rooms(const Pose2& map_from_robot);
+  void look_behind(const Pose2& map_from_robot);
+  [[nodiscard]] std::optional<ExplorerRooms::Room> known_room_here(const Point2& position);
+
+  [[nodiscard]] std::optional<Goal> next_goal(const Point2& position);
+  [[nodiscard]] std::optional<Goal> frontier_goal(const Point2& position);
+  [[nodiscard]] std::optional<Goal> door_goal(ExplorerRooms::Door door, const Point2& position);
+  [[nodiscard]] std::optional<Goal> leftover_goal(const Point2& position);
+  bool find_doorway_on(const Polyline& way, const Point2& position);
+  [[nodiscard]] bool is_done(const Goal& goal) const;
+  [[nodiscard]] bool renew(Goal& goal, const Point2& position);
+  void give_up(const Goal& goal, const Point2& position);
+  [[nodiscard]] bool is_wanted_frontier(const Cell& cell) const;
+  [[nodiscard]] double deadline_s(const Polyline& way) const;
+
+  SimulationOptions options_;
+  SteeringLimits limits_;
+  ExplorerMap map_;
+  PathFinder paths_;
+  ExplorerRooms rooms_;
+  std::optional<Goal> goal_;
+  std::optional<ExplorerRooms::Door> zone_;  ///< the door in which the robot stands
+  std::unordered_set<std::int64_t> given_up_;
+  std::optional<Pose2> last_mapped_;
+  Polyline track_;  ///< where the robot has been lately
+  Point2 last_moved_ = Point2::Zero();
+  double time_s_ = 0.0;
+  double renew_s_ = 0.0;
+  std::int64_t goals_given_up_ = 0;
+  int given_up_here_ = 0;  ///< without moving
+  bool is_stuck_ = false;
+};
+
+}  // namespace roomatlas

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "explorer_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace roomatlas {
+namespace {
+
+constexpr double kCellM = 0.05;         // a door's jambs leave room for the robot between them
+constexpr double kObstacle = 5.0;       // C: two hits; one may be crosstalk
+constexpr double kSonarHitM = 1.2;      // farther echoes are too vague to close a door
+constexpr double kSonarNoEchoM = 0.5;   // a flat wall gives none
+constexpr double kConeFreeM = 1.0;      // how far the whole cone counts as free
+constexpr double kConeShare = 0.7;      // of the half cone
+constexpr double kEchoClearanceM = 0.1;
+constexpr double kLaserM = 5.0;
+constexpr double kTouchingMarginM = 0.05;  // beyond the robot's half width
+constexpr double kTurningMarginM = 0.05;   // beyond the robot's half diagonal
+constexpr int kLookAroundCells = 2;
+constexpr int kFrontierUnknownCells = 6;   // of the 24 around; fewer are specks between beams
+
+std::vector<Cell> disc(double radius_m) {
+  const int reach = static_cast<int>(std::floor(radius_m / kCellM));
+  std::vector<Cell> cells;
+  for_each_cell({{-reach, -reach}, {reach + 1, reach + 1}}, [&](const Cell& cell) {
+    if (std::hypot(cell.x, cell.y) * kCellM <= radius_m) cells.push_back(cell);
+  });
+  return cells;
+}
+
+RayOptions ray_options(SensorKind kind) {
+  return {kind == SensorKind::laser ? kLaserM : kSonarHitM, kSonarNoEchoM, kLaserM};
+}
+
+/// An echo says that the whole cone before it is free, not its axis alone.
+void spread_over_cones(const RangeReading& reading, const Pose2& map_from_robot,
+                       std::vector<Ray>& rays) {
+  const RangeSensor& sensor = *reading.sensor;
+  for (std::size_t i = 0; i < reading.ranges_m.size(); ++i) {
+    const double range_m = reading.ranges_m[i];
+    if (!(range_m > kEchoClearanceM) || range_m >= sensor.max_range_m) continue;
+    const Pose2 map_from_beam = map_from_robot * sensor.robot_from_beam[i];
+    for (const double share : {-1.0, -0.5, 0.5, 1.0}) {
+      const Point2 along = direction(share * kConeShare * sensor.half_cone_rad);
+      const double free_m = std::min(range_m - kEchoClearanceM, kConeFreeM);
+      rays.push_back({{map_from_beam.position(), map_from_beam * Point2(free_m * along)}, false});
+    }
+  }
+}
+
+}  // namespace
+
+ExplorerMap::ExplorerMap(const RobotFootprint& footprint)
+    : footprint_(footprint),
+      himm_(kCellM),
+      touching_disc_(disc(footprint.width_m / 2.0 + kTouchingMarginM)),
+      turning_disc_(
+          disc(std::hypot(footprint.length_m, footprint.width_m) / 2.0 + kTurningMarginM)) {}
+
+void ExplorerMap::add(const RangeReading& reading, const Pose2& map_from_robot) {
+  std::int64_t ignored = 0;
+  const SensorKind kind = reading.sensor->kind;
+  std::vector<Ray> rays = rays_of(reading, map_from_robot, ray_options(kind), ignored);
+  if (kind == SensorKind::sonar) spread_over_cones(reading, map_from_robot, rays);
+  himm_.mark_robot(map_from_robot, footprint_);
+  himm_.add_sweep(rays);
+  grow();
+  for (const Ray& ray : rays) {
+    const Cell to = frame().cell_of(ray.segment.b);
+    for_each_cell_on_line(frame().cell_of(ray.segment.a), to, [&](const Cell& cell) {
+      update(cell);
+      return true;
+    });
+    if (!ray.ends_at_obstacle) continue;
+    for_each_cell({{to.x - 1, to.y - 1}, {to.x + 2, to.y + 2}},
+                  [&](const Cell& cell) { update(cell); });
+  }
+}
+
+/// Follows the grid's box.
+void ExplorerMap::grow() {
+  const CellBox& box = himm_.box();
+  if (box.min == box_.min && box.max == box_.max) return;
+  std::vector<Nearness> grown(box.count());
+  for_each_cell(box_, [&](const Cell& cell) {
+    grown[box.index_of(cell)] = nearness_[box_.index_of(cell)];
+  });
+  nearness_ = std::move(grown);
+  box_ = box;
+}
+
+void ExplorerMap::update(const Cell& cell) {
+  if (!box_.contains(cell)) return;
+  Nearness& here = nearness_[box_.index_of(cell)];
+  const bool is_obstacle = himm_.value(cell) >= kObstacle;
+  if (is_obstacle == here.is_obstacle) return;
+  here.is_obstacle = is_obstacle;
+  const auto count = [&](const std::vector<Cell>& offsets, std::uint16_t Nearness::*member) {
+    for (const Cell& offset : offsets) {
+      const Cell at{cell.x + offset.x, cell.y + offset.y};
+      if (!box_.contains(at)) continue;
+      std::uint16_t& number = nearness_[box_.index_of(at)].*member;
+      number = static_cast<std::uint16_t>(is_obstacle ? number + 1 : number - 1);
+    }
+  };
+  count(touching_disc_, &Nearness::touching);
+  count(turning_disc_, &Nearness::turning);
+}
+
+const ExplorerMap::Nearness* ExplorerMap::nearness(const Cell& cell) const {
+  return box_.contains(cell) ? &nearness_[box_.index_of(cell)] : nullptr;
+}
+
+bool ExplorerMap::is_obstacle(const Cell& cell) const {
+  const Nearness* here = nearness(cell);
+  return here != nullptr && here->is_obstacle;
+}
+
+bool ExplorerMap::is_passable(const Cell& cell) const {
+  const Nearness* here = nearness(cell);
+  return here != nullptr && here->touching == 0 && himm_.raw(cell) < 0;
+}
+
+bool ExplorerMap::is_tight(const Cell& cell) const {
+  const Nearness* here = nearness(cell);
+  return here != nullptr && here->turning > 0;
+}
+
+bool ExplorerMap::is_frontier(const Cell& cell) const {
+  if (!is_passable(cell)) return false;
+  int unknown = 0;
+  const int reach = kLookAroundCells;
+  for_each_cell({{cell.x - reach, cell.y - reach}, {cell.x + reach + 1, cell.y + reach + 1}},
+                [&](const Cell& at) { unknown += himm_.raw(at) == 0 ? 1 : 0; });
+  return unknown >= kFrontierUnknownCells;
+}
+
+bool ExplorerMap::would_touch(const Pose2& map_from_robot, double margin_m) const {
+  const Pose2 robot_from_map = inverse(map_from_robot);
+  const double half_length_m = footprint_.length_m / 2.0 + margin_m;
+  const double half_width_m = footprint_.width_m / 2.0 + margin_m;
+  const Point2 reach = Point2::Constant(std::hypot(half_length_m, half_width_m));
+  const Cell low = frame().cell_of(map_from_robot.position() - reach);
+  const Cell high = frame().cell_of(map_from_robot.position() + reach);
+  bool touches = false;
+  for_each_cell({low, {high.x + 1, high.y + 1}}, [&](const Cell& cell) {
+    if (touches || !is_obstacle(cell)) return;
+    const Point2 at = robot_from_map * frame().center_of(cell);
+    touches = std::abs(at.x()) <= half_length_m && std::abs(at.y()) <= half_width_m;
+  });
+  return touches;
+}
+
+}  // namespace roomatlas
