@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/simulate/world.hpp"
 #include "world_raster.hpp"
 
 #include <gtest/gtest.h>
@@ -132,6 +133,12 @@ TEST_P(ShippedWorld, DoorsJoinAllRooms) {
     }
   }
   for (const auto& [room, name] : group) EXPECT_EQ(name, group.begin()->second) << "room " << room;
+}
+
+TEST_P(ShippedWorld, HasNothingToBeSaidAboutButAHallWithoutDoors) {
+  for (const Issue& issue : check_world(world_)) {
+    EXPECT_TRUE(GetParam() == "open_hall" && issue.severity == Severity::note) << to_string(issue);
+  }
 }
 
 TEST_P(ShippedWorld, NamesNumbersAndSizesBelongToTheirRooms) {
