@@ -217,6 +217,8 @@ void add_simulation(CLI::App& app, Settings& settings) {
             "deg; no echo from walls hit at a flatter angle of incidence", 0.0, 90.0);
   stage.add("sonar-crosstalk", simulation.sonar.crosstalk_share,
             "share of readings in which a sonar hears its neighbour's echo", 0.0, 1.0);
+  stage.add("sonar-corner", simulation.sonar.corner_echo_m,
+            "m; convex corners are heard from any angle up to here", 0.0, 100.0);
   stage.add("laser-noise", simulation.laser.range_noise_m, "m; standard deviation of a range", 0.0,
             1.0);
   stage.add("laser-dropout", simulation.laser.dropout_share, "share of lost beams", 0.0, 1.0);

@@ -55,7 +55,7 @@ ExploreSummary explore(const FloorPlan& world, const SimulationOptions& simulati
     }
     const Pose2 believed =
         options.on_odometry ? step.odometry.odom_from_robot : step.truth.world_from_robot;
-    const std::optional<Steering> steering = explorer.decide(step.reading, believed);
+    const std::optional<Steering> steering = explorer.decide(step.reading, believed, in_contact);
     summary.finished = !steering && !explorer.is_stuck();
     if (!steering || summary.duration_s >= options.max_time_s) break;
 

@@ -46,7 +46,7 @@ Explorer::Explorer(const SimulationOptions& options)
       rooms_(map_.frame()) {}
 
 std::optional<Steering> Explorer::decide(const RangeReading& reading,
-                                         const Pose2& map_from_robot) {
+                                         const Pose2& map_from_robot, bool bumped) {
   const Point2 position = map_from_robot.position();
   sense(reading, map_from_robot);
   follow_rooms(map_from_robot);
@@ -58,8 +58,16 @@ std::optional<Steering> Explorer::decide(const RangeReading& reading,
 #endif
   if (!goal_ || is_stuck_) return std::nullopt;
   time_s_ += 1.0 / options_.rate_hz;
-  return steer(map_, near_hits(reading, map_from_robot), map_from_robot, options_.footprint,
-               goal_->way, limits_);
+  echoes_.add(reading, map_from_robot);
+  if (bumped) {
+    give_up(*goal_, position);
+    goal_.reset();
+    last_step_ = {-last_step_.turn_rad, -last_step_.length_m};
+  } else {
+    last_step_ = steer(map_, echoes_.points_map(), map_from_robot, options_.footprint, goal_->way,
+                       limits_);
+  }
+  return last_step_;
 }
 
 void Explorer::sense(const RangeReading& reading, const Pose2& map_from_robot) {
@@ -240,6 +248,8 @@ bool Explorer::renew(Goal& goal, const Point2& position) {
 void Explorer::give_up(const Goal& goal, const Point2& position) {
   ++goals_given_up_;
 #ifdef EXDEBUG
+  { Cell c=map_.frame().cell_of(position); for(int y=c.y+14;y>=c.y-14;--y){ for(int x=c.x-24;x<=c.x+24;++x){ Cell q{x,y}; bool onway=false; for(auto&w:goal.way) if(map_.frame().cell_of(w)==q) onway=true;
+   std::fputc(q==c?'R':onway?'+':map_.is_obstacle(q)?'#':map_.himm().raw(q)==-128?'r':map_.is_passable(q)?(map_.is_tight(q)?',':'.'):map_.himm().raw(q)<0?'-':map_.himm().raw(q)==0?' ':'?',stderr);} std::fputc('\n',stderr);} std::fprintf(stderr,"theta %.2f\n",degrees(last_mapped_->theta_rad)); }
   std::fprintf(stderr,"   GIVE UP %.1f at (%.2f %.2f) deadline %.1f\n",time_s_,position.x(),position.y(),goal.deadline_s);
 #endif
   if (goal.door) rooms_.note_failure(*goal.door);

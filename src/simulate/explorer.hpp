@@ -19,8 +19,9 @@ class Explorer {
 
   /// Takes one reading and says what to do in the next period; nothing when all is explored, or
   /// when the robot cannot move any more.
+  /// @param bumped the last step was not made, because the robot touched something
   [[nodiscard]] std::optional<Steering> decide(const RangeReading& reading,
-                                               const Pose2& map_from_robot);
+                                               const Pose2& map_from_robot, bool bumped);
 
   [[nodiscard]] const ExplorerRooms& rooms() const { return rooms_; }
   [[nodiscard]] std::int64_t goals_given_up() const { return goals_given_up_; }
@@ -63,6 +64,8 @@ class Explorer {
   std::optional<Pose2> last_mapped_;
   Polyline track_;  ///< where the robot has been lately
   Point2 last_moved_ = Point2::Zero();
+  CloseEchoes echoes_;
+  Steering last_step_;
   double time_s_ = 0.0;
   double renew_s_ = 0.0;
   std::int64_t goals_given_up_ = 0;

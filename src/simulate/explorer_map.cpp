@@ -9,13 +9,13 @@ namespace {
 
 constexpr double kCellM = 0.05;         // a door's jambs leave room for the robot between them
 constexpr double kObstacle = 5.0;       // C: two hits; one may be crosstalk
-constexpr double kSonarHitM = 1.2;      // farther echoes are too vague to close a door
+constexpr double kSonarHitM = 1.0;      // farther echoes are too vague to close a door
 constexpr double kSonarNoEchoM = 0.5;   // a flat wall gives none
 constexpr double kConeFreeM = 1.0;      // how far the whole cone counts as free
 constexpr double kConeShare = 0.7;      // of the half cone
 constexpr double kEchoClearanceM = 0.1;
 constexpr double kLaserM = 5.0;
-constexpr double kTouchingMarginM = 0.05;  // beyond the robot's half width
+constexpr double kTouchingMarginM = 0.07;  // beyond the robot's half width
 constexpr double kTurningMarginM = 0.05;   // beyond the robot's half diagonal
 constexpr int kLookAroundCells = 2;
 constexpr int kFrontierUnknownCells = 6;   // of the 24 around; fewer are specks between beams
@@ -33,9 +33,23 @@ RayOptions ray_options(SensorKind kind) {
   return {kind == SensorKind::laser ? kLaserM : kSonarHitM, kSonarNoEchoM, kLaserM};
 }
 
-/// An echo says that the whole cone before it is free, not its axis alone.
-void spread_over_cones(const RangeReading& reading, const Pose2& map_from_robot,
-                       std::vector<Ray>& rays) {
+/// The part of a ray that meets nothing known to stand there.
+Ray up_to_obstacles(const HimmGrid& himm, const Ray& ray) {
+  Point2 end = ray.segment.a;
+  for_each_cell_on_line(himm.frame().cell_of(ray.segment.a), himm.frame().cell_of(ray.segment.b),
+                        [&](const Cell& cell) {
+                          if (himm.raw(cell) > 0) return false;
+                          end = himm.frame().center_of(cell);
+                          return true;
+                        });
+  return {{ray.segment.a, end}, false};
+}
+
+/// An echo says that the whole cone before it is free, not its axis alone. Beside the axis that is
+/// believed of unknown floor, not against what was seen to stand there: a surface met at a flat
+/// angle gives no echo.
+void spread_over_cones(const HimmGrid& himm, const RangeReading& reading,
+                       const Pose2& map_from_robot, std::vector<Ray>& rays) {
   const RangeSensor& sensor = *reading.sensor;
   for (std::size_t i = 0; i < reading.ranges_m.size(); ++i) {
     const double range_m = reading.ranges_m[i];
@@ -44,7 +58,8 @@ void spread_over_cones(const RangeReading& reading, const Pose2& map_from_robot,
     for (const double share : {-1.0, -0.5, 0.5, 1.0}) {
       const Point2 along = direction(share * kConeShare * sensor.half_cone_rad);
       const double free_m = std::min(range_m - kEchoClearanceM, kConeFreeM);
-      rays.push_back({{map_from_beam.position(), map_from_beam * Point2(free_m * along)}, false});
+      rays.push_back(up_to_obstacles(
+          himm, {{map_from_beam.position(), map_from_beam * Point2(free_m * along)}, false}));
     }
   }
 }
@@ -62,7 +77,7 @@ void ExplorerMap::add(const RangeReading& reading, const Pose2& map_from_robot) 
   std::int64_t ignored = 0;
   const SensorKind kind = reading.sensor->kind;
   std::vector<Ray> rays = rays_of(reading, map_from_robot, ray_options(kind), ignored);
-  if (kind == SensorKind::sonar) spread_over_cones(reading, map_from_robot, rays);
+  if (kind == SensorKind::sonar) spread_over_cones(himm_, reading, map_from_robot, rays);
   himm_.mark_robot(map_from_robot, footprint_);
   himm_.add_sweep(rays);
   grow();
@@ -136,20 +151,15 @@ bool ExplorerMap::is_frontier(const Cell& cell) const {
   return unknown >= kFrontierUnknownCells;
 }
 
-bool ExplorerMap::would_touch(const Pose2& map_from_robot, double margin_m) const {
-  const Pose2 robot_from_map = inverse(map_from_robot);
-  const double half_length_m = footprint_.length_m / 2.0 + margin_m;
-  const double half_width_m = footprint_.width_m / 2.0 + margin_m;
-  const Point2 reach = Point2::Constant(std::hypot(half_length_m, half_width_m));
-  const Cell low = frame().cell_of(map_from_robot.position() - reach);
-  const Cell high = frame().cell_of(map_from_robot.position() + reach);
-  bool touches = false;
+std::vector<Point2> ExplorerMap::obstacles_within(const Point2& center, double radius_m) const {
+  const Cell low = frame().cell_of(center - Point2::Constant(radius_m));
+  const Cell high = frame().cell_of(center + Point2::Constant(radius_m));
+  std::vector<Point2> obstacles;
   for_each_cell({low, {high.x + 1, high.y + 1}}, [&](const Cell& cell) {
-    if (touches || !is_obstacle(cell)) return;
-    const Point2 at = robot_from_map * frame().center_of(cell);
-    touches = std::abs(at.x()) <= half_length_m && std::abs(at.y()) <= half_width_m;
+    const Point2 at = frame().center_of(cell);
+    if (is_obstacle(cell) && (at - center).norm() <= radius_m) obstacles.push_back(at);
   });
-  return touches;
+  return obstacles;
 }
 
 }  // namespace roomatlas

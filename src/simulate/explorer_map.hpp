@@ -26,8 +26,8 @@ class ExplorerMap {
   [[nodiscard]] bool is_tight(const Cell& cell) const;
   /// Passable, and beside enough unknown cells that there is something to see.
   [[nodiscard]] bool is_frontier(const Cell& cell) const;
-  /// Whether the robot's rectangle, grown by `margin_m`, would stand on an obstacle.
-  [[nodiscard]] bool would_touch(const Pose2& map_from_robot, double margin_m) const;
+  /// The centres of obstacle cells within a distance.
+  [[nodiscard]] std::vector<Point2> obstacles_within(const Point2& center, double radius_m) const;
 
  private:
   struct Nearness {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kStartFreedomM = 0.35;  // how far the robot may go to where it may be
 constexpr float kImpassablePrice = 20.0F;
-constexpr float kTightPrice = 4.0F;
+constexpr float kTightPrice = 8.0F;
 
 }  // namespace
 

@@ -8,6 +8,13 @@ namespace roomatlas {
 namespace {
 
 constexpr double kBucketM = 2.0;
+constexpr double kTouchM = 0.01;
+constexpr double kLeastCornerRad = 0.6;  // turns of a curved wall are no corners
+
+Ring normalized(Ring ring, bool counter_clockwise) {
+  if ((signed_area(ring) > 0.0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
+  return ring;
+}
 
 void append_edges(const Ring& ring, std::vector<Segment2>& edges) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -27,19 +34,14 @@ std::vector<Segment2> edges_of(const std::vector<Polygon>& polygons) {
   return edges;
 }
 
-std::vector<Segment2> obstacle_edges(const FloorPlan& world) {
-  std::vector<Segment2> edges = edges_of(world.walls);
-  const std::vector<Segment2> furniture = edges_of(world.furniture);
-  edges.insert(edges.end(), furniture.begin(), furniture.end());
-  return edges;
-}
-
 ObstacleIndex::Bucket ObstacleIndex::bucket_of(const Point2& point) {
   return {static_cast<int>(std::floor(point.x() / kBucketM)),
           static_cast<int>(std::floor(point.y() / kBucketM))};
 }
 
-ObstacleIndex::ObstacleIndex(std::vector<Segment2> edges) : edges_(std::move(edges)) {
+ObstacleIndex::ObstacleIndex(const FloorPlan& world) : edges_(edges_of(world.walls)) {
+  const std::vector<Segment2> furniture = edges_of(world.furniture);
+  edges_.insert(edges_.end(), furniture.begin(), furniture.end());
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     const Segment2& edge = edges_[i];
     const auto [min_x, min_y] = bucket_of(edge.a.cwiseMin(edge.b));
@@ -51,23 +53,53 @@ ObstacleIndex::ObstacleIndex(std::vector<Segment2> edges) : edges_(std::move(edg
       }
     }
   }
+  for (const auto* polygons : {&world.walls, &world.furniture}) {
+    for (const Polygon& polygon : *polygons) {
+      add_corners(normalized(polygon.outer, true));
+      for (const Ring& hole : polygon.holes) add_corners(normalized(hole, false));
+    }
+  }
 }
 
-std::vector<Segment2> ObstacleIndex::within(const Point2& center, double radius_m) const {
+/// @param ring with the obstacle on its left
+void ObstacleIndex::add_corners(const Ring& ring) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point2& at = ring[i];
+    const Point2 in = at - ring[(i + ring.size() - 1) % ring.size()];
+    const Point2 out = ring[(i + 1) % ring.size()] - at;
+    if (std::atan2(cross(in, out), in.dot(out)) < kLeastCornerRad) continue;
+    // More than its own two edges: another body leans on it, and it is no free corner.
+    if (edges_near(at, kTouchM).size() == 2) corners_[bucket_of(at)].push_back(at);
+  }
+}
+
+std::vector<std::size_t> ObstacleIndex::edges_near(const Point2& center, double radius_m) const {
   const auto [min_x, min_y] = bucket_of(center - Point2::Constant(radius_m));
   const auto [max_x, max_y] = bucket_of(center + Point2::Constant(radius_m));
   std::vector<std::size_t> found;
   for (int x = min_x; x <= max_x; ++x) {
     const auto end = buckets_.upper_bound({x, max_y});
     for (auto bucket = buckets_.lower_bound({x, min_y}); bucket != end; ++bucket) {
-      found.insert(found.end(), bucket->second.begin(), bucket->second.end());
+      std::copy_if(bucket->second.begin(), bucket->second.end(), std::back_inserter(found),
+                   [&](std::size_t i) { return distance(edges_[i], center) <= radius_m; });
     }
   }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
-  std::vector<Segment2> near;
-  for (const std::size_t i : found) {
-    if (distance(edges_[i], center) <= radius_m) near.push_back(edges_[i]);
+  return found;
+}
+
+Obstacles ObstacleIndex::within(const Point2& center, double radius_m) const {
+  Obstacles near;
+  for (const std::size_t i : edges_near(center, radius_m)) near.edges.push_back(edges_[i]);
+  const auto [min_x, min_y] = bucket_of(center - Point2::Constant(radius_m));
+  const auto [max_x, max_y] = bucket_of(center + Point2::Constant(radius_m));
+  for (int x = min_x; x <= max_x; ++x) {
+    const auto end = corners_.upper_bound({x, max_y});
+    for (auto bucket = corners_.lower_bound({x, min_y}); bucket != end; ++bucket) {
+      std::copy_if(bucket->second.begin(), bucket->second.end(), std::back_inserter(near.corners),
+                   [&](const Point2& at) { return (at - center).norm() <= radius_m; });
+    }
   }
   return near;
 }

@@ -15,24 +15,30 @@ namespace roomatlas {
 /// All edges of some polygons, those of holes included and those of no length left out.
 [[nodiscard]] std::vector<Segment2> edges_of(const std::vector<Polygon>& polygons);
 
-/// The edges of everything that stops a beam: walls and furniture.
-[[nodiscard]] std::vector<Segment2> obstacle_edges(const FloorPlan& world);
+/// What stops a beam.
+struct Obstacles {
+  std::vector<Segment2> edges;
+  std::vector<Point2> corners;  ///< convex ones that stand free, such as door jambs
+};
 
-/// The edges of a world in square buckets, so that what is near a point is found without looking
-/// at the whole building. Casting the rays of one sweep against these few costs less than walking
-/// a grid does at the ranges of a sonar.
+/// The walls and furniture of a world in square buckets, so that what is near a point is found
+/// without looking at the whole building. Casting the rays of one sweep against these few costs
+/// less than walking a grid does at the ranges of a sonar.
 class ObstacleIndex {
  public:
-  explicit ObstacleIndex(std::vector<Segment2> edges);
-  /// The edges that come within `radius_m` of a point, in the order in which they were given.
-  [[nodiscard]] std::vector<Segment2> within(const Point2& center, double radius_m) const;
+  explicit ObstacleIndex(const FloorPlan& world);
+  /// What comes within `radius_m` of a point, in the order of the world.
+  [[nodiscard]] Obstacles within(const Point2& center, double radius_m) const;
 
  private:
   using Bucket = std::pair<int, int>;
   [[nodiscard]] static Bucket bucket_of(const Point2& point);
+  [[nodiscard]] std::vector<std::size_t> edges_near(const Point2& center, double radius_m) const;
+  void add_corners(const Ring& ring);
 
   std::vector<Segment2> edges_;
   std::map<Bucket, std::vector<std::size_t>> buckets_;
+  std::map<Bucket, std::vector<Point2>> corners_;
 };
 
 /// Where a ray first meets an edge.

@@ -11,6 +11,7 @@ namespace roomatlas {
 namespace {
 
 constexpr int kRaysPerCone = 9;  // odd: one along the axis. 2.5 degrees apart in a 20 degree cone
+constexpr double kBehindCornerM = 1e-6;  // what hides a corner is nearer than it by more
 constexpr double kLeastRange_m = 0.001;  // readings that are not positive mean "no measurement"
 
 /// The smallest float that is not under `range_m`, so that a reading "at or beyond" the maximum
@@ -23,19 +24,44 @@ float rounded_up(double range_m) {
 
 }  // namespace
 
-std::optional<double> cone_echo_m(const std::vector<Segment2>& edges, const Pose2& world_from_beam,
-                                  const RangeSensor& sensor, double specular_limit_rad) {
+namespace {
+
+std::optional<double> corner_echo_m(const Obstacles& obstacles, const Pose2& world_from_beam,
+                                    double half_cone_rad, double reach_m) {
+  std::optional<double> nearest_m;
+  for (const Point2& corner : obstacles.corners) {
+    const Point2 offset = corner - world_from_beam.position();
+    const double range_m = offset.norm();
+    const double off_axis_rad =
+        wrap_angle(std::atan2(offset.y(), offset.x()) - world_from_beam.theta_rad);
+    if (range_m > nearest_m.value_or(reach_m) || std::abs(off_axis_rad) > half_cone_rad) continue;
+    const bool is_seen = !cast_ray(obstacles.edges, world_from_beam.position(), offset / range_m,
+                                   range_m - kBehindCornerM);
+    if (is_seen) nearest_m = range_m;
+  }
+  return nearest_m;
+}
+
+}  // namespace
+
+std::optional<double> echo_m(const Obstacles& obstacles, const Pose2& world_from_beam,
+                             const RangeSensor& sensor, const SonarErrors& errors) {
+  const bool is_sonar = sensor.kind == SensorKind::sonar;
+  const double specular_limit_rad = radians(is_sonar ? errors.specular_limit_deg : 90.0);
   std::optional<double> nearest_m;
   const int rays = sensor.half_cone_rad > 0.0 ? kRaysPerCone : 1;
   for (int ray = 0; ray < rays; ++ray) {
     const double across = rays == 1 ? 0.0 : 2.0 * ray / (rays - 1) - 1.0;  // -1 to 1
     const double bearing_rad = world_from_beam.theta_rad + across * sensor.half_cone_rad;
-    const auto hit =
-        cast_ray(edges, world_from_beam.position(), direction(bearing_rad), sensor.max_range_m);
+    const auto hit = cast_ray(obstacles.edges, world_from_beam.position(), direction(bearing_rad),
+                              sensor.max_range_m);
     if (!hit || hit->incidence_rad > specular_limit_rad) continue;
     if (!nearest_m || hit->range_m < *nearest_m) nearest_m = hit->range_m;
   }
-  return nearest_m;
+  if (!is_sonar) return nearest_m;
+  const auto corner_m = corner_echo_m(obstacles, world_from_beam, sensor.half_cone_rad,
+                                      std::min(errors.corner_echo_m, sensor.max_range_m));
+  return corner_m && (!nearest_m || *corner_m < *nearest_m) ? corner_m : nearest_m;
 }
 
 RangeReader::RangeReader(const SimulationOptions& options)
@@ -58,14 +84,12 @@ RangeReader::Echoes RangeReader::with_crosstalk(const Echoes& echoes_m) {
   return heard_m;
 }
 
-std::vector<float> RangeReader::read(const std::vector<Segment2>& edges,
+std::vector<float> RangeReader::read(const Obstacles& obstacles,
                                      const Pose2& world_from_robot, const RangeSensor& sensor) {
   const bool is_sonar = sensor.kind == SensorKind::sonar;
-  const double specular_limit_rad = radians(is_sonar ? sonar_.specular_limit_deg : 90.0);
   Echoes echoes_m;
   for (const Pose2& robot_from_beam : sensor.robot_from_beam) {
-    echoes_m.push_back(
-        cone_echo_m(edges, world_from_robot * robot_from_beam, sensor, specular_limit_rad));
+    echoes_m.push_back(echo_m(obstacles, world_from_robot * robot_from_beam, sensor, sonar_));
   }
   if (is_sonar) echoes_m = with_crosstalk(echoes_m);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "obstacles.hpp"
 #include "random_stream.hpp"
 #include "roomatlas/core/geometry.hpp"
 #include "roomatlas/mission/mission.hpp"
@@ -12,22 +13,21 @@
 
 namespace roomatlas {
 
-/// The range that one sonar measures without noise: the nearest echo of rays spread over its
-/// cone. A ray that meets a surface at more than `specular_limit_rad` from its normal is thrown
-/// away from the sonar and has no echo; nothing where no ray has one.
-[[nodiscard]] std::optional<double> cone_echo_m(const std::vector<Segment2>& edges,
-                                                const Pose2& world_from_beam,
-                                                const RangeSensor& sensor,
-                                                double specular_limit_rad);
+/// The range that one beam measures without noise: the nearest echo of rays spread over its cone.
+/// A ray that meets a surface at more than `specular_limit_deg` from its normal is thrown away from
+/// a sonar and has no echo. A convex corner in the cone sends a weak echo from every angle, heard
+/// up to `corner_echo_m` (Kuc and Siegel 1987). Nothing where there is no echo.
+[[nodiscard]] std::optional<double> echo_m(const Obstacles& obstacles, const Pose2& world_from_beam,
+                                           const RangeSensor& sensor, const SonarErrors& errors);
 
 /// Reads a ring of sonars or a laser in the world. A lost reading, and one without an echo, is the
 /// maximum range.
 class RangeReader {
  public:
   explicit RangeReader(const SimulationOptions& options);
-  /// @param edges all that come into the sensor's range
+  /// @param obstacles all that come into the sensor's range
   /// @return metres, one a beam, in (0, max_range_m]
-  [[nodiscard]] std::vector<float> read(const std::vector<Segment2>& edges,
+  [[nodiscard]] std::vector<float> read(const Obstacles& obstacles,
                                         const Pose2& world_from_robot, const RangeSensor& sensor);
 
  private:

@@ -42,6 +42,7 @@ void require_sound(const SimulationOptions& options) {
   require(within(sonar.dropout_share, 0.0, 1.0), "dropout_share in [0, 1]");
   require(within(sonar.specular_limit_deg, 0.0, 90.0), "specular_limit_deg in [0, 90]");
   require(within(sonar.crosstalk_share, 0.0, 1.0), "crosstalk_share in [0, 1]");
+  require(within(sonar.corner_echo_m, 0.0, 100.0), "corner_echo_m in [0, 100]");
   require(within(options.laser.range_noise_m, 0.0, 10.0), "laser range_noise_m in [0, 10]");
   require(within(options.laser.dropout_share, 0.0, 1.0), "laser dropout_share in [0, 1]");
 }

@@ -45,7 +45,7 @@ bool enters(const Segment2& segment, const Point2& half_size) {
 Robot::Robot(const FloorPlan& world, const SimulationOptions& options,
              const Pose2& world_from_start)
     : options_(options),
-      obstacles_(obstacle_edges(world)),
+      obstacles_(world),
       sensor_(std::make_shared<const RangeSensor>(range_sensor(options))),
       odometer_(options.odometry, options.seed),
       reader_(options),
@@ -57,7 +57,7 @@ bool Robot::would_touch(const std::vector<Motion>& motions) const {
   const Pose2 end = after(motions, world_from_robot_);
   const Pose2 robot_from_world = inverse(end);
   const auto near = obstacles_.within(end.position(), reach_of(options_.footprint));
-  return std::any_of(near.begin(), near.end(), [&](const Segment2& edge) {
+  return std::any_of(near.edges.begin(), near.edges.end(), [&](const Segment2& edge) {
     return enters(transformed(robot_from_world, edge), half_size(options_.footprint));
   });
 }

@@ -4,6 +4,7 @@
 #include "roomatlas/grid/polar_histogram.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -16,9 +17,13 @@ constexpr double kSectorDeg = 5.0;
 constexpr double kMaxDeviationDeg = 30.0;
 constexpr double kDensityOfWall = 1000.0;  // k that weighs like a deviation of 30 degrees
 constexpr double kTurnOnSpotDeg = 30.0;
-constexpr double kMarginM = 0.03;
-constexpr double kBackOffM = 0.02;
-constexpr double kNearHitM = 0.8;
+constexpr double kCellMarginM = 0.01;  // a cell's middle lies before the surface that raised it
+constexpr double kEchoMarginM = 0.03;
+constexpr double kLeastTurnRad = 1e-3;
+constexpr double kNearM = 0.8;           // what may be touched in one step or a few
+constexpr double kCloseEchoM = 0.5;      // nearly where a cone's axis says
+constexpr std::size_t kRememberedSweeps = 15;
+constexpr int kWayOutSteps = 40;
 
 /// The point of the way some distance ahead of the way's point nearest to the robot.
 Point2 look_ahead(const Polyline& way, const Point2& position) {
@@ -59,54 +64,105 @@ double open_direction(const ExplorerMap& map, const Point2& position, double wan
   return best_rad;
 }
 
-}  // namespace
+/// What stands around the robot, against which its steps are checked.
+class Surroundings {
+ public:
+  Surroundings(const ExplorerMap& map, const std::vector<Point2>& echoes_map,
+               const Pose2& map_from_robot, const RobotFootprint& footprint)
+      : cells_(map.obstacles_within(map_from_robot.position(), kNearM)),
+        echoes_(echoes_map),
+        half_size_(footprint.length_m / 2.0, footprint.width_m / 2.0) {}
 
-std::vector<Point2> near_hits(const RangeReading& reading, const Pose2& map_from_robot) {
-  std::vector<Point2> hits;
-  for (std::size_t i = 0; i < reading.ranges_m.size(); ++i) {
-    const double range_m = reading.ranges_m[i];
-    if (!(range_m > 0.0) || range_m >= std::min(kNearHitM, reading.sensor->max_range_m)) continue;
-    hits.push_back(map_from_robot * (reading.sensor->robot_from_beam[i] * Point2(range_m, 0.0)));
+  /// Whether a step ends clear of obstacles, or at least clearer than it began.
+  [[nodiscard]] bool allow(const Pose2& map_from_robot, const Steering& step) const {
+    const double there_m = intrusion_m(after(map_from_robot, step));
+    return there_m == 0.0 || there_m < intrusion_m(map_from_robot);
   }
-  return hits;
+
+  [[nodiscard]] static Pose2 after(const Pose2& map_from_robot, const Steering& step) {
+    return map_from_robot * Pose2{0.0, 0.0, step.turn_rad} * Pose2{step.length_m, 0.0, 0.0};
+  }
+
+ private:
+  /// How deep obstacles stand inside the robot's rectangle, summed up.
+  [[nodiscard]] double intrusion_m(const Pose2& map_from_robot) const {
+    const Pose2 robot_from_map = inverse(map_from_robot);
+    const auto depth_m = [&](const std::vector<Point2>& obstacles, double margin_m) {
+      double sum_m = 0.0;
+      for (const Point2& obstacle : obstacles) {
+        const Point2 inside = half_size_ - (robot_from_map * obstacle).cwiseAbs();
+        sum_m += std::max(0.0, inside.minCoeff() + margin_m);
+      }
+      return sum_m;
+    };
+    return depth_m(cells_, kCellMarginM) + depth_m(echoes_, kEchoMarginM);
+  }
+
+  std::vector<Point2> cells_;
+  std::vector<Point2> echoes_;
+  Point2 half_size_;
+};
+
+/// The robot cannot turn where it stands: it creeps ahead or back, whichever sooner lets it.
+Steering way_out(const Surroundings& around, const Pose2& map_from_robot, double turn_rad,
+                 const SteeringLimits& limits) {
+  const double creep_m = limits.max_length_m / 3.0;
+  std::array<Pose2, 2> at = {map_from_robot, map_from_robot};
+  std::array<bool, 2> open = {true, true};
+  for (int step = 0; step < kWayOutSteps; ++step) {
+    for (const std::size_t back : {0U, 1U}) {
+      const Steering creep{0.0, back == 1U ? -creep_m : creep_m};
+      open[back] = open[back] && around.allow(at[back], creep);
+      if (!open[back]) continue;
+      at[back] = Surroundings::after(at[back], creep);
+      if (around.allow(at[back], {turn_rad, 0.0})) return creep;
+    }
+  }
+  const Steering other_way{-turn_rad, 0.0};
+  return around.allow(map_from_robot, other_way) ? other_way : Steering{};
 }
 
-Steering steer(const ExplorerMap& map, const std::vector<Point2>& hits_map,
+}  // namespace
+
+void CloseEchoes::add(const RangeReading& reading, const Pose2& map_from_robot) {
+  std::vector<Point2> points;
+  for (std::size_t i = 0; i < reading.ranges_m.size(); ++i) {
+    const double range_m = reading.ranges_m[i];
+    if (!(range_m > 0.0) || range_m >= std::min(kCloseEchoM, reading.sensor->max_range_m)) continue;
+    points.push_back(map_from_robot * (reading.sensor->robot_from_beam[i] * Point2(range_m, 0.0)));
+  }
+  sweeps_.push_back(std::move(points));
+  if (sweeps_.size() > kRememberedSweeps) sweeps_.pop_front();
+}
+
+std::vector<Point2> CloseEchoes::points_map() const {
+  std::vector<Point2> points;
+  for (const auto& sweep : sweeps_) points.insert(points.end(), sweep.begin(), sweep.end());
+  return points;
+}
+
+Steering steer(const ExplorerMap& map, const std::vector<Point2>& echoes_map,
                const Pose2& map_from_robot, const RobotFootprint& footprint, const Polyline& way,
                const SteeringLimits& limits) {
   if (way.empty()) return {};
-  const auto is_clear = [&](const Steering& step) {
-    const Pose2 moved = map_from_robot * Pose2{0.0, 0.0, step.turn_rad} *
-                        Pose2{step.length_m, 0.0, 0.0};
-    if (map.would_touch(moved, kMarginM)) return false;
-    const Pose2 robot_from_map = inverse(moved);
-    return std::none_of(hits_map.begin(), hits_map.end(), [&](const Point2& hit) {
-      const Point2 at = robot_from_map * hit;
-      return std::abs(at.x()) <= footprint.length_m / 2.0 + kMarginM &&
-             std::abs(at.y()) <= footprint.width_m / 2.0 + kMarginM;
-    });
-  };
-
   const Point2 position = map_from_robot.position();
   const Point2 ahead = look_ahead(way, position) - position;
-  const double wanted_rad =
-      open_direction(map, position, std::atan2(ahead.y(), ahead.x()));
+  const double wanted_rad = open_direction(map, position, std::atan2(ahead.y(), ahead.x()));
   const double error_rad = wrap_angle(wanted_rad - map_from_robot.theta_rad);
   const double turn_rad = std::clamp(error_rad, -limits.max_turn_rad, limits.max_turn_rad);
   const double misfit = std::abs(error_rad) / radians(kTurnOnSpotDeg);
   const double length_m = misfit >= 1.0 ? 0.0 : limits.max_length_m * (1.0 - 0.7 * misfit);
 
-  const Steering wanted{turn_rad, length_m};
-  const Steering slower{turn_rad, length_m / 3.0};
-  const Steering on_spot{turn_rad, 0.0};
-  const Steering straight{0.0, length_m / 3.0};
-  const Steering other_way{-std::copysign(limits.max_turn_rad, error_rad), 0.0};
-  const Steering back{0.0, -std::min(kBackOffM, limits.max_length_m)};
-  for (const Steering& step : {wanted, slower, on_spot, straight, back, other_way}) {
-    const bool moves = step.length_m != 0.0 || std::abs(step.turn_rad) > 1e-3;
-    if (moves && is_clear(step)) return step;
+  const Surroundings around(map, echoes_map, map_from_robot, footprint);
+  const double creep_m = limits.max_length_m / 3.0;
+  for (const Steering& step :
+       {Steering{turn_rad, length_m}, Steering{turn_rad, length_m / 3.0}, Steering{turn_rad, 0.0},
+        Steering{turn_rad / 2.0, creep_m}, Steering{turn_rad / 4.0, creep_m},
+        Steering{turn_rad / 2.0, -creep_m}, Steering{0.0, length_m / 3.0}}) {
+    const bool moves = step.length_m != 0.0 || std::abs(step.turn_rad) > kLeastTurnRad;
+    if (moves && around.allow(map_from_robot, step)) return step;
   }
-  return {};
+  return way_out(around, map_from_robot, turn_rad, limits);
 }
 
 }  // namespace roomatlas

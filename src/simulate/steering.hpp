@@ -4,6 +4,7 @@
 #include "explorer_map.hpp"
 #include "route.hpp"
 
+#include <deque>
 #include <vector>
 
 namespace roomatlas {
@@ -23,13 +24,20 @@ struct SteeringLimits {
 /// directions near the way's, the one with little in it. A step that would touch what is in the
 /// map or in the last sweep is not made: the robot turns, or backs off.
 /// @param way in the map's frame, from the robot's place to the goal; empty: nothing is done
-/// @param hits_map where the last sweep ended at obstacles, in the map's frame
-[[nodiscard]] Steering steer(const ExplorerMap& map, const std::vector<Point2>& hits_map,
+/// @param echoes_map where close obstacles were met lately, in the map's frame
+[[nodiscard]] Steering steer(const ExplorerMap& map, const std::vector<Point2>& echoes_map,
                              const Pose2& map_from_robot, const RobotFootprint& footprint,
                              const Polyline& way, const SteeringLimits& limits);
 
-/// The points of a reading at which a beam met an obstacle near enough to matter.
-[[nodiscard]] std::vector<Point2> near_hits(const RangeReading& reading,
-                                            const Pose2& map_from_robot);
+/// Echoes from close by, of the last second or so. They are too exact to be forgotten at once, and
+/// no later beam wears them away as in the map.
+class CloseEchoes {
+ public:
+  void add(const RangeReading& reading, const Pose2& map_from_robot);
+  [[nodiscard]] std::vector<Point2> points_map() const;
+
+ private:
+  std::deque<std::vector<Point2>> sweeps_;
+};
 
 }  // namespace roomatlas

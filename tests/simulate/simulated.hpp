@@ -18,7 +18,7 @@ inline std::vector<SimulatedStep> run(const FloorPlan& world, const Drive& drive
 inline SimulationOptions exact() {
   SimulationOptions options;
   options.odometry = {0.0, 0.0, 0.0, 0.0};
-  options.sonar = {0.0, 0.0, 90.0, 0.0};
+  options.sonar = {0.0, 0.0, 90.0, 0.0, 0.0};
   options.sonar_cone_deg = 0.0;
   return options;
 }

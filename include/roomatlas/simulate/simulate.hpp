@@ -29,6 +29,8 @@ struct SonarErrors {
   double specular_limit_deg = 40.0;  ///< beyond this angle of incidence there is no echo
   double crosstalk_share = 0.005;    ///< readings in which a sonar hears its neighbour's ping, and
                                      ///< so the nearer of both echoes, [0, 1]
+  double corner_echo_m = 1.0;        ///< how far a convex corner is heard from any angle; 0 hides
+                                     ///< corners that point at the robot
 };
 
 struct LaserErrors {
