@@ -56,6 +56,12 @@ std::optional<Steering> Explorer::decide(const RangeReading& reading,
   { static Point2 last(1e9,1e9); if (goal_ && (goal_->way.back()-last).norm()>1e-6) { last=goal_->way.back();
    std::fprintf(stderr,"%.1f at (%.2f %.2f) room %zu zone %d goal %s%d (%.2f %.2f) len %.2f doors %zu\n",time_s_,position.x(),position.y(),rooms_.current(),zone_?(int)*zone_:-1,goal_->door?"door ":goal_->ignores_doors?"left ":"front ",goal_->door?(int)*goal_->door:-1,last.x(),last.y(),length(goal_->way),rooms_.doors().size());}}
 #endif
+#ifdef EXDEBUG
+  if (!goal_) { FILE* f=std::fopen("/tmp/ex/map.ppm","wb"); auto b=map_.box(); std::fprintf(f,"P6 %d %d 255\n",b.width(),b.height());
+   for(int y=b.max.y-1;y>=b.min.y;--y) for(int x=b.min.x;x<b.max.x;++x){ Cell q{x,y}; unsigned char c[3]={128,128,128}; auto set=[&](int r,int g,int bb){c[0]=(unsigned char)r;c[1]=(unsigned char)g;c[2]=(unsigned char)bb;};
+     if(map_.himm().raw(q)<0) set(255,255,255); if(map_.is_passable(q)) set(200,255,200); if(map_.is_passable(q)&&map_.is_tight(q)) set(255,255,150); if(map_.himm().raw(q)==-128) set(180,180,255); if(map_.himm().raw(q)>0) set(220,180,180); if(map_.is_obstacle(q)) set(0,0,0); if(map_.is_frontier(q)) set(255,0,0); if(given_up_.contains(key_of(q))) set(255,128,0); if(rooms_.is_closed(q,std::nullopt)) set(0,160,0);
+     std::fwrite(c,1,3,f);} std::fclose(f);}
+#endif
   if (!goal_ || is_stuck_) return std::nullopt;
   time_s_ += 1.0 / options_.rate_hz;
   echoes_.add(reading, map_from_robot);

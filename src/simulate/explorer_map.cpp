@@ -9,13 +9,13 @@ namespace {
 
 constexpr double kCellM = 0.05;         // a door's jambs leave room for the robot between them
 constexpr double kObstacle = 5.0;       // C: two hits; one may be crosstalk
-constexpr double kSonarHitM = 1.0;      // farther echoes are too vague to close a door
+constexpr double kSonarHitM = 0.8;      // farther echoes are too vague: they would close doors
 constexpr double kSonarNoEchoM = 0.5;   // a flat wall gives none
 constexpr double kConeFreeM = 1.0;      // how far the whole cone counts as free
 constexpr double kConeShare = 0.7;      // of the half cone
 constexpr double kEchoClearanceM = 0.1;
 constexpr double kLaserM = 5.0;
-constexpr double kTouchingMarginM = 0.07;  // beyond the robot's half width
+constexpr double kTouchingMarginM = 0.04;  // beyond the robot's half width
 constexpr double kTurningMarginM = 0.05;   // beyond the robot's half diagonal
 constexpr int kLookAroundCells = 2;
 constexpr int kFrontierUnknownCells = 6;   // of the 24 around; fewer are specks between beams
@@ -58,8 +58,8 @@ void spread_over_cones(const HimmGrid& himm, const RangeReading& reading,
     for (const double share : {-1.0, -0.5, 0.5, 1.0}) {
       const Point2 along = direction(share * kConeShare * sensor.half_cone_rad);
       const double free_m = std::min(range_m - kEchoClearanceM, kConeFreeM);
-      rays.push_back(up_to_obstacles(
-          himm, {{map_from_beam.position(), map_from_beam * Point2(free_m * along)}, false}));
+      const Ray ray{{map_from_beam.position(), map_from_beam * Point2(free_m * along)}, false};
+      rays.push_back(std::abs(share) < 1.0 && free_m < kSonarHitM ? ray : up_to_obstacles(himm, ray));
     }
   }
 }
