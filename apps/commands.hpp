@@ -6,11 +6,21 @@
 #include <string>
 #include <vector>
 
+#include "roomatlas/io/formats.hpp"
 #include "settings.hpp"
 
 namespace roomatlas::apps {
 
 using Path = std::filesystem::path;
+
+/// Files and choices of `simulate`.
+struct SimulateArguments {
+  Path world;
+  WorldFileOptions file;      ///< of a world that is a picture
+  Path drive;                 ///< empty: the robot explores
+  std::vector<double> start;  ///< x and y in metres, heading in degrees; or empty
+  Path out;
+};
 
 // Each command reads, makes one call of the library, writes and reports. They throw what the
 // library throws; `main` turns that into an exit code.
@@ -23,7 +33,8 @@ void assemble(const Settings& settings, const Path& store);
 void export_all(const Settings& settings, const Path& store,
                 const std::vector<std::string>& formats, const Path& out);
 void evaluate(const Settings& settings, const Path& store, const std::vector<Path>& truth);
-void simulate(const Settings& settings, const Path& world, const Path& drive, const Path& out);
+void inspect(const Settings& settings, const Path& store, AsrId id, const Path& out);
+void simulate(const Settings& settings, const SimulateArguments& arguments);
 
 /// The formats that `export` knows.
 [[nodiscard]] std::vector<std::string> export_formats();

@@ -24,9 +24,9 @@ enum ExitCode {
 struct Arguments {
   Path log;
   Path store;
-  Path world;
-  Path drive;
+  AsrId asr = 0;
   Path out;
+  apps::SimulateArguments simulate;
   std::vector<Path> truth;
   std::vector<std::string> formats = {"svg", "png", "geojson", "tum", "dot", "json"};
   bool print_config = false;
@@ -45,6 +45,22 @@ void add_truth(CLI::App* command, Arguments& arguments) {
       ->add_option("--truth", arguments.truth,
                    "truth to compare with: FILE.relations, FILE.tum or a plan FILE.geojson")
       ->configurable(false);
+}
+
+void add_simulate(CLI::App* command, apps::SimulateArguments& a) {
+  positional(command, "WORLD", a.world, "plan (GeoJSON), nav2 map (YAML), or picture (PNG, PGM)");
+  command->add_option("--resolution", a.file.resolution_m, "m a pixel, of a world that is a picture")
+      ->check(CLI::Range(0.001, 10.0))
+      ->configurable(false);
+  command->add_option("--room-labels", a.file.room_labels, "picture with each pixel's room number")
+      ->configurable(false);
+  command->add_option("--drive", a.drive, "way-points; without them the robot explores by itself")
+      ->configurable(false);
+  command->add_option("--start", a.start, "where the exploring robot starts: x,y in m, heading in deg")
+      ->delimiter(',')
+      ->expected(3)
+      ->configurable(false);
+  output(command, a.out, "folder for mission.clf, truth.tum and truth.geojson");
 }
 
 /// Each command with its files; what runs is left in `chosen`.
@@ -88,12 +104,15 @@ void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
   positional(evaluate, "STORE", a.store, "assembled store");
   add_truth(evaluate, a);
 
-  CLI::App* simulate = command("simulate", "drive through a world: log with ground truth",
-                               [&] { apps::simulate(settings, a.world, a.drive, a.out); });
-  positional(simulate, "WORLD", a.world, "plan.local.geojson");
-  simulate->add_option("--drive", a.drive, "way-points; without them the robot explores by itself")
-      ->configurable(false);
-  output(simulate, a.out, "folder for mission.clf, truth.tum and truth.geojson");
+  CLI::App* inspect = command("inspect", "one room as it was made, step by step, as a drawing",
+                              [&] { apps::inspect(settings, a.store, a.asr, a.out); });
+  positional(inspect, "STORE", a.store, "store with readings");
+  inspect->add_option("ASR", a.asr, "its number")->required()->configurable(false);
+  output(inspect, a.out, "folder for asr_N.svg and asr_N.png");
+
+  add_simulate(command("simulate", "a robot in a known world: log with ground truth",
+                       [&] { apps::simulate(settings, a.simulate); }),
+               a.simulate);
 
   CLI::App* config = command("config", "the parameters as a configuration file (TOML)",
                              [&] { fmt::print("{}", app.config_to_str(true, true)); });

@@ -1,46 +1,90 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <cmath>
+
 #include "commands.hpp"
+#include "console.hpp"
 #include "roomatlas/io/formats.hpp"
+#include "roomatlas/io/summary.hpp"
 #include "roomatlas/simulate/explore.hpp"
+#include "roomatlas/simulate/world.hpp"
 
 namespace roomatlas::apps {
 namespace {
 
-void report(const ExploreSummary& summary, const FloorPlan& world) {
-  if (!summary.finished) {
-    spdlog::warn("the exploration did not finish: see --max-time and --start");
+constexpr std::size_t kIssuesShown = 10;
+
+FloorPlan sound_world(const SimulateArguments& arguments) {
+  FloorPlan world = read_world(arguments.world, arguments.file);
+  require_sound(world);
+  show(world.issues, 0, kIssuesShown);
+  show(check_world(world), 0, kIssuesShown);
+  return world;
+}
+
+/// Takes the steps of a mission into its files.
+class MissionFiles {
+ public:
+  MissionFiles(const Settings& settings, const Path& out)
+      : out_(out),
+        log_(out / "mission.clf", range_sensor(settings.simulation), settings.simulation.footprint),
+        progress_(console_progress(settings)) {}
+
+  void write(const SimulatedStep& step) {
+    log_.write(step);
+    truth_.push_back({step.truth.timestamp_s, step.truth.world_from_robot});
+    if (!progress_("simulating", -1.0)) throw Interrupted("interrupted: no mission was written");
   }
-  spdlog::info("explored in {:.0f} s over {:.1f} m: {} of {} rooms entered, {} collisions",
-               summary.duration_s, summary.path_length_m, summary.entered.size(),
-               world.rooms.size(), summary.collisions);
+
+  void finish(const FloorPlan& world) {
+    log_.finish();
+    write_tum(out_ / "truth.tum", truth_);
+    write_file(out_ / "truth.geojson", to_geojson(world));
+    spdlog::info("{} readings in {}", truth_.size(), (out_ / "mission.clf").string());
+  }
+
+ private:
+  Path out_;
+  CarmenWriter log_;
+  Progress progress_;
+  Trajectory truth_;
+};
+
+void report(const ExploreSummary& summary, const FloorPlan& world, bool json) {
+  if (json) {
+    fmt::print("{}\n", to_json(summary, world));
+    return;
+  }
+  fmt::print("{} of {} rooms entered in {:.0f} s over {:.1f} m, {} collisions\n",
+             summary.entered.size(), world.rooms.size(), summary.duration_s, summary.path_length_m,
+             summary.collisions);
   spdlog::info("the robot told {} spaces and {} doorways apart and gave up {} goals",
                summary.rooms_found, summary.doorways_found, summary.goals_given_up);
+  if (!summary.finished) spdlog::warn("the exploration did not end by itself: see --max-time");
+}
+
+std::optional<Pose2> start_of(const std::vector<double>& start) {
+  if (start.empty()) return std::nullopt;
+  return Pose2{start[0], start[1], wrap_angle(radians(start[2]))};
 }
 
 }  // namespace
 
-void simulate(const Settings& settings, const Path& world_file, const Path& drive_file,
-              const Path& out) {
-  const FloorPlan world = read_plan(world_file);
-  std::filesystem::create_directories(out);
-  CarmenWriter log(out / "mission.clf", range_sensor(settings.simulation),
-                   settings.simulation.footprint);
-  Trajectory truth;
-  const auto write = [&](const SimulatedStep& step) {
-    log.write(step);
-    truth.push_back({step.truth.timestamp_s, step.truth.world_from_robot});
-  };
-  if (drive_file.empty()) {
-    report(explore(world, settings.simulation, settings.explore, write), world);
+void simulate(const Settings& settings, const SimulateArguments& arguments) {
+  const FloorPlan world = sound_world(arguments);
+  ExploreOptions explore_options = settings.explore;
+  explore_options.world_from_start = start_of(arguments.start);
+  std::filesystem::create_directories(arguments.out);
+  MissionFiles files(settings, arguments.out);
+  const auto write = [&](const SimulatedStep& step) { files.write(step); };
+  if (arguments.drive.empty()) {
+    report(explore(world, settings.simulation, explore_options, write), world, settings.json);
   } else {
-    roomatlas::simulate(world, read_drive(drive_file), settings.simulation, write);
+    roomatlas::simulate(world, read_drive(arguments.drive), settings.simulation, write);
   }
-  log.finish();
-  write_tum(out / "truth.tum", truth);
-  write_file(out / "truth.geojson", to_geojson(world));
-  spdlog::info("{} readings in {}", truth.size(), (out / "mission.clf").string());
+  files.finish(world);
 }
 
 }  // namespace roomatlas::apps

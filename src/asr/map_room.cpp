@@ -30,8 +30,8 @@ std::vector<std::size_t> points_at_jambs(const Polyline& points, const std::vect
 }
 
 /// One chain of points becomes a fitted polyline (paper III.D, III.E).
-WallPolyline wall_of(const Polyline& points, const std::vector<Point2>& jambs,
-                     const RoomMapOptions& options) {
+void add_wall(const Polyline& points, const std::vector<Point2>& jambs,
+              const RoomMapOptions& options, RoomMap& map) {
   const double jamb_reach_m = 2.0 * options.cell_m;
   const auto pinned = points_at_jambs(points, jambs, jamb_reach_m);
   const auto sparse = decimate(points, options.tau_cells * options.cell_m, pinned);
@@ -40,7 +40,10 @@ WallPolyline wall_of(const Polyline& points, const std::vector<Point2>& jambs,
   const auto pinned_thinned = points_at_jambs(thinned, jambs, jamb_reach_m);
   const auto kept = douglas_peucker(thinned, options.simplify_tolerance_m, pinned_thinned);
   FittedPolyline fitted = fit_lines(thinned, kept, options.fit, pinned_thinned);
-  return {std::move(fitted.vertices), std::move(fitted.edge_is_fitted)};
+  map.points.push_back(points);
+  map.simplified.emplace_back();
+  for (const std::size_t index : kept) map.simplified.back().push_back(thinned[index]);
+  map.walls.push_back({std::move(fitted.vertices), std::move(fitted.edge_is_fitted)});
 }
 
 /// Cells of the smallest box that holds every cell that is not unknown.
@@ -76,7 +79,7 @@ RoomMap map_room(const std::vector<PathSample>& path, const std::vector<RangeRea
   for (const Polyline& points :
        chain_points(chains, map.grid, options.epsilon, options.refine_points)) {
     if (points.size() < 2) continue;  // a lone cell is no wall; cleaned_cells still counts it
-    map.walls.push_back(wall_of(points, jambs, options));
+    add_wall(points, jambs, options, map);
     map.counters.extracted_points += static_cast<std::int64_t>(points.size());
     map.counters.vertices += static_cast<std::int64_t>(map.walls.back().vertices_asr.size());
   }

@@ -3,6 +3,7 @@
 
 #include "explorer.hpp"
 #include "robot.hpp"
+#include "roomatlas/simulate/world.hpp"
 
 #include <cmath>
 
@@ -18,19 +19,28 @@ std::optional<RoomId> room_at(const FloorPlan& world, const Point2& point) {
   return std::nullopt;
 }
 
-bool fits(const Robot& robot) { return !robot.would_touch({}); }
+bool turns_freely(const FloorPlan& world, const Point2& at, const RobotFootprint& footprint) {
+  try {
+    require_free(world, at, std::hypot(footprint.length_m, footprint.width_m) / 2.0);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
 
 }  // namespace
 
 Pose2 default_start(const FloorPlan& world, const RobotFootprint& footprint) {
-  SimulationOptions options;
-  const double side_m = std::hypot(footprint.length_m, footprint.width_m);
-  options.footprint = {side_m, side_m};  // so that it can turn
   for (const PlanRoom& room : world.rooms) {
-    const Pose2 start{room.label_point.x(), room.label_point.y(), 0.0};
-    if (fits(Robot(world, options, start))) return start;
+    if (turns_freely(world, room.label_point, footprint)) {
+      return {room.label_point.x(), room.label_point.y(), 0.0};
+    }
   }
-  throw InputError("world: no room in which the robot fits at its label point; give a start");
+  for (const Polygon& free : world.free_space) {
+    const Point2 at = interior_point(free);
+    if (turns_freely(world, at, footprint)) return {at.x(), at.y(), 0.0};
+  }
+  throw InputError("world: found no place where the robot can turn; say one with --start");
 }
 
 ExploreSummary explore(const FloorPlan& world, const SimulationOptions& simulation,
@@ -41,9 +51,7 @@ ExploreSummary explore(const FloorPlan& world, const SimulationOptions& simulati
       options.world_from_start ? *options.world_from_start
                                : default_start(world, simulation.footprint);
   Robot robot(world, simulation, world_from_start);
-  if (!fits(robot)) {
-    throw InputError("start: the robot stands in a wall or in furniture; give another start");
-  }
+  require_free(world, world_from_start.position(), simulation.footprint.width_m / 2.0);
   Explorer explorer(simulation);
   ExploreSummary summary;
   bool in_contact = false;

@@ -11,7 +11,7 @@ constexpr double kCellM = 0.05;         // a door's jambs leave room for the rob
 constexpr double kObstacle = 5.0;       // C: two hits; one may be crosstalk
 constexpr double kSonarHitM = 0.8;      // farther echoes are too vague: they would close doors
 constexpr double kSonarNoEchoM = 0.5;   // a flat wall gives none
-constexpr double kConeFreeM = 1.0;      // how far the whole cone counts as free
+constexpr double kConeFreeM = 1.5;      // how far the whole cone counts as free
 constexpr double kConeShare = 0.7;      // of the half cone
 constexpr double kEchoClearanceM = 0.1;
 constexpr double kLaserM = 5.0;
@@ -55,7 +55,7 @@ void spread_over_cones(const HimmGrid& himm, const RangeReading& reading,
     const double range_m = reading.ranges_m[i];
     if (!(range_m > kEchoClearanceM) || range_m >= sensor.max_range_m) continue;
     const Pose2 map_from_beam = map_from_robot * sensor.robot_from_beam[i];
-    for (const double share : {-1.0, -0.5, 0.5, 1.0}) {
+    for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
       const Point2 along = direction(share * kConeShare * sensor.half_cone_rad);
       const double free_m = std::min(range_m - kEchoClearanceM, kConeFreeM);
       const Ray ray{{map_from_beam.position(), map_from_beam * Point2(free_m * along)}, false};

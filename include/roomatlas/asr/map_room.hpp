@@ -35,7 +35,9 @@ struct RoomMapOptions {
 struct RoomMap {
   HimmGrid grid{0.1};
   CellMap cleaned;
-  std::vector<WallPolyline> walls;
+  std::vector<Polyline> points;      ///< extracted, in order (paper Fig. 2c); one list a wall
+  std::vector<Polyline> simplified;  ///< kept by Douglas and Peucker, before the fit (Fig. 7)
+  std::vector<WallPolyline> walls;   ///< fitted (Fig. 2d)
   Polygon outline;
   Point2 reference_point = Point2::Zero();
   AsrCounters counters;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "roomatlas/asr/map_room.hpp"
 #include "roomatlas/core/geometry.hpp"
 #include "roomatlas/merge/floor_plan.hpp"
 
@@ -35,6 +36,13 @@ struct WallSketch {
   std::vector<Polyline> walls;  ///< building metres
   Polyline trajectory;
 };
+
+/// One room as the online stage makes it, step by step (paper Fig. 2, 3 and 7), six panels at one
+/// scale with counts: the HIMM grid with the robot's path, the cleaned grid, the extracted points,
+/// the points kept by Douglas and Peucker, the fitted lines, and those two over each other.
+/// @param path the robot's positions in the ASR's frame
+[[nodiscard]] std::string draw_room_steps(const RoomMap& map, const Polyline& path,
+                                          const std::string& title);
 
 /// Two sketches side by side at one scale: what raw odometry would have drawn, and the corrected
 /// map.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "roomatlas/pipeline/pipeline.hpp"
+#include "roomatlas/simulate/explore.hpp"
 
 namespace roomatlas {
 
@@ -15,6 +16,9 @@ namespace roomatlas {
 
 /// All figures of an evaluation as one JSON object; statistics of nothing are null.
 [[nodiscard]] std::string to_json(const Evaluation& evaluation);
+
+/// What an exploration came to, as one JSON object.
+[[nodiscard]] std::string to_json(const ExploreSummary& summary, const FloorPlan& world);
 
 /// `summary.json`: mission, plan, graph, correction with what moved each ASR, evaluation.
 /// @param metadata of the store; `mission_json` in it becomes the object "mission"
