@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "assignment.hpp"
+#include "roomatlas/evaluate/assignment.hpp"
 
 #include <algorithm>
 #include <limits>

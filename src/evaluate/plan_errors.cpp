@@ -5,9 +5,9 @@
 #include <map>
 #include <tuple>
 
-#include "assignment.hpp"
 #include "room_shapes.hpp"
 #include "roomatlas/core/geometry.hpp"
+#include "roomatlas/evaluate/assignment.hpp"
 #include "segmentation.hpp"
 
 namespace roomatlas {
