@@ -8,6 +8,7 @@
 #include "roomatlas/asr/recorder.hpp"
 #include "roomatlas/correct/correct.hpp"
 #include "roomatlas/evaluate/evaluate.hpp"
+#include "roomatlas/evaluate/plan_alignment.hpp"
 #include "roomatlas/graph/doors.hpp"
 #include "roomatlas/graph/recognise.hpp"
 #include "roomatlas/match/dead_reckoner.hpp"
@@ -77,6 +78,7 @@ struct Truth {
   std::vector<Relation> relations;
   Trajectory poses;
   std::optional<FloorPlan> plan;
+  bool plan_has_doors = true;  ///< false for a plan from a label picture
 };
 
 struct RelationsBeforeAfter {
@@ -91,7 +93,8 @@ struct TruePosesBeforeAfter {
 struct Evaluation {
   std::optional<RelationsBeforeAfter> relations;
   std::optional<TruePosesBeforeAfter> true_poses;
-  std::optional<PlanErrors> plan;  ///< needs true poses, for the alignment
+  std::optional<PlanErrors> plan;
+  PlanAlignment plan_alignment;  ///< by true poses where there are some, else by the rooms
   Issues issues;
 };
 
