@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "roomatlas/evaluate/asr_evidence.hpp"
+
+namespace roomatlas {
+namespace {
+
+constexpr int kNormalReach = 3;        ///< cells around a hit that tell the surface's direction
+constexpr int kNormalPoints = 4;       ///< at least
+constexpr double kStraightness = 0.1;  ///< largest share of the spread across the surface
+
+}  // namespace
+
+SeenSpace::SeenSpace(const std::vector<MeasuredRay>& rays, double cell_m) : cell_m_(cell_m) {
+  for (const MeasuredRay& ray : rays) {
+    box_.extend(ray.segment.a);
+    box_.extend(ray.segment.b);
+  }
+  if (box_.empty()) return;
+  columns_ = static_cast<int>(std::floor(box_.size().x() / cell_m)) + 1;
+  rows_ = static_cast<int>(std::floor(box_.size().y() / cell_m)) + 1;
+  const auto cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+  free_.assign(cells, 0);
+  hit_index_.assign(cells, -1);
+  add_hits(rays);
+  add_free(rays);
+  find_normals();
+}
+
+SeenSpace::CellIndex SeenSpace::cell_of(const Point2& point) const {
+  return {static_cast<int>(std::floor((point.x() - box_.min.x()) / cell_m_)),
+          static_cast<int>(std::floor((point.y() - box_.min.y()) / cell_m_))};
+}
+
+std::optional<std::size_t> SeenSpace::slot(const CellIndex& cell) const {
+  if (cell.column < 0 || cell.column >= columns_ || cell.row < 0 || cell.row >= rows_) {
+    return std::nullopt;
+  }
+  return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(columns_) +
+         static_cast<std::size_t>(cell.column);
+}
+
+void SeenSpace::add_hits(const std::vector<MeasuredRay>& rays) {
+  for (const MeasuredRay& ray : rays) {
+    if (!ray.is_hit) continue;
+    std::int32_t& index = hit_index_[*slot(cell_of(ray.segment.b))];
+    if (index < 0) {
+      index = static_cast<std::int32_t>(hits_.size());
+      hits_.emplace_back();
+    }
+    HitCell& hit = hits_[static_cast<std::size_t>(index)];
+    hit.mean += ray.segment.b;
+    ++hit.hits;
+  }
+  for (HitCell& hit : hits_) hit.mean /= hit.hits;
+}
+
+/// A ray frees its cells up to two cells before its end, each once.
+void SeenSpace::add_free(const std::vector<MeasuredRay>& rays) {
+  for (const MeasuredRay& ray : rays) {
+    const Point2 along = ray.segment.b - ray.segment.a;
+    const double length_m = along.norm() - (ray.is_hit ? 2.0 * cell_m_ : 0.0);
+    if (!(length_m > 0.0)) continue;
+    const Point2 unit = along.normalized();
+    std::optional<std::size_t> former;
+    for (double at_m = 0.0; at_m < length_m; at_m += 0.5 * cell_m_) {
+      const auto here = slot(cell_of(ray.segment.a + at_m * unit));
+      if (!here || here == former) continue;
+      former = here;
+      if (free_[*here] < std::numeric_limits<std::uint8_t>::max()) ++free_[*here];
+    }
+  }
+}
+
+template <typename Visit>
+void SeenSpace::for_hits_near(const Point2& point, int reach, Visit visit) const {
+  const CellIndex at = cell_of(point);
+  for (int row = at.row - reach; row <= at.row + reach; ++row) {
+    for (int column = at.column - reach; column <= at.column + reach; ++column) {
+      const auto here = slot({column, row});
+      if (here && hit_index_[*here] >= 0) visit(hits_[static_cast<std::size_t>(hit_index_[*here])]);
+    }
+  }
+}
+
+/// The direction with the least spread of the hits around, where they lie along a line.
+void SeenSpace::find_normals() {
+  for (HitCell& hit : hits_) {
+    Point2 mean = Point2::Zero();
+    Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+    int count = 0;
+    for_hits_near(hit.mean, kNormalReach, [&](const HitCell& other) {
+      mean += other.mean;
+      squares += other.mean * other.mean.transpose();
+      ++count;
+    });
+    if (count < kNormalPoints) continue;
+    mean /= count;
+    const Eigen::Matrix2d spread = squares / count - mean * mean.transpose();
+    const double angle =
+        0.5 * std::atan2(2.0 * spread(0, 1), spread(0, 0) - spread(1, 1));  // along the surface
+    const Point2 normal = direction(angle + kPi / 2.0);
+    const double across = normal.dot(spread * normal);
+    if (across <= kStraightness * spread.trace()) hit.normal = normal;
+  }
+}
+
+int SeenSpace::free_rays(const Point2& point) const {
+  const auto here = slot(cell_of(point));
+  return here ? free_[*here] : 0;
+}
+
+std::optional<double> SeenSpace::distance_to_hit(const Point2& point, double reach_m) const {
+  const HitCell* nearest = nullptr;
+  double nearest_m = reach_m;
+  for_hits_near(point, static_cast<int>(std::ceil(reach_m / cell_m_)), [&](const HitCell& hit) {
+    const double away_m = (hit.mean - point).norm();
+    if (away_m > nearest_m) return;
+    nearest_m = away_m;
+    nearest = &hit;
+  });
+  if (nearest == nullptr) return std::nullopt;
+  if (!nearest->normal || nearest_m > 3.0 * cell_m_) return nearest_m;
+  return std::abs(nearest->normal->dot(nearest->mean - point));
+}
+
+}  // namespace roomatlas
