@@ -8,7 +8,8 @@
 namespace roomatlas {
 namespace {
 
-constexpr std::size_t kRayStride = 5;  ///< every fifth ray is asked; walls are many
+constexpr std::size_t kRayStride = 5;  ///< every fifth ray is asked: walls are many
+constexpr std::size_t kHitStride = 3;  ///< every third hit
 
 /// How a ray meets the walls of another ASR: where it ends less where the first wall stands, in
 /// metres along the ray; nothing when no wall is on its way, up to `reach_m` behind its end.
@@ -25,6 +26,30 @@ std::optional<double> behind_wall_m(const Segment2& ray, const std::vector<Segme
   }
   if (!first) return std::nullopt;
   return length_m - *first * (length_m + reach_m);
+}
+
+/// Sums over the hits of one ASR in what another one saw.
+struct HitSums {
+  std::int64_t seen = 0;           ///< hits in space that the other saw
+  std::int64_t in_free_space = 0;  ///< of those, far from anything that the other hit
+  std::int64_t compared = 0;       ///< hits near a straight surface, or in free space
+  double apart_m = 0.0;            ///< of those, added up
+
+  void add(const NearHit& near_hit, bool is_free, double reach_m) {
+    if (!near_hit.is_near && !is_free) return;
+    ++seen;
+    if (!near_hit.is_near) ++in_free_space;
+    if (near_hit.is_near && !near_hit.across_m) return;
+    ++compared;
+    apart_m += std::min(near_hit.across_m.value_or(reach_m), reach_m);
+  }
+};
+
+ConsistencyValue mean_of(ConsistencyFigure figure, double sum, std::int64_t count) {
+  ConsistencyValue result{figure};
+  result.measured = static_cast<double>(count);
+  if (count > 0) result.value = sum / result.measured;
+  return result;
 }
 
 }  // namespace
@@ -47,44 +72,27 @@ ConsistencyValue rays_through_walls(const PlacedAll& all, const ConsistencyOptio
       }
     }
   }
-  ConsistencyValue result{ConsistencyFigure::rays_through_walls};
-  result.measured = static_cast<double>(met);
-  if (met > 0) result.value = static_cast<double>(through) / result.measured;
-  return result;
+  return mean_of(ConsistencyFigure::rays_through_walls, static_cast<double>(through), met);
 }
 
 HitFigures judge_hits(const PlacedAll& all, const ConsistencyOptions& options) {
-  std::int64_t seen = 0;
-  std::int64_t in_free_space = 0;
-  std::int64_t paired = 0;
-  double apart_sum_m = 0.0;
+  HitSums sums;
   for (const PlacedEvidence& a : all) {
     for (const PlacedEvidence& b : all) {
-      if (&a == &b || !near(a, b, options.doubled_reach_m)) continue;
+      if (&a == &b || !near(a, b, options.deep_m)) continue;
       const Pose2 b_from_a = inverse(b.building_from_asr) * a.building_from_asr;
-      for (const MeasuredRay& ray : a.evidence->rays) {
-        if (!ray.is_hit) continue;
-        const Point2 hit = b_from_a * ray.segment.b;
-        const auto apart_m = b.evidence->seen.distance_to_hit(hit, options.doubled_reach_m);
-        const bool is_free = b.evidence->seen.free_rays(hit) >= options.min_free_rays;
-        if (apart_m) {
-          ++paired;
-          apart_sum_m += *apart_m;
-        }
-        if (!apart_m && !is_free) continue;
-        ++seen;
-        if (!apart_m) ++in_free_space;
+      const auto& rays = a.evidence->rays;
+      for (std::size_t i = 0; i < rays.size(); i += kHitStride) {
+        if (!rays[i].is_hit) continue;
+        const Point2 hit = b_from_a * rays[i].segment.b;
+        sums.add(b.evidence->seen.nearest_hit(hit, options.deep_m),
+                 b.evidence->seen.free_rays(hit) >= options.min_free_rays, options.deep_m);
       }
     }
   }
-  HitFigures figures{{ConsistencyFigure::hits_in_free_space}, {ConsistencyFigure::doubled_walls}};
-  figures.in_free_space.measured = static_cast<double>(seen);
-  figures.doubled_walls.measured = static_cast<double>(paired);
-  if (seen > 0)
-    figures.in_free_space.value =
-        static_cast<double>(in_free_space) / figures.in_free_space.measured;
-  if (paired > 0) figures.doubled_walls.value = apart_sum_m / figures.doubled_walls.measured;
-  return figures;
+  return {mean_of(ConsistencyFigure::hits_in_free_space, static_cast<double>(sums.in_free_space),
+                  sums.seen),
+          mean_of(ConsistencyFigure::doubled_walls, sums.apart_m, sums.compared)};
 }
 
 }  // namespace roomatlas

@@ -48,6 +48,19 @@ std::optional<double> thickness_at(const Point2& point, const Point2& outwards,
   return nearest;
 }
 
+/// Lowers each thickness of `a`'s surfaces to that against `b`, where `b`'s wall is nearer.
+void find_nearest_backs(const PlacedEvidence& a, const PlacedEvidence& b,
+                        const ConsistencyOptions& options, std::vector<double>& thickness_m) {
+  const Pose2 b_from_a = inverse(b.building_from_asr) * a.building_from_asr;
+  for (std::size_t i = 0; i < thickness_m.size(); ++i) {
+    const SurfaceSample& sample = a.evidence->surfaces[i];
+    const auto found =
+        thickness_at(b_from_a * sample.point, b_from_a * sample.outwards - b_from_a.position(),
+                     b.evidence->surfaces, options.wall_reach_m, options.evidence.step_m);
+    if (found && std::abs(*found) < std::abs(thickness_m[i])) thickness_m[i] = *found;
+  }
+}
+
 }  // namespace
 
 ConsistencyValue room_overlap(const PlacedAll& all, const ConsistencyOptions& options) {
@@ -67,25 +80,23 @@ ConsistencyValue room_overlap(const PlacedAll& all, const ConsistencyOptions& op
 }
 
 ConsistencyValue negative_walls(const PlacedAll& all, const ConsistencyOptions& options) {
+  ConsistencyValue result{ConsistencyFigure::negative_walls};
   double depth_sum_m = 0.0;
-  std::int64_t measured = 0;
+  std::int64_t samples = 0;
   for (const PlacedEvidence& a : all) {
+    std::vector<double> thickness_m(a.evidence->surfaces.size(), options.wall_reach_m);
     for (const PlacedEvidence& b : all) {
-      if (a.room == b.room || !near(a, b, options.wall_reach_m)) continue;
-      const Pose2 b_from_a = inverse(b.building_from_asr) * a.building_from_asr;
-      for (const SurfaceSample& sample : a.evidence->surfaces) {
-        const auto thickness_m =
-            thickness_at(b_from_a * sample.point, b_from_a * sample.outwards - b_from_a.position(),
-                         b.evidence->surfaces, options.wall_reach_m, options.evidence.step_m);
-        if (!thickness_m) continue;
-        ++measured;
-        depth_sum_m += std::max(-*thickness_m, 0.0);
+      if (a.room != b.room && near(a, b, options.wall_reach_m)) {
+        find_nearest_backs(a, b, options, thickness_m);
       }
     }
+    for (const double thickness : thickness_m) {
+      depth_sum_m += std::max(-thickness, 0.0);
+      if (thickness < options.wall_reach_m) result.measured += 1.0;
+      ++samples;
+    }
   }
-  ConsistencyValue result{ConsistencyFigure::negative_walls};
-  result.measured = static_cast<double>(measured);
-  if (measured > 0) result.value = depth_sum_m / result.measured;
+  if (samples > 0) result.value = depth_sum_m / static_cast<double>(samples);
   return result;
 }
 

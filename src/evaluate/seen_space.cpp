@@ -113,18 +113,22 @@ int SeenSpace::free_rays(const Point2& point) const {
   return here ? free_[*here] : 0;
 }
 
-std::optional<double> SeenSpace::distance_to_hit(const Point2& point, double reach_m) const {
-  const HitCell* nearest = nullptr;
-  double nearest_m = reach_m;
+NearHit SeenSpace::nearest_hit(const Point2& point, double reach_m) const {
+  NearHit nearest;
+  if ((point.array() < box_.min.array() - reach_m).any() ||
+      (point.array() > box_.max.array() + reach_m).any()) {
+    return nearest;
+  }
+  double straight_m = reach_m;
   for_hits_near(point, static_cast<int>(std::ceil(reach_m / cell_m_)), [&](const HitCell& hit) {
     const double away_m = (hit.mean - point).norm();
-    if (away_m > nearest_m) return;
-    nearest_m = away_m;
-    nearest = &hit;
+    if (away_m > reach_m) return;
+    nearest.is_near = true;
+    if (!hit.normal || away_m > straight_m) return;
+    straight_m = away_m;
+    nearest.across_m = std::abs(hit.normal->dot(hit.mean - point));
   });
-  if (nearest == nullptr) return std::nullopt;
-  if (!nearest->normal || nearest_m > 3.0 * cell_m_) return nearest_m;
-  return std::abs(nearest->normal->dot(nearest->mean - point));
+  return nearest;
 }
 
 }  // namespace roomatlas

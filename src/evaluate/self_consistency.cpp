@@ -17,7 +17,7 @@ struct FigureFacts {
 
 constexpr std::array<FigureFacts, kConsistencyFigures> kFacts = {{
     {"overlap of rooms", "", 0.05},
-    {"negative walls", "m", 0.05},
+    {"negative walls", "m", 0.02},
     {"door sides", "m", 0.2},
     {"doors again", "m", 0.3},
     {"corridor bend", "deg", 3.0},

@@ -39,6 +39,12 @@ struct HitCell {
   int hits = 0;
 };
 
+/// What was hit near a point.
+struct NearHit {
+  bool is_near = false;            ///< something was hit within reach
+  std::optional<double> across_m;  ///< distance to the nearest straight surface, across it
+};
+
 /// Free space and hits on cells, in the ASR's frame.
 class SeenSpace {
  public:
@@ -48,9 +54,7 @@ class SeenSpace {
   [[nodiscard]] const Box2& box() const { return box_; }
   /// How many sampled rays passed here without ending within two cells.
   [[nodiscard]] int free_rays(const Point2& point) const;
-  /// Distance to the nearest surface that was hit, across it where its direction is known; nothing
-  /// where none is within reach.
-  [[nodiscard]] std::optional<double> distance_to_hit(const Point2& point, double reach_m) const;
+  [[nodiscard]] NearHit nearest_hit(const Point2& point, double reach_m) const;
 
  private:
   struct CellIndex {

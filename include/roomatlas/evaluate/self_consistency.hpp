@@ -16,13 +16,14 @@ enum class ConsistencyFigure {
   /// Share of the building's area that more than one room's outlines cover. Shows rooms pushed into
   /// each other. Cannot show rooms pulled apart, nor two visits of one room that disagree.
   room_overlap,
-  /// Mean depth in metres by which the wall of one room lies behind that of its neighbour, over all
-  /// places where two rooms back onto each other within 0.6 m. Shows neighbours pushed together.
-  /// Cannot show walls that came out too thick.
+  /// Mean depth in metres by which the wall of one room lies behind that of its neighbour where
+  /// the two back onto each other within 0.6 m, over all samples of walls (0 where a wall has
+  /// thickness, or no neighbour). Shows neighbours pushed into each other. Cannot show walls that
+  /// came out too thick.
   negative_walls,
   /// Mean distance in metres between the jambs of a driven doorway as its two ASRs place them.
-  /// Shows what a correction tore apart. Odometry scores near 0 whatever it did, because it placed
-  /// each ASR by that very doorway: it has no vote when odometry is compared with a correction.
+  /// Shows what a correction tore apart. Odometry scores at its least whatever it did, because it
+  /// placed each ASR by that very doorway: no vote when odometry is compared with a correction.
   door_sides,
   /// Mean distance in metres from a doorway to the nearest doorway of another visit that leads the
   /// same way, within 1 m, of those that are not the two sides of one passage. Shows doors that
@@ -46,8 +47,11 @@ enum class ConsistencyFigure {
   /// hit, of all hits in space that another ASR saw. The same can be said of people and doors that
   /// moved.
   hits_in_free_space,
-  /// Mean distance in metres from a hit to the surface that another ASR hit near it, at most 0.3 m.
-  /// Shows doubled and blurred walls, from a degree on. Cannot show places that only one ASR saw.
+  /// Mean distance in metres from a hit to the straight surface that another ASR hit near it,
+  /// across
+  /// that surface; 0.3 m for a hit in free space. Shows doubled and blurred walls, from a degree
+  /// on.
+  /// Cannot show places that only one ASR saw.
   doubled_walls,
 };
 constexpr int kConsistencyFigures = 8;
@@ -72,11 +76,10 @@ struct SelfConsistency {
 
 struct ConsistencyOptions {
   EvidenceOptions evidence;
-  double deep_m = 0.3;           ///< a contradiction is at least this deep; less counts noise
-  double doubled_reach_m = 0.3;  ///< farther surfaces are other surfaces
-  double wall_reach_m = 0.6;     ///< thicker walls are not compared
-  double door_reach_m = 1.0;     ///< farther doorways are other doors
-  int min_free_rays = 2;         ///< sampled rays that make a cell free; 1 believes a lone reading
+  double deep_m = 0.3;        ///< a contradiction is at least this deep; less counts noise
+  double wall_reach_m = 0.6;  ///< thicker walls are not compared
+  double door_reach_m = 1.0;  ///< farther doorways are other doors
+  int min_free_rays = 2;      ///< sampled rays that make a cell free; 1 believes a lone reading
 };
 
 /// Judges a placement from readings and geometry alone: no truth, and nothing of the solver's cost.
