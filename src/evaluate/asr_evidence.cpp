@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "room_raster.hpp"
-
 namespace roomatlas {
 namespace {
 
@@ -108,9 +106,7 @@ AsrEvidence evidence_of(const Asr& asr, const EvidenceOptions& options) {
   evidence.walls = edges_of(asr, true);
   evidence.surfaces = surfaces_of(asr.outline_asr.outer, edges_of(asr, false), options.step_m);
   evidence.wall_direction_rad = direction_of(evidence.walls);
-  FloorPlan outline;
-  outline.rooms.emplace_back().parts = {asr.outline_asr};
-  evidence.inside = RoomRaster(outline, options.step_m).points().front();
+  evidence.outline = asr.outline_asr;
   return evidence;
 }
 

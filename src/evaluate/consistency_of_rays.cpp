@@ -84,8 +84,9 @@ HitFigures judge_hits(const PlacedAll& all, const ConsistencyOptions& options) {
       const auto& rays = a.evidence->rays;
       for (std::size_t i = 0; i < rays.size(); i += kHitStride) {
         if (!rays[i].is_hit) continue;
-        const Point2 hit = b_from_a * rays[i].segment.b;
-        sums.add(b.evidence->seen.nearest_hit(hit, options.deep_m),
+        const Segment2 ray = transformed(b_from_a, rays[i].segment);
+        const Point2& hit = ray.b;
+        sums.add(b.evidence->seen.nearest_hit(hit, ray.b - ray.a, options.deep_m),
                  b.evidence->seen.free_rays(hit) >= options.min_free_rays, options.deep_m);
       }
     }

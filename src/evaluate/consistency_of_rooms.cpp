@@ -6,21 +6,21 @@
 #include <optional>
 
 #include "consistency_figures.hpp"
+#include "room_raster.hpp"
 
 namespace roomatlas {
 namespace {
 
 constexpr double kOpposite = -0.9;  ///< cosine between the sides of one wall
 
-using LatticeCell = std::pair<std::int64_t, std::int64_t>;
-
 /// The lattice cells that each room covers, each once.
 std::map<RoomId, std::vector<LatticeCell>> cells_of_rooms(const PlacedAll& all, double step_m) {
   std::map<RoomId, std::vector<LatticeCell>> cells;
   for (const PlacedEvidence& placed : all) {
-    for (const Point2& point : placed.evidence->inside) {
-      const Point2 at = placed.building_from_asr * point / step_m;
-      cells[placed.room].emplace_back(std::llround(at.x()), std::llround(at.y()));
+    std::vector<LatticeCell>& list = cells[placed.room];
+    for (const LatticeCell& cell :
+         cells_in(transformed(placed.building_from_asr, placed.evidence->outline), step_m)) {
+      list.push_back(cell);
     }
   }
   for (auto& [room, list] : cells) {

@@ -25,7 +25,28 @@ std::vector<double> crossings_at(const Polygon& polygon, double y) {
   return xs;
 }
 
+std::int64_t step_of(double metres, double step_m) {
+  return static_cast<std::int64_t>(std::floor(metres / step_m));
+}
+
 }  // namespace
+
+std::vector<LatticeCell> cells_in(const Polygon& polygon, double step_m) {
+  const Box2 box = bounds(polygon.outer);
+  std::vector<LatticeCell> cells;
+  if (box.empty()) return cells;
+  const std::int64_t last_row = step_of(box.max.y(), step_m);
+  for (std::int64_t row = step_of(box.min.y(), step_m); row <= last_row; ++row) {
+    const std::vector<double> xs = crossings_at(polygon, (static_cast<double>(row) + 0.5) * step_m);
+    for (std::size_t i = 0; i + 1 < xs.size(); i += 2) {
+      // The first middle at or right of the crossing.
+      const auto from = static_cast<std::int64_t>(std::ceil(xs[i] / step_m - 0.5));
+      const auto to = static_cast<std::int64_t>(std::ceil(xs[i + 1] / step_m - 0.5));
+      for (std::int64_t column = from; column < to; ++column) cells.push_back({column, row});
+    }
+  }
+  return cells;
+}
 
 RoomRaster::RoomRaster(const FloorPlan& plan, double step_m)
     : step_m_(step_m), points_(plan.rooms.size()) {
@@ -36,38 +57,34 @@ RoomRaster::RoomRaster(const FloorPlan& plan, double step_m)
     }
   }
   if (box.empty()) return;
-  origin_ = box.min;
-  columns_ = static_cast<int>(std::ceil(box.size().x() / step_m)) + 1;
-  rows_ = static_cast<int>(std::ceil(box.size().y() / step_m)) + 1;
+  low_ = {step_of(box.min.x(), step_m), step_of(box.min.y(), step_m)};
+  columns_ = step_of(box.max.x(), step_m) - low_.column + 1;
+  rows_ = step_of(box.max.y(), step_m) - low_.row + 1;
   labels_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), -1);
   for (std::size_t i = 0; i < plan.rooms.size(); ++i) fill(plan.rooms[i], static_cast<int>(i));
 }
 
 void RoomRaster::fill(const PlanRoom& room, int index) {
+  std::vector<Point2>& points = points_[static_cast<std::size_t>(index)];
   for (const Polygon& part : room.parts) {
-    for (int row = 0; row < rows_; ++row) {
-      const double y = origin_.y() + (row + 0.5) * step_m_;
-      const std::vector<double> xs = crossings_at(part, y);
-      for (std::size_t i = 0; i + 1 < xs.size(); i += 2) {
-        const int from = static_cast<int>(std::ceil((xs[i] - origin_.x()) / step_m_ - 0.5));
-        const int to = static_cast<int>(std::ceil((xs[i + 1] - origin_.x()) / step_m_ - 0.5));
-        for (int column = std::max(from, 0); column < std::min(to, columns_); ++column) {
-          labels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                  static_cast<std::size_t>(column)] = index;
-          points_[static_cast<std::size_t>(index)].push_back(
-              {origin_.x() + (column + 0.5) * step_m_, y});
-        }
-      }
+    for (const LatticeCell& cell : cells_in(part, step_m_)) {
+      labels_[*slot(cell)] = index;
+      points.emplace_back((static_cast<double>(cell.column) + 0.5) * step_m_,
+                          (static_cast<double>(cell.row) + 0.5) * step_m_);
     }
   }
 }
 
+std::optional<std::size_t> RoomRaster::slot(const LatticeCell& cell) const {
+  const std::int64_t column = cell.column - low_.column;
+  const std::int64_t row = cell.row - low_.row;
+  if (column < 0 || column >= columns_ || row < 0 || row >= rows_) return std::nullopt;
+  return static_cast<std::size_t>(row * columns_ + column);
+}
+
 int RoomRaster::room_at(const Point2& point) const {
-  const double column = std::floor((point.x() - origin_.x()) / step_m_);
-  const double row = std::floor((point.y() - origin_.y()) / step_m_);
-  if (!(column >= 0 && column < columns_ && row >= 0 && row < rows_)) return -1;
-  return labels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                 static_cast<std::size_t>(column)];
+  const auto here = slot({step_of(point.x(), step_m_), step_of(point.y(), step_m_)});
+  return here ? labels_[*here] : -1;
 }
 
 Point2 centre_of(const std::vector<Point2>& points) {

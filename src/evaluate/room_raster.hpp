@@ -3,10 +3,23 @@
 
 #include "roomatlas/merge/floor_plan.hpp"
 
+#include <compare>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace roomatlas {
+
+/// A square of the lattice through the origin: [column, column + 1) x [row, row + 1) steps.
+struct LatticeCell {
+  std::int64_t column = 0;
+  std::int64_t row = 0;
+  [[nodiscard]] auto operator<=>(const LatticeCell&) const = default;
+};
+
+/// The squares whose middle lies in a polygon (even-odd), row by row.
+[[nodiscard]] std::vector<LatticeCell> cells_in(const Polygon& polygon, double step_m);
 
 /// A plan's rooms as a lattice of points: which room each point lies in. Quick where exact areas
 /// would be asked for thousands of times.
@@ -23,10 +36,12 @@ class RoomRaster {
  private:
   void fill(const PlanRoom& room, int index);
 
+  [[nodiscard]] std::optional<std::size_t> slot(const LatticeCell& cell) const;
+
   double step_m_;
-  Point2 origin_ = Point2::Zero();
-  int columns_ = 0;
-  int rows_ = 0;
+  LatticeCell low_;  ///< of the box that holds all rooms
+  std::int64_t columns_ = 0;
+  std::int64_t rows_ = 0;
   std::vector<int> labels_;
   std::vector<std::vector<Point2>> points_;
 };

@@ -53,6 +53,7 @@ void SeenSpace::add_hits(const std::vector<MeasuredRay>& rays) {
     }
     HitCell& hit = hits_[static_cast<std::size_t>(index)];
     hit.mean += ray.segment.b;
+    hit.seen_along += (ray.segment.b - ray.segment.a).normalized();
     ++hit.hits;
   }
   for (HitCell& hit : hits_) hit.mean /= hit.hits;
@@ -113,7 +114,7 @@ int SeenSpace::free_rays(const Point2& point) const {
   return here ? free_[*here] : 0;
 }
 
-NearHit SeenSpace::nearest_hit(const Point2& point, double reach_m) const {
+NearHit SeenSpace::nearest_hit(const Point2& point, const Point2& along, double reach_m) const {
   NearHit nearest;
   if ((point.array() < box_.min.array() - reach_m).any() ||
       (point.array() > box_.max.array() + reach_m).any()) {
@@ -125,6 +126,7 @@ NearHit SeenSpace::nearest_hit(const Point2& point, double reach_m) const {
     if (away_m > reach_m) return;
     nearest.is_near = true;
     if (!hit.normal || away_m > straight_m) return;
+    if (hit.normal->dot(along) * hit.normal->dot(hit.seen_along) <= 0.0) return;
     straight_m = away_m;
     nearest.across_m = std::abs(hit.normal->dot(hit.mean - point));
   });

@@ -17,7 +17,7 @@ struct EvidenceOptions {
   double sonar_range_m = 3.0;  ///< the same; a sonar's far hits lie anywhere on a wide arc
   double no_echo_m = 1.0;      ///< how much a reading without echo frees
   double cell_m = 0.1;         ///< of the free space that an ASR saw
-  double step_m = 0.1;         ///< between samples along outlines and inside them
+  double step_m = 0.1;         ///< between samples along outlines, and of the lattice of areas
 };
 
 /// A ray that a sensor measured, in the ASR's frame.
@@ -35,14 +35,16 @@ struct SurfaceSample {
 /// A place where something was hit: the mean of the hits in a cell, and across the surface.
 struct HitCell {
   Point2 mean = Point2::Zero();
-  std::optional<Point2> normal;  ///< where the neighbourhood is straight; either sign
+  Point2 seen_along = Point2::Zero();  ///< sum of the unit directions of the rays that hit it
+  std::optional<Point2> normal;        ///< where the neighbourhood is straight; either sign
   int hits = 0;
 };
 
 /// What was hit near a point.
 struct NearHit {
   bool is_near = false;            ///< something was hit within reach
-  std::optional<double> across_m;  ///< distance to the nearest straight surface, across it
+  std::optional<double> across_m;  ///< distance to the nearest straight surface that was seen from
+                                   ///< the same side, across it
 };
 
 /// Free space and hits on cells, in the ASR's frame.
@@ -54,7 +56,9 @@ class SeenSpace {
   [[nodiscard]] const Box2& box() const { return box_; }
   /// How many sampled rays passed here without ending within two cells.
   [[nodiscard]] int free_rays(const Point2& point) const;
-  [[nodiscard]] NearHit nearest_hit(const Point2& point, double reach_m) const;
+  /// @param along direction of the ray that ends at the point: a wall has two faces, and those
+  ///   seen from the other side are other surfaces
+  [[nodiscard]] NearHit nearest_hit(const Point2& point, const Point2& along, double reach_m) const;
 
  private:
   struct CellIndex {
@@ -88,7 +92,7 @@ struct AsrEvidence {
   SeenSpace seen;
   std::vector<Segment2> walls;          ///< wall edges that a line fit supports
   std::vector<SurfaceSample> surfaces;  ///< of the outline, where it runs along a wall
-  std::vector<Point2> inside;           ///< lattice points in the outline
+  Polygon outline;                      ///< of its free space
   std::vector<Exit> exits;
   std::optional<double> wall_direction_rad;  ///< of the walls, modulo a right angle; nothing where
                                              ///< they follow no one direction
