@@ -43,7 +43,11 @@ CLI::Option* output(CLI::App* command, Path& value, const char* meaning) {
 void add_truth(CLI::App* command, Arguments& arguments) {
   command
       ->add_option("--truth", arguments.truth,
-                   "truth to compare with: FILE.relations, FILE.tum or a plan FILE.geojson")
+                   "truth to compare with: FILE.relations, FILE.tum, a plan FILE.geojson, a label "
+                   "picture FILE.pgm[.gz], or tape-measure spans FILE.csv; again for more")
+      ->configurable(false);
+  command
+      ->add_option("--spans", arguments.truth, "tape-measure spans, FILE.csv: as --truth FILE.csv")
       ->configurable(false);
 }
 

@@ -18,6 +18,7 @@ struct Settings {
   DrawOptions draw;
   SimulationOptions simulation;
   double png_dpi = 110.0;
+  double label_pixel_m = 0.05;  ///< of label pictures given as truth
   bool json = false;
   bool quiet = false;
   bool verbose = false;

@@ -12,11 +12,12 @@ struct PlacedEvidence {
   const AsrEvidence* evidence = nullptr;
   Pose2 building_from_asr;
   RoomId room = 0;  ///< negative for a room of its own
-  Box2 box;         ///< of what it saw and of its outline, in building metres
+  Box2 seen;        ///< of its rays, in building metres
+  Box2 solid;       ///< of its walls and surfaces
 };
 using PlacedAll = std::vector<PlacedEvidence>;
 
-[[nodiscard]] bool near(const PlacedEvidence& a, const PlacedEvidence& b, double reach_m);
+[[nodiscard]] bool near(const Box2& a, const Box2& b, double reach_m);
 
 // One function a figure; see ConsistencyFigure for what each means.
 [[nodiscard]] ConsistencyValue room_overlap(const PlacedAll& all,

@@ -11,6 +11,10 @@ namespace {
 constexpr std::size_t kRayStride = 5;  ///< every fifth ray is asked: walls are many
 constexpr std::size_t kHitStride = 3;  ///< every third hit
 
+Box2 box_of(const Segment2& segment) {
+  return {segment.a.cwiseMin(segment.b), segment.a.cwiseMax(segment.b)};
+}
+
 /// How a ray meets the walls of another ASR: where it ends less where the first wall stands, in
 /// metres along the ray; nothing when no wall is on its way, up to `reach_m` behind its end.
 std::optional<double> behind_wall_m(const Segment2& ray, const std::vector<Segment2>& walls,
@@ -19,8 +23,10 @@ std::optional<double> behind_wall_m(const Segment2& ray, const std::vector<Segme
   const double length_m = along.norm();
   if (!(length_m > 0.0)) return std::nullopt;
   const Segment2 longer{ray.a, ray.b + reach_m * along / length_m};
+  const Box2 box = box_of(longer);
   std::optional<double> first;
   for (const Segment2& wall : walls) {
+    if (!near(box, box_of(wall), 0.0)) continue;
     const auto at = crossing_fraction(longer, wall);
     if (at && (!first || *at < *first)) first = *at;
   }
@@ -59,7 +65,7 @@ ConsistencyValue rays_through_walls(const PlacedAll& all, const ConsistencyOptio
   std::int64_t through = 0;
   for (const PlacedEvidence& a : all) {
     for (const PlacedEvidence& b : all) {
-      if (&a == &b || !near(a, b, 0.0)) continue;
+      if (&a == &b || !near(a.seen, b.solid, 0.0)) continue;
       const Pose2 b_from_a = inverse(b.building_from_asr) * a.building_from_asr;
       const auto& rays = a.evidence->rays;
       for (std::size_t i = 0; i < rays.size(); i += kRayStride) {
@@ -79,7 +85,7 @@ HitFigures judge_hits(const PlacedAll& all, const ConsistencyOptions& options) {
   HitSums sums;
   for (const PlacedEvidence& a : all) {
     for (const PlacedEvidence& b : all) {
-      if (&a == &b || !near(a, b, options.deep_m)) continue;
+      if (&a == &b || !near(a.seen, b.seen, options.deep_m)) continue;
       const Pose2 b_from_a = inverse(b.building_from_asr) * a.building_from_asr;
       const auto& rays = a.evidence->rays;
       for (std::size_t i = 0; i < rays.size(); i += kHitStride) {

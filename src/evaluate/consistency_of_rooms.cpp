@@ -86,7 +86,7 @@ ConsistencyValue negative_walls(const PlacedAll& all, const ConsistencyOptions& 
   for (const PlacedEvidence& a : all) {
     std::vector<double> thickness_m(a.evidence->surfaces.size(), options.wall_reach_m);
     for (const PlacedEvidence& b : all) {
-      if (a.room != b.room && near(a, b, options.wall_reach_m)) {
+      if (a.room != b.room && near(a.solid, b.solid, options.wall_reach_m)) {
         find_nearest_backs(a, b, options, thickness_m);
       }
     }

@@ -8,6 +8,7 @@
 namespace roomatlas {
 namespace {
 
+constexpr int kMarginCells = 4;        ///< around everything seen, so that hits have room around
 constexpr int kNormalReach = 3;        ///< cells around a hit that tell the surface's direction
 constexpr int kNormalPoints = 4;       ///< at least
 constexpr double kStraightness = 0.1;  ///< largest share of the spread across the surface
@@ -20,13 +21,17 @@ SeenSpace::SeenSpace(const std::vector<MeasuredRay>& rays, double cell_m) : cell
     box_.extend(ray.segment.b);
   }
   if (box_.empty()) return;
+  box_.min.array() -= kMarginCells * cell_m;
+  box_.max.array() += kMarginCells * cell_m;
   columns_ = static_cast<int>(std::floor(box_.size().x() / cell_m)) + 1;
   rows_ = static_cast<int>(std::floor(box_.size().y() / cell_m)) + 1;
   const auto cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   free_.assign(cells, 0);
   hit_index_.assign(cells, -1);
+  near_hit_.assign(cells, false);
   add_hits(rays);
   add_free(rays);
+  mark_near_hits();
   find_normals();
 }
 
@@ -57,6 +62,17 @@ void SeenSpace::add_hits(const std::vector<MeasuredRay>& rays) {
     ++hit.hits;
   }
   for (HitCell& hit : hits_) hit.mean /= hit.hits;
+}
+
+void SeenSpace::mark_near_hits() {
+  for (const HitCell& hit : hits_) {
+    const CellIndex at = cell_of(hit.mean);
+    for (int row = at.row - kMarginCells; row <= at.row + kMarginCells; ++row) {
+      for (int column = at.column - kMarginCells; column <= at.column + kMarginCells; ++column) {
+        if (const auto here = slot({column, row})) near_hit_[*here] = true;
+      }
+    }
+  }
 }
 
 /// A ray frees its cells up to two cells before its end, each once.
@@ -116,12 +132,11 @@ int SeenSpace::free_rays(const Point2& point) const {
 
 NearHit SeenSpace::nearest_hit(const Point2& point, const Point2& along, double reach_m) const {
   NearHit nearest;
-  if ((point.array() < box_.min.array() - reach_m).any() ||
-      (point.array() > box_.max.array() + reach_m).any()) {
-    return nearest;
-  }
+  const int reach = std::min(static_cast<int>(std::ceil(reach_m / cell_m_)), kMarginCells);
+  const auto here = slot(cell_of(point));
+  if (!here || !near_hit_[*here]) return nearest;
   double straight_m = reach_m;
-  for_hits_near(point, static_cast<int>(std::ceil(reach_m / cell_m_)), [&](const HitCell& hit) {
+  for_hits_near(point, reach, [&](const HitCell& hit) {
     const double away_m = (hit.mean - point).norm();
     if (away_m > reach_m) return;
     nearest.is_near = true;

@@ -30,17 +30,26 @@ const FigureFacts& facts_of(ConsistencyFigure figure) {
   return kFacts.at(static_cast<std::size_t>(figure));
 }
 
-Box2 placed_box(const AsrEvidence& evidence, const Pose2& building_from_asr) {
+Box2 seen_box(const AsrEvidence& evidence, const Pose2& building_from_asr) {
   Box2 box;
   const Box2& seen = evidence.seen.box();
-  if (!seen.empty()) {
-    for (const Point2& corner : {seen.min, seen.max, Point2(seen.min.x(), seen.max.y()),
-                                 Point2(seen.max.x(), seen.min.y())}) {
-      box.extend(building_from_asr * corner);
-    }
+  if (seen.empty()) return box;
+  for (const Point2& corner : {seen.min, seen.max, Point2(seen.min.x(), seen.max.y()),
+                               Point2(seen.max.x(), seen.min.y())}) {
+    box.extend(building_from_asr * corner);
   }
-  for (const SurfaceSample& sample : evidence.surfaces)
+  return box;
+}
+
+Box2 solid_box(const AsrEvidence& evidence, const Pose2& building_from_asr) {
+  Box2 box;
+  for (const SurfaceSample& sample : evidence.surfaces) {
     box.extend(building_from_asr * sample.point);
+  }
+  for (const Segment2& wall : evidence.walls) {
+    box.extend(building_from_asr * wall.a);
+    box.extend(building_from_asr * wall.b);
+  }
   return box;
 }
 
@@ -53,7 +62,7 @@ PlacedAll placed_all(const std::vector<AsrEvidence>& evidence,
     if (pose == building_from_asr.end()) continue;
     const auto room = room_of_asr.find(asr.asr);
     all.push_back({&asr, pose->second, room == room_of_asr.end() ? -asr.asr : room->second,
-                   placed_box(asr, pose->second)});
+                   seen_box(asr, pose->second), solid_box(asr, pose->second)});
   }
   return all;
 }
@@ -68,10 +77,10 @@ Verdict vote_of(const FigureVote& vote, const CompareOptions& options) {
 
 }  // namespace
 
-bool near(const PlacedEvidence& a, const PlacedEvidence& b, double reach_m) {
-  if (a.box.empty() || b.box.empty()) return false;
-  return (a.box.min.array() <= b.box.max.array() + reach_m).all() &&
-         (b.box.min.array() <= a.box.max.array() + reach_m).all();
+bool near(const Box2& a, const Box2& b, double reach_m) {
+  if (a.empty() || b.empty()) return false;
+  return (a.min.array() <= b.max.array() + reach_m).all() &&
+         (b.min.array() <= a.max.array() + reach_m).all();
 }
 
 const char* to_string(ConsistencyFigure figure) { return facts_of(figure).name; }

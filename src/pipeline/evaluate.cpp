@@ -29,6 +29,7 @@ Evaluation evaluate(const Trajectory& odometry, const Trajectory& corrected, con
     evaluation.true_poses = {true_pose_errors(odometry, truth.poses),
                              true_pose_errors(corrected, truth.poses)};
   }
+  if (!truth.spans.empty()) evaluation.spans = span_errors(plan, truth.spans);
   if (!truth.plan) return evaluation;
   evaluation.plan_alignment = alignment_of(evaluation, plan, *truth.plan);
   if (evaluation.plan_alignment.by == AlignedBy::nothing) {
@@ -41,6 +42,8 @@ Evaluation evaluate(const Trajectory& odometry, const Trajectory& corrected, con
   options.doors_known = truth.plan_has_doors;
   evaluation.plan = plan_errors(plan, *truth.plan, evaluation.plan_alignment.truth_from_building,
                                 truth.poses, options);
+  evaluation.walls = wall_errors(plan, *truth.plan, evaluation.plan_alignment.truth_from_building,
+                                 *evaluation.plan, {});
   return evaluation;
 }
 

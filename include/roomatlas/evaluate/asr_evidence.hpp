@@ -58,6 +58,7 @@ class SeenSpace {
   [[nodiscard]] int free_rays(const Point2& point) const;
   /// @param along direction of the ray that ends at the point: a wall has two faces, and those
   ///   seen from the other side are other surfaces
+  /// @param reach_m at most four cells
   [[nodiscard]] NearHit nearest_hit(const Point2& point, const Point2& along, double reach_m) const;
 
  private:
@@ -69,6 +70,7 @@ class SeenSpace {
   [[nodiscard]] std::optional<std::size_t> slot(const CellIndex& cell) const;
   void add_hits(const std::vector<MeasuredRay>& rays);
   void add_free(const std::vector<MeasuredRay>& rays);
+  void mark_near_hits();
   void find_normals();
   /// Calls `visit` with each hit cell within `reach` cells (a square).
   template <typename Visit>
@@ -80,6 +82,7 @@ class SeenSpace {
   int rows_ = 0;
   std::vector<std::uint8_t> free_;       ///< saturates at 255
   std::vector<std::int32_t> hit_index_;  ///< into hits_, or -1
+  std::vector<bool> near_hit_;           ///< cells within four cells of a hit
   std::vector<HitCell> hits_;
 };
 
