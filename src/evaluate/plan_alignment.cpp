@@ -12,8 +12,9 @@
 namespace roomatlas {
 namespace {
 
-constexpr std::size_t kStartPoints = 600;  ///< of the plan, that a start is judged by
-constexpr std::size_t kBestStarts = 10;    ///< that are refined
+constexpr std::size_t kStartPoints = 600;   ///< of the plan, that a start is judged by
+constexpr std::size_t kClimbPoints = 4000;  ///< of the plan, that each step of climbing looks at
+constexpr std::size_t kBestStarts = 20;     ///< that are refined
 
 /// Both plans as lattices.
 struct Lattices {
@@ -49,8 +50,9 @@ struct Pairing {
   std::vector<PointPair> pulls;  ///< centres of paired rooms, in building and truth
 };
 
-Pairing pair_at(const Lattices& lattices, const Pose2& truth_from_building, double min_iou) {
-  const WeightTable iou = overlaps_at(lattices, truth_from_building, 1);
+Pairing pair_at(const Lattices& lattices, const Pose2& truth_from_building, double min_iou,
+                std::size_t stride = 1) {
+  const WeightTable iou = overlaps_at(lattices, truth_from_building, stride);
   const auto partner = best_assignment(iou);
   Pairing pairing;
   for (std::size_t i = 0; i < partner.size(); ++i) {
@@ -139,6 +141,38 @@ PlanAlignment refined(const Lattices& lattices, Pose2 pose, const PlanAlignOptio
   return best;
 }
 
+/// Moves and turns in ever smaller steps as long as the overlap grows: centres of rooms that were
+/// seen in part had pulled it off.
+PlanAlignment climbed(const Lattices& lattices, PlanAlignment best, std::size_t stride,
+                      const PlanAlignOptions& options) {
+  const auto overlap_of = [&](const Pose2& pose) {
+    return pair_at(lattices, pose, options.min_iou, stride).iou_sum;
+  };
+  const Point2 middle = centre_of(all_points(lattices.plan));
+  const Pose2 about{middle.x(), middle.y(), 0.0};  // turns are about the plan's middle
+  double top = overlap_of(best.truth_from_building);
+  for (double step_m = 0.8; step_m > 0.04; step_m /= 2.0) {
+    const double turn_rad = radians(step_m * 5.0);
+    for (bool moved = true; moved;) {
+      moved = false;
+      for (const Pose2& step :
+           {Pose2{step_m, 0, 0}, Pose2{-step_m, 0, 0}, Pose2{0, step_m, 0}, Pose2{0, -step_m, 0},
+            Pose2{0, 0, turn_rad}, Pose2{0, 0, -turn_rad}}) {
+        const Pose2 tried = best.truth_from_building * about * step * inverse(about);
+        const double overlap = overlap_of(tried);
+        if (overlap <= top) continue;
+        top = overlap;
+        best.truth_from_building = tried;
+        moved = true;
+      }
+    }
+  }
+  const Pairing pairing = pair_at(lattices, best.truth_from_building, options.min_iou);
+  best.rooms = static_cast<int>(pairing.pulls.size());
+  best.overlap = pairing.iou_sum / static_cast<double>(lattices.truth.rooms());
+  return best;
+}
+
 }  // namespace
 
 const char* to_string(AlignedBy by) {
@@ -172,7 +206,9 @@ PlanAlignment align_plan(const FloorPlan& plan, const FloorPlan& truth,
 
   PlanAlignment best;
   for (std::size_t i = 0; i < std::min(order.size(), kBestStarts); ++i) {
-    const PlanAlignment aligned = refined(lattices, starts[order[i]], options);
+    PlanAlignment aligned = refined(lattices, starts[order[i]], options);
+    if (aligned.by == AlignedBy::nothing) continue;
+    aligned = climbed(lattices, aligned, std::max<std::size_t>(1, points / kClimbPoints), options);
     if (aligned.overlap > best.overlap) best = aligned;
   }
   return best;

@@ -9,7 +9,7 @@ namespace roomatlas {
 enum class AlignedBy {
   nothing,         ///< there were no rooms to align: the identity
   trajectory,      ///< least squares over the robot's positions
-  room_centroids,  ///< least squares over the centres of matched rooms
+  room_centroids,  ///< the centres of matched rooms, then their overlap
 };
 
 [[nodiscard]] const char* to_string(AlignedBy by);
@@ -33,9 +33,10 @@ struct PlanAlignOptions {
 /// The rigid motion that lays a plan on the true plan, found from the rooms' shapes alone, where
 /// there is no true trajectory. Starts from several rotations and from pairs of rooms laid on pairs
 /// of true rooms; from the starts that overlap best it matches rooms one to one and moves the
-/// centres of matched rooms together by least squares, in turn, and keeps the best overlap seen.
-/// Not guaranteed: a symmetric building can come out turned; rooms that the robot saw in part pull
-/// their centres off (a half-seen room of 6 m by about 1.5 m).
+/// centres of matched rooms together by least squares, in turn, then moves and turns the whole in
+/// small steps as long as the rooms overlap more, and keeps the best overlap.
+/// Not guaranteed: a symmetric building can come out turned, and a plan that is bent or hardly
+/// overlaps any room can come to lie anywhere.
 [[nodiscard]] PlanAlignment align_plan(const FloorPlan& plan, const FloorPlan& truth,
                                        const PlanAlignOptions& options);
 
