@@ -51,12 +51,12 @@ void build(const Settings& settings, const Path& log, const Path& out,
   }
   assemble(settings, store);
   export_all(settings, store, {"svg", "png", "geojson", "tum", "dot"}, out);
-  const std::optional<Evaluation> evaluation = evaluation_of(store, truth);
+  const Evaluation evaluation = evaluation_of(settings, store, truth);
   write_summary(store, evaluation, out);
   if (settings.json) {
-    fmt::print("{}", evaluation ? to_json(*evaluation) : "{}\n");
-  } else if (evaluation) {
-    print(*evaluation);
+    fmt::print("{}", to_json(evaluation));
+  } else {
+    print(evaluation);
   }
   spdlog::info("the plan is {}", (out / "plan.svg").string());
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "console.hpp"
+#include "plan_report.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -41,26 +42,12 @@ void print(const TruePosesBeforeAfter& poses) {
   print_row("heading", "corrected", "deg", poses.after.heading_deg);
 }
 
-void print(const PlanErrors& plan) {
-  fmt::print(
-      "rooms: {} found, {} true; precision {:.2f}, recall {:.2f}, F1 {:.2f} at IoU 0.5; "
-      "mean IoU {:.2f}\n",
-      plan.rooms, plan.true_rooms, plan.precision, plan.recall, plan.f1, plan.mean_iou);
-  fmt::print("doors: {} matched within 0.5 m; {} of {} that the robot used were found\n",
-             plan.door_matches.size(), plan.used_true_doors.size() - plan.missed_used_doors.size(),
-             plan.used_true_doors.size());
-  for (const DoorMatch& match : plan.door_matches) {
-    fmt::print("  door {:>3} is true door {:>3}, {:.2f} m apart\n", match.door, match.true_door,
-               match.distance_m);
-  }
-}
-
 }  // namespace
 
 void print(const Evaluation& evaluation) {
   if (evaluation.relations) print(*evaluation.relations);
   if (evaluation.true_poses) print(*evaluation.true_poses);
-  if (evaluation.plan) print(*evaluation.plan);
+  print_plan_evaluation(evaluation);
   show(evaluation.issues);
 }
 

@@ -2,17 +2,16 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <vector>
 
 #include "roomatlas/pipeline/pipeline.hpp"
+#include "settings.hpp"
 
 namespace roomatlas::apps {
 
-/// Judges an assembled store against true poses in it and the given truth files. Nothing when
-/// there is neither.
-[[nodiscard]] std::optional<Evaluation> evaluation_of(
-    const std::filesystem::path& store, const std::vector<std::filesystem::path>& truth);
+/// Judges an assembled store against true poses in it, the given truth files, and itself.
+[[nodiscard]] Evaluation evaluation_of(const Settings& settings, const std::filesystem::path& store,
+                                       const std::vector<std::filesystem::path>& truth);
 
 /// Tables for people, on stdout.
 void print(const Evaluation& evaluation);

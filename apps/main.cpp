@@ -28,6 +28,7 @@ struct Arguments {
   Path out;
   apps::SimulateArguments simulate;
   std::vector<Path> truth;
+  std::vector<Path> spans;
   std::vector<std::string> formats = {"svg", "png", "geojson", "tum", "dot", "json"};
   bool print_config = false;
 };
@@ -40,10 +41,21 @@ CLI::Option* output(CLI::App* command, Path& value, const char* meaning) {
   return command->add_option("-o,--output", value, meaning)->required()->configurable(false);
 }
 
+/// All files of truth: spans are told by their names too.
+std::vector<Path> truth_of(const Arguments& arguments) {
+  std::vector<Path> files = arguments.truth;
+  files.insert(files.end(), arguments.spans.begin(), arguments.spans.end());
+  return files;
+}
+
 void add_truth(CLI::App* command, Arguments& arguments) {
   command
       ->add_option("--truth", arguments.truth,
-                   "truth to compare with: FILE.relations, FILE.tum or a plan FILE.geojson")
+                   "truth to compare with: FILE.relations, FILE.tum, a plan FILE.geojson, a label "
+                   "picture FILE.pgm[.gz], or tape-measure spans FILE.csv; again for more")
+      ->configurable(false);
+  command
+      ->add_option("--spans", arguments.spans, "tape-measure spans, FILE.csv: as --truth FILE.csv")
       ->configurable(false);
 }
 
@@ -76,7 +88,7 @@ void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
   positional(info, "LOG", a.log, "mission log");
 
   CLI::App* build = command("build", "log -> floor plan: everything in order",
-                            [&] { apps::build(settings, a.log, a.out, a.truth); });
+                            [&] { apps::build(settings, a.log, a.out, truth_of(a)); });
   positional(build, "LOG", a.log, "mission log, plain or gzip");
   output(build, a.out, "folder for the results");
   add_truth(build, a);
@@ -99,8 +111,8 @@ void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
       ->configurable(false);
   output(exported, a.out, "folder for the files");
 
-  CLI::App* evaluate = command("evaluate", "errors before and after, against truth",
-                               [&] { apps::evaluate(settings, a.store, a.truth); });
+  CLI::App* evaluate = command("evaluate", "errors before and after, against truth and without any",
+                               [&] { apps::evaluate(settings, a.store, truth_of(a)); });
   positional(evaluate, "STORE", a.store, "assembled store");
   add_truth(evaluate, a);
 

@@ -1,107 +1,109 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/evaluate/plan_errors.hpp"
+
 #include <algorithm>
+#include <map>
 #include <tuple>
 
+#include "room_shapes.hpp"
 #include "roomatlas/core/geometry.hpp"
-#include "roomatlas/evaluate/evaluate.hpp"
-#include "roomatlas/merge/merge.hpp"
+#include "roomatlas/evaluate/assignment.hpp"
+#include "segmentation.hpp"
 
 namespace roomatlas {
 namespace {
 
-/// One object of the plan and one of the truth that may be the same; less cost goes first.
-struct Candidate {
-  double cost = 0.0;
-  std::size_t ours = 0;
-  std::size_t truth = 0;
-};
+double ratio(double part, double whole) { return whole > 0.0 ? part / whole : 0.0; }
 
-/// Keeps the cheapest candidates such that no object is in two of them, cheapest first. Ties go
-/// to the earlier objects, so that the answer does not depend on the order of the candidates.
-std::vector<Candidate> one_to_one(std::vector<Candidate> candidates, std::size_t ours,
-                                  std::size_t truth) {
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-    return std::tie(a.cost, a.ours, a.truth) < std::tie(b.cost, b.ours, b.truth);
-  });
-  std::vector<bool> ours_taken(ours, false);
-  std::vector<bool> truth_taken(truth, false);
-  std::erase_if(candidates, [&](const Candidate& candidate) {
-    if (ours_taken[candidate.ours] || truth_taken[candidate.truth]) return true;
-    ours_taken[candidate.ours] = truth_taken[candidate.truth] = true;
-    return false;
-  });
-  return candidates;
+DetectionScore score(std::int64_t matched, std::int64_t found, std::int64_t wanted) {
+  const auto m = static_cast<double>(matched);
+  const auto f = static_cast<double>(found);
+  const auto w = static_cast<double>(wanted);
+  return {matched, ratio(m, f), ratio(m, w), ratio(2.0 * m, f + w)};
 }
 
-/// What IoU needs of a room, in the truth's frame.
-struct RoomShape {
-  std::vector<Polygon> parts;
-  double area_m2 = 0.0;
-  Box2 box;
-};
+using IndexPairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-std::vector<RoomShape> shapes_of(const FloorPlan& plan, const Pose2& truth_from_plan) {
-  std::vector<RoomShape> shapes;
-  for (const PlanRoom& room : plan.rooms) {
-    std::vector<Polygon> parts;
-    for (const Polygon& part : room.parts) parts.push_back(transformed(truth_from_plan, part));
-    RoomShape shape{union_of(parts), 0.0, {}};
-    for (const Polygon& part : shape.parts) {
-      shape.area_m2 += area(part);
-      for (const Point2& point : part.outer) shape.box.extend(point);
-    }
-    shapes.push_back(std::move(shape));
-  }
-  return shapes;
-}
-
-bool apart(const Box2& a, const Box2& b) {
-  return a.empty() || b.empty() || (a.min.array() > b.max.array()).any() ||
-         (b.min.array() > a.max.array()).any();
-}
-
-/// Intersection over union, [0, 1]; 0 for rooms without area.
-double intersection_over_union(const RoomShape& a, const RoomShape& b) {
-  if (apart(a.box, b.box)) return 0.0;
-  const double shared_m2 = overlap_area(a.parts, b.parts);
-  const double either_m2 = a.area_m2 + b.area_m2 - shared_m2;
-  return either_m2 > 0.0 ? std::clamp(shared_m2 / either_m2, 0.0, 1.0) : 0.0;
-}
-
-std::vector<RoomMatch> match_rooms(const FloorPlan& plan, const FloorPlan& truth,
-                                   const Pose2& truth_from_building, double iou_threshold) {
-  const std::vector<RoomShape> shapes = shapes_of(plan, truth_from_building);
-  const std::vector<RoomShape> true_shapes = shapes_of(truth, Pose2{});
-  std::vector<Candidate> candidates;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    for (std::size_t j = 0; j < true_shapes.size(); ++j) {
-      const double iou = intersection_over_union(shapes[i], true_shapes[j]);
-      if (iou > 0.0 && iou >= iou_threshold) candidates.push_back({-iou, i, j});
+/// Pairs at the threshold come first, because one of them outweighs the IoU of all others.
+IndexPairs pair_rooms(const Overlaps& overlaps, double iou_threshold) {
+  const auto bonus = static_cast<double>(overlaps.rooms.size() + 1);
+  WeightTable weights;
+  for (std::size_t i = 0; i < overlaps.rooms.size(); ++i) {
+    std::vector<double>& row = weights.emplace_back();
+    for (std::size_t j = 0; j < overlaps.true_rooms.size(); ++j) {
+      const double iou = overlaps.iou(i, j);
+      row.push_back(iou > 0.0 && iou >= iou_threshold ? iou + bonus : iou);
     }
   }
-  std::vector<RoomMatch> matches;
-  for (const Candidate& found : one_to_one(candidates, shapes.size(), true_shapes.size())) {
-    matches.push_back({plan.rooms[found.ours].id, truth.rooms[found.truth].id, -found.cost});
+  IndexPairs pairs;
+  const auto columns = best_assignment(weights);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i]) pairs.emplace_back(i, *columns[i]);
   }
-  return matches;
+  return pairs;
+}
+
+void score_rooms(PlanErrors& errors, const PlanErrorOptions& options) {
+  std::int64_t strict = 0;
+  double iou_sum = 0.0;
+  double matched_iou_sum = 0.0;
+  for (const RoomMatch& pair : errors.room_pairs) {
+    iou_sum += pair.iou;
+    if (pair.iou >= options.strict_iou_threshold) ++strict;
+    if (pair.iou < options.iou_threshold) continue;
+    errors.room_matches.push_back(pair);
+    matched_iou_sum += pair.iou;
+  }
+  const std::int64_t matched = std::ssize(errors.room_matches);
+  const DetectionScore rooms = score(matched, errors.rooms, errors.true_rooms);
+  errors.precision = rooms.precision;
+  errors.recall = rooms.recall;
+  errors.f1 = rooms.f1;
+  errors.strict = score(strict, errors.rooms, errors.true_rooms);
+  errors.mean_iou = ratio(matched_iou_sum, static_cast<double>(matched));
+  errors.mean_true_iou = ratio(iou_sum, static_cast<double>(errors.true_rooms));
+}
+
+void compare_rooms(PlanErrors& errors, const FloorPlan& plan, const FloorPlan& truth,
+                   const Pose2& truth_from_building, const PlanErrorOptions& options) {
+  errors.rooms = std::ssize(plan.rooms);
+  errors.true_rooms = std::ssize(truth.rooms);
+  const Overlaps overlaps = overlaps_of(plan, truth, truth_from_building);
+  const IndexPairs pairs = pair_rooms(overlaps, options.iou_threshold);
+  for (const auto& [i, j] : pairs) {
+    errors.room_pairs.push_back({plan.rooms[i].id, truth.rooms[j].id, overlaps.iou(i, j)});
+  }
+  std::stable_sort(errors.room_pairs.begin(), errors.room_pairs.end(),
+                   [](const RoomMatch& a, const RoomMatch& b) { return a.iou > b.iou; });
+  errors.segmentation = segmentation_of(plan, truth, overlaps, pairs, options.piece_share);
+  score_rooms(errors, options);
 }
 
 Point2 middle(const Segment2& segment) { return (segment.a + segment.b) / 2.0; }
 
+/// A pair inside the gate outweighs all distances; among as many pairs the nearest win.
 std::vector<DoorMatch> match_doors(const FloorPlan& plan, const FloorPlan& truth,
                                    const Pose2& truth_from_building, double gate_m) {
-  std::vector<Candidate> candidates;
-  for (std::size_t i = 0; i < plan.doors.size(); ++i) {
+  const double bonus = gate_m * static_cast<double>(plan.doors.size() + 1) + 1.0;
+  const auto distance_m = [&](std::size_t i, std::size_t j) {
     const Point2 ours = truth_from_building * middle(plan.doors[i].jambs);
+    return (ours - middle(truth.doors[j].jambs)).norm();
+  };
+  WeightTable weights(plan.doors.size(), std::vector<double>(truth.doors.size(), 0.0));
+  for (std::size_t i = 0; i < plan.doors.size(); ++i) {
     for (std::size_t j = 0; j < truth.doors.size(); ++j) {
-      const double distance_m = (ours - middle(truth.doors[j].jambs)).norm();
-      if (distance_m <= gate_m) candidates.push_back({distance_m, i, j});
+      if (distance_m(i, j) <= gate_m) weights[i][j] = bonus - distance_m(i, j);
     }
   }
   std::vector<DoorMatch> matches;
-  for (const Candidate& found : one_to_one(candidates, plan.doors.size(), truth.doors.size())) {
-    matches.push_back({plan.doors[found.ours].id, truth.doors[found.truth].id, found.cost});
+  const auto columns = best_assignment(weights);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (!columns[i]) continue;
+    matches.push_back({plan.doors[i].id, truth.doors[*columns[i]].id, distance_m(i, *columns[i])});
   }
+  std::stable_sort(matches.begin(), matches.end(), [](const DoorMatch& a, const DoorMatch& b) {
+    return a.distance_m < b.distance_m;
+  });
   return matches;
 }
 
@@ -115,20 +117,6 @@ bool crosses(const Trajectory& path, const Segment2& jambs) {
   return false;
 }
 
-double ratio(double part, double whole) { return whole > 0.0 ? part / whole : 0.0; }
-
-void score_rooms(PlanErrors& errors) {
-  const auto matched = static_cast<double>(errors.room_matches.size());
-  const auto rooms = static_cast<double>(errors.rooms);
-  const auto true_rooms = static_cast<double>(errors.true_rooms);
-  errors.precision = ratio(matched, rooms);
-  errors.recall = ratio(matched, true_rooms);
-  errors.f1 = ratio(2.0 * matched, rooms + true_rooms);
-  double iou_sum = 0.0;
-  for (const RoomMatch& match : errors.room_matches) iou_sum += match.iou;
-  errors.mean_iou = ratio(iou_sum, matched);
-}
-
 void find_used_doors(PlanErrors& errors, const FloorPlan& truth, const Trajectory& true_path) {
   for (const PlanDoor& door : truth.doors) {
     if (!crosses(true_path, door.jambs)) continue;
@@ -140,18 +128,34 @@ void find_used_doors(PlanErrors& errors, const FloorPlan& truth, const Trajector
   }
 }
 
+void compare_doors(PlanErrors& errors, const FloorPlan& plan, const FloorPlan& truth,
+                   const Pose2& truth_from_building, const Trajectory& true_path,
+                   const PlanErrorOptions& options) {
+  errors.doors = std::ssize(plan.doors);
+  errors.true_doors = std::ssize(truth.doors);
+  errors.door_matches = match_doors(plan, truth, truth_from_building, options.door_gate_m);
+  const std::int64_t matched = std::ssize(errors.door_matches);
+  errors.door_score = score(matched, errors.doors, errors.true_doors);
+  double sum_m = 0.0;
+  for (const DoorMatch& match : errors.door_matches) sum_m += match.distance_m;
+  if (matched > 0) errors.mean_door_distance_m = sum_m / static_cast<double>(matched);
+  find_used_doors(errors, truth, true_path);
+  std::map<RoomId, RoomId> true_room_of;
+  for (const RoomMatch& match : errors.room_matches) true_room_of[match.room] = match.true_room;
+  errors.graph = plan_graph_errors(plan, truth, true_room_of);
+}
+
 }  // namespace
 
 PlanErrors plan_errors(const FloorPlan& plan, const FloorPlan& truth,
                        const Pose2& truth_from_building, const Trajectory& true_path,
                        const PlanErrorOptions& options) {
   PlanErrors errors;
-  errors.rooms = std::ssize(plan.rooms);
-  errors.true_rooms = std::ssize(truth.rooms);
-  errors.room_matches = match_rooms(plan, truth, truth_from_building, options.iou_threshold);
-  errors.door_matches = match_doors(plan, truth, truth_from_building, options.door_gate_m);
-  score_rooms(errors);
-  find_used_doors(errors, truth, true_path);
+  compare_rooms(errors, plan, truth, truth_from_building, options);
+  errors.doors_known = options.doors_known;
+  if (options.doors_known) {
+    compare_doors(errors, plan, truth, truth_from_building, true_path, options);
+  }
   return errors;
 }
 

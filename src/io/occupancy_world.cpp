@@ -2,11 +2,11 @@
 #include "occupancy_world.hpp"
 
 #include "label_contacts.hpp"
+#include "label_rooms.hpp"
 #include "trace_cells.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace roomatlas::io {
 namespace {
@@ -83,22 +83,6 @@ CellGrid<int> with_rim(const Picture& labels) {
     }
   }
   return grid;
-}
-
-void add_rooms(const CellGrid<int>& labels, const ToWorld& to_world, FloorPlan& plan) {
-  std::map<int, PlanRoom> rooms;
-  for (const TracedRegion& region : trace_cells(labels)) {
-    rooms[region.value].parts.push_back(to_world(region.outline));
-  }
-  for (auto& [label, room] : rooms) {
-    room.id = label;
-    room.name = std::to_string(label);
-    std::stable_sort(room.parts.begin(), room.parts.end(),
-                     [](const Polygon& a, const Polygon& b) { return area(a) > area(b); });
-    for (const Polygon& part : room.parts) room.area_m2 += area(part);
-    room.label_point = interior_point(room.parts.front(), 0.1);
-    plan.rooms.push_back(std::move(room));
-  }
 }
 
 void add_doors(const CellGrid<int>& labels, const ToWorld& to_world, FloorPlan& plan) {
@@ -183,7 +167,7 @@ FloorPlan world_of_occupancy(const Picture& picture, const OccupancyScale& scale
   if (!labels) return plan;
   const int most_steps = static_cast<int>(std::ceil(kSpread_m / scale.resolution_m - 1e-9));
   const CellGrid<int> rooms = room_cells(cells, *labels, most_steps, plan);
-  add_rooms(rooms, to_world, plan);
+  plan.rooms = rooms_of_labels(rooms, [&](const Point2& corner) { return to_world(corner); });
   add_doors(rooms, to_world, plan);
   return plan;
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "plan_evaluation_json.hpp"
+
 namespace roomatlas {
 namespace {
 
@@ -79,6 +81,7 @@ Json json_of(const Evaluation& evaluation) {
                           {"after", json_of(evaluation.true_poses->after)}};
   }
   if (evaluation.plan) json["plan"] = json_of(*evaluation.plan);
+  io::add_plan_evaluation(json, evaluation);
   json["issues"] = json_of(evaluation.issues);
   return json;
 }

@@ -19,7 +19,7 @@ inline const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"graph", {"core", "mission", "grid", "polyline", "match", "asr"}},
     {"correct", {"core", "asr", "graph"}},
     {"merge", {"core", "asr", "graph", "correct"}},
-    {"evaluate", {"core", "mission", "asr", "graph", "correct", "merge"}},
+    {"evaluate", {"core", "mission", "polyline", "asr", "graph", "correct", "merge"}},
     {"draw", {"core", "asr", "graph", "correct", "merge", "evaluate"}},
     {"simulate", {"core", "mission", "grid", "asr", "graph", "merge"}},
     {"io",

@@ -8,6 +8,11 @@
 #include "roomatlas/asr/recorder.hpp"
 #include "roomatlas/correct/correct.hpp"
 #include "roomatlas/evaluate/evaluate.hpp"
+#include "roomatlas/evaluate/plan_alignment.hpp"
+#include "roomatlas/evaluate/room_pose_errors.hpp"
+#include "roomatlas/evaluate/self_consistency.hpp"
+#include "roomatlas/evaluate/spans.hpp"
+#include "roomatlas/evaluate/wall_errors.hpp"
 #include "roomatlas/graph/doors.hpp"
 #include "roomatlas/graph/recognise.hpp"
 #include "roomatlas/match/dead_reckoner.hpp"
@@ -77,6 +82,8 @@ struct Truth {
   std::vector<Relation> relations;
   Trajectory poses;
   std::optional<FloorPlan> plan;
+  bool plan_has_doors = true;  ///< false for a plan from a label picture
+  std::vector<Span> spans;     ///< lengths measured in the building
 };
 
 struct RelationsBeforeAfter {
@@ -88,15 +95,30 @@ struct TruePosesBeforeAfter {
   TruePoseErrors after;
 };
 
+struct RoomPosesBeforeAfter {
+  RoomPoseErrors before;
+  RoomPoseErrors after;
+};
+
 struct Evaluation {
   std::optional<RelationsBeforeAfter> relations;
   std::optional<TruePosesBeforeAfter> true_poses;
-  std::optional<PlanErrors> plan;  ///< needs true poses, for the alignment
+  std::optional<PlanErrors> plan;
+  PlanAlignment plan_alignment;  ///< by true poses where there are some, else by the rooms
+  std::optional<WallErrors> walls;
+  std::optional<SpanErrors> spans;
+  std::optional<RoomPosesBeforeAfter> room_poses;    ///< needs true poses
+  std::optional<ConsistencyComparison> consistency;  ///< needs no truth
   Issues issues;
 };
 
 /// Judges a correction against what is known of the truth.
 [[nodiscard]] Evaluation evaluate(const Trajectory& odometry, const Trajectory& corrected,
                                   const FloorPlan& plan, const Truth& truth);
+
+/// Judges where odometry and where the correction put the rooms: against true poses where there are
+/// some, and against themselves. Adds to `evaluation`, which `evaluate` has made of the same truth.
+void judge_placements(const AsrSource& source, const Correction& correction, const FloorPlan& plan,
+                      const Truth& truth, Evaluation& evaluation);
 
 }  // namespace roomatlas

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "roomatlas/evaluate/self_consistency.hpp"
+
+#include <vector>
+
+namespace roomatlas {
+
+/// One ASR's evidence, placed.
+struct PlacedEvidence {
+  const AsrEvidence* evidence = nullptr;
+  Pose2 building_from_asr;
+  RoomId room = 0;  ///< negative for a room of its own
+  Box2 seen;        ///< of its rays, in building metres
+  Box2 solid;       ///< of its walls and surfaces
+};
+using PlacedAll = std::vector<PlacedEvidence>;
+
+[[nodiscard]] bool near(const Box2& a, const Box2& b, double reach_m);
+
+// One function a figure; see ConsistencyFigure for what each means.
+[[nodiscard]] ConsistencyValue room_overlap(const PlacedAll& all,
+                                            const ConsistencyOptions& options);
+[[nodiscard]] ConsistencyValue negative_walls(const PlacedAll& all,
+                                              const ConsistencyOptions& options);
+[[nodiscard]] ConsistencyValue door_sides(const PlacedAll& all);
+[[nodiscard]] ConsistencyValue doors_again(const PlacedAll& all, const ConsistencyOptions& options);
+[[nodiscard]] ConsistencyValue corridor_bend(const PlacedAll& all);
+[[nodiscard]] ConsistencyValue rays_through_walls(const PlacedAll& all,
+                                                  const ConsistencyOptions& options);
+
+/// Two figures from one look at all hits.
+struct HitFigures {
+  ConsistencyValue in_free_space;
+  ConsistencyValue doubled_walls;
+};
+[[nodiscard]] HitFigures judge_hits(const PlacedAll& all, const ConsistencyOptions& options);
+
+}  // namespace roomatlas

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rays, hits and free space: what the readings say.
+#include <algorithm>
+#include <cmath>
+
+#include "consistency_figures.hpp"
+
+namespace roomatlas {
+namespace {
+
+constexpr std::size_t kRayStride = 5;  ///< every fifth ray is asked: walls are many
+constexpr std::size_t kHitStride = 3;  ///< every third hit
+
+Box2 box_of(const Segment2& segment) {
+  return {segment.a.cwiseMin(segment.b), segment.a.cwiseMax(segment.b)};
+}
+
+/// How a ray meets the walls of another ASR: where it ends less where the first wall stands, in
+/// metres along the ray; nothing when no wall is on its way, up to `reach_m` behind its end.
+std::optional<double> behind_wall_m(const Segment2& ray, const std::vector<Segment2>& walls,
+                                    double reach_m) {
+  const Point2 along = ray.b - ray.a;
+  const double length_m = along.norm();
+  if (!(length_m > 0.0)) return std::nullopt;
+  const Segment2 longer{ray.a, ray.b + reach_m * along / length_m};
+  const Box2 box = box_of(longer);
+  std::optional<double> first;
+  for (const Segment2& wall : walls) {
+    if (!near(box, box_of(wall), 0.0)) continue;
+    const auto at = crossing_fraction(longer, wall);
+    if (at && (!first || *at < *first)) first = *at;
+  }
+  if (!first) return std::nullopt;
+  return length_m - *first * (length_m + reach_m);
+}
+
+/// Sums over the hits of one ASR in what another one saw.
+struct HitSums {
+  std::int64_t seen = 0;           ///< hits in space that the other saw
+  std::int64_t in_free_space = 0;  ///< of those, far from anything that the other hit
+  std::int64_t compared = 0;       ///< hits near a straight surface, or in free space
+  double apart_m = 0.0;            ///< of those, added up
+
+  void add(const NearHit& near_hit, bool is_free, double reach_m) {
+    if (!near_hit.is_near && !is_free) return;
+    ++seen;
+    if (!near_hit.is_near) ++in_free_space;
+    if (near_hit.is_near && !near_hit.across_m) return;
+    ++compared;
+    apart_m += std::min(near_hit.across_m.value_or(reach_m), reach_m);
+  }
+};
+
+ConsistencyValue mean_of(ConsistencyFigure figure, double sum, std::int64_t count) {
+  ConsistencyValue result{figure};
+  result.measured = static_cast<double>(count);
+  if (count > 0) result.value = sum / result.measured;
+  return result;
+}
+
+}  // namespace
+
+ConsistencyValue rays_through_walls(const PlacedAll& all, const ConsistencyOptions& options) {
+  std::int64_t met = 0;
+  std::int64_t through = 0;
+  for (const PlacedEvidence& a : all) {
+    for (const PlacedEvidence& b : all) {
+      if (&a == &b || !near(a.seen, b.solid, 0.0)) continue;
+      const Pose2 b_from_a = inverse(b.building_from_asr) * a.building_from_asr;
+      const auto& rays = a.evidence->rays;
+      for (std::size_t i = 0; i < rays.size(); i += kRayStride) {
+        const auto behind_m = behind_wall_m(transformed(b_from_a, rays[i].segment),
+                                            b.evidence->walls, options.deep_m);
+        if (!behind_m) continue;
+        if (!rays[i].is_hit && *behind_m < options.deep_m) continue;  // it says nothing of the wall
+        ++met;
+        if (*behind_m > options.deep_m) ++through;
+      }
+    }
+  }
+  return mean_of(ConsistencyFigure::rays_through_walls, static_cast<double>(through), met);
+}
+
+HitFigures judge_hits(const PlacedAll& all, const ConsistencyOptions& options) {
+  HitSums sums;
+  for (const PlacedEvidence& a : all) {
+    for (const PlacedEvidence& b : all) {
+      if (&a == &b || !near(a.seen, b.seen, options.deep_m)) continue;
+      const Pose2 b_from_a = inverse(b.building_from_asr) * a.building_from_asr;
+      const auto& rays = a.evidence->rays;
+      for (std::size_t i = 0; i < rays.size(); i += kHitStride) {
+        if (!rays[i].is_hit) continue;
+        const Segment2 ray = transformed(b_from_a, rays[i].segment);
+        const Point2& hit = ray.b;
+        sums.add(b.evidence->seen.nearest_hit(hit, ray.b - ray.a, options.deep_m),
+                 b.evidence->seen.free_rays(hit) >= options.min_free_rays, options.deep_m);
+      }
+    }
+  }
+  return {mean_of(ConsistencyFigure::hits_in_free_space, static_cast<double>(sums.in_free_space),
+                  sums.seen),
+          mean_of(ConsistencyFigure::doubled_walls, sums.apart_m, sums.compared)};
+}
+
+}  // namespace roomatlas

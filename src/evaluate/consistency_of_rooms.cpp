@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Overlap, walls of negative thickness: what the outlines say.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "consistency_figures.hpp"
+#include "room_raster.hpp"
+
+namespace roomatlas {
+namespace {
+
+constexpr double kOpposite = -0.9;  ///< cosine between the sides of one wall
+
+/// The lattice cells that each room covers, each once.
+std::map<RoomId, std::vector<LatticeCell>> cells_of_rooms(const PlacedAll& all, double step_m) {
+  std::map<RoomId, std::vector<LatticeCell>> cells;
+  for (const PlacedEvidence& placed : all) {
+    std::vector<LatticeCell>& list = cells[placed.room];
+    for (const LatticeCell& cell :
+         cells_in(transformed(placed.building_from_asr, placed.evidence->outline), step_m)) {
+      list.push_back(cell);
+    }
+  }
+  for (auto& [room, list] : cells) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  return cells;
+}
+
+/// How far the facing wall of another room lies behind this surface: the wall's thickness, signed.
+/// The nearest such wall counts.
+std::optional<double> thickness_at(const Point2& point, const Point2& outwards,
+                                   const std::vector<SurfaceSample>& others, double reach_m,
+                                   double step_m) {
+  std::optional<double> nearest;
+  for (const SurfaceSample& other : others) {
+    const Point2 apart = other.point - point;
+    if (std::abs(apart.x()) > reach_m + step_m || std::abs(apart.y()) > reach_m + step_m) continue;
+    if (std::abs(cross(outwards, apart)) > step_m) continue;  // beside it, not behind it
+    if (outwards.dot(other.outwards) > kOpposite) continue;
+    const double behind_m = outwards.dot(apart);
+    if (std::abs(behind_m) > reach_m) continue;
+    if (!nearest || std::abs(behind_m) < std::abs(*nearest)) nearest = behind_m;
+  }
+  return nearest;
+}
+
+/// Lowers each thickness of `a`'s surfaces to that against `b`, where `b`'s wall is nearer.
+void find_nearest_backs(const PlacedEvidence& a, const PlacedEvidence& b,
+                        const ConsistencyOptions& options, std::vector<double>& thickness_m) {
+  const Pose2 b_from_a = inverse(b.building_from_asr) * a.building_from_asr;
+  for (std::size_t i = 0; i < thickness_m.size(); ++i) {
+    const SurfaceSample& sample = a.evidence->surfaces[i];
+    const auto found =
+        thickness_at(b_from_a * sample.point, b_from_a * sample.outwards - b_from_a.position(),
+                     b.evidence->surfaces, options.wall_reach_m, options.evidence.step_m);
+    if (found && std::abs(*found) < std::abs(thickness_m[i])) thickness_m[i] = *found;
+  }
+}
+
+}  // namespace
+
+ConsistencyValue room_overlap(const PlacedAll& all, const ConsistencyOptions& options) {
+  std::vector<LatticeCell> covered;
+  for (const auto& [room, cells] : cells_of_rooms(all, options.evidence.step_m)) {
+    covered.insert(covered.end(), cells.begin(), cells.end());
+  }
+  ConsistencyValue result{ConsistencyFigure::room_overlap};
+  if (covered.empty()) return result;
+  std::sort(covered.begin(), covered.end());
+  const auto twice = static_cast<double>(covered.size());
+  covered.erase(std::unique(covered.begin(), covered.end()), covered.end());
+  const auto once = static_cast<double>(covered.size());
+  result.value = (twice - once) / once;
+  result.measured = once * options.evidence.step_m * options.evidence.step_m;
+  return result;
+}
+
+ConsistencyValue negative_walls(const PlacedAll& all, const ConsistencyOptions& options) {
+  ConsistencyValue result{ConsistencyFigure::negative_walls};
+  double depth_sum_m = 0.0;
+  std::int64_t samples = 0;
+  for (const PlacedEvidence& a : all) {
+    std::vector<double> thickness_m(a.evidence->surfaces.size(), options.wall_reach_m);
+    for (const PlacedEvidence& b : all) {
+      if (a.room != b.room && near(a.solid, b.solid, options.wall_reach_m)) {
+        find_nearest_backs(a, b, options, thickness_m);
+      }
+    }
+    for (const double thickness : thickness_m) {
+      depth_sum_m += std::max(-thickness, 0.0);
+      if (thickness < options.wall_reach_m) result.measured += 1.0;
+      ++samples;
+    }
+  }
+  if (samples > 0) result.value = depth_sum_m / static_cast<double>(samples);
+  return result;
+}
+
+}  // namespace roomatlas

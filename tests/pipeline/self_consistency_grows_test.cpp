@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The figures without truth get worse, in order, as known wrong corrections grow.
+#include <gtest/gtest.h>
+
+#include "pipeline/known_placement.hpp"
+#include "pipeline/memory_mission.hpp"
+#include "roomatlas/evaluate/self_consistency.hpp"
+#include "roomatlas/io/formats.hpp"
+#include "support/shared_data.hpp"
+
+namespace roomatlas {
+namespace {
+
+using namespace test;
+
+/// A mapped mission and where its ASRs truly are.
+struct KnownMission {
+  MemoryStore store;
+  std::vector<AsrEvidence> evidence;
+  Placement truth;
+  Placement odometry;
+  std::map<AsrId, RoomId> rooms;
+  ConsistencyOptions options;
+};
+
+/// Half of the sweeps and two thirds of the beams, for a large mission.
+ConsistencyOptions quick() {
+  ConsistencyOptions options;
+  options.evidence.sweeps_per_asr = 20;
+  options.evidence.beams_per_sweep = 40;
+  return options;
+}
+
+KnownMission known(MemoryStore store, const Trajectory& truth,
+                   const ConsistencyOptions& options = {}) {
+  KnownMission mission{std::move(store), {}, {}, {}, {}, options};
+  const std::vector<Asr> asrs = all_of(mission.store);
+  mission.evidence = evidence_of(mission.store, options.evidence);
+  mission.truth = true_placement(asrs, truth);
+  mission.odometry = odometry_placement(asrs);
+  mission.rooms = assign_rooms(asrs, build_graph(asrs), mission.truth, {});
+  return mission;
+}
+
+KnownMission recorded(const std::filesystem::path& log, const Trajectory& truth,
+                      const ConsistencyOptions& consistency = {}, bool find_reverse = true) {
+  MapOptions options;
+  options.reckon.find_reverse = find_reverse;
+  MemoryStore store;
+  const auto mission = open_mission(log, {});
+  (void)map_mission(*mission, store, options);
+  return known(std::move(store), truth, consistency);
+}
+
+KnownMission driven(const std::string& world) {
+  const Path file = Path(ROOMATLAS_SOURCE_DIR) / "data" / "worlds" / world;
+  std::vector<MissionEvent> events;
+  simulate(read_plan(file.string() + ".geojson"), read_drive(file.string() + ".drive"), {},
+           [&](const SimulatedStep& step) {
+             events.emplace_back(step.sonar);
+             events.emplace_back(step.truth);
+           });
+  MemoryStore store = mapped(events);
+  Trajectory truth;
+  for (const TruePose& pose : store.true_poses) {
+    truth.push_back({pose.timestamp_s, pose.world_from_robot});
+  }
+  return known(std::move(store), truth);
+}
+
+SelfConsistency judged(const KnownMission& mission, const Placement& placement) {
+  return self_consistency(mission.evidence, placement, mission.rooms, mission.options);
+}
+
+/// Every step of growing error raises the sum of the figures, and that of walls that rays pass
+/// through; and each wrong map is judged worse than the true one, or not better.
+template <typename Wrong>
+void expect_growth(const KnownMission& mission, const std::vector<double>& sizes, Wrong wrong) {
+  const SelfConsistency right = judged(mission, mission.truth);
+  SelfConsistency former = right;
+  const auto rays = static_cast<std::size_t>(ConsistencyFigure::rays_through_walls);
+  for (const double size : sizes) {
+    const SelfConsistency now = judged(mission, wrong(size));
+    EXPECT_GT(now.inconsistency, former.inconsistency) << "at " << size;
+    if (size >= sizes[1]) {
+      EXPECT_GE(now.figures[rays].value, former.figures[rays].value) << "at " << size;
+    }
+    former = now;
+  }
+  EXPECT_EQ(compare(right, former, {.before_is_odometry = false}).verdict, Verdict::worse);
+}
+
+void expect_order(const KnownMission& mission) {
+  const std::vector<double> angles_deg = {1, 2, 5, 10};
+  expect_growth(mission, angles_deg, [&](double angle_deg) {
+    return rooms_turned(mission.truth, mission.rooms, angle_deg);
+  });
+  expect_growth(mission, angles_deg, [&](double angle_deg) {
+    return visits_turned(mission.truth, mission.rooms, angle_deg);
+  });
+  expect_growth(mission, {0.25, 0.5, 1, 2},
+                [&](double size_m) { return false_loop(mission.truth, size_m); });
+}
+
+void expect_better_than_odometry(const KnownMission& mission, const Placement& placement) {
+  const ConsistencyComparison comparison =
+      compare(judged(mission, mission.odometry), judged(mission, placement), {});
+  EXPECT_EQ(comparison.verdict, Verdict::better);
+}
+
+/// The map that the pipeline itself makes.
+Placement corrected(const KnownMission& mission) {
+  return placement_of(assemble(mission.store, {}, {}).correction);
+}
+
+TEST(SelfConsistencyGrows, WithTheErrorsOfASimulatedWorld) {
+  const KnownMission mission = driven("eight_rooms");
+  expect_order(mission);
+  expect_better_than_odometry(mission, mission.truth);
+  expect_better_than_odometry(mission, corrected(mission));
+}
+
+TEST(SelfConsistencyGrows, WithTheErrorsOfFr079) {
+  const auto raw = shared_data("logs/fr079/fr079.clf.gz");
+  const auto truth = shared_data("logs/fr079/fr079.gfs-corrected.log.gz");
+  if (!raw || !truth) return;
+  const KnownMission mission = recorded(*raw, poses_of_corrected_log(*raw, *truth), quick());
+  expect_order(mission);
+  expect_better_than_odometry(mission, mission.truth);
+}
+
+TEST(SelfConsistencyGrows, WithTheErrorsOfAces) {
+  const auto raw = shared_data("logs/aces/aces.clf.gz");
+  const auto truth = shared_data("logs/aces/aces.gfs-corrected.log.gz");
+  if (!raw || !truth) return;
+  const KnownMission mission = recorded(*raw, poses_of_corrected_log(*raw, *truth));
+  expect_order(mission);
+  expect_better_than_odometry(mission, mission.truth);
+  expect_better_than_odometry(mission, corrected(mission));
+}
+
+TEST(SelfConsistencyGrows, WithTheErrorsOfMitCsail) {
+  const auto raw = shared_data("logs/mit-csail/mit-csail.clf.gz");
+  const auto truth = shared_data("logs/mit-csail/mit-csail.corrected-poses.txt");
+  if (!raw || !truth) return;
+  // This robot reports its direction rightly; looking for reversed drives bends its pieces.
+  const KnownMission mission = recorded(*raw, poses_of_table(*truth), {}, false);
+  expect_order(mission);
+  expect_better_than_odometry(mission, mission.truth);
+}
+
+}  // namespace
+}  // namespace roomatlas
