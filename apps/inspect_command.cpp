@@ -29,13 +29,16 @@ void inspect(const Settings& settings, const Path& store_file, AsrId id, const P
   write_png(out / (name + ".png"), svg, settings.png_dpi);
 
   const AsrCounters& counters = map.counters;
-  fmt::print(settings.json
-                 ? "{{\"asr\": {}, \"grid_bytes\": {}, \"occupied_cells\": {}, \"cleaned_cells\": "
-                   "{}, \"points\": {}, \"vertices\": {}, \"geometry_bytes\": {}}}\n"
-                 : "ASR {}: grid of {} bytes, {} cells occupied, {} after cleaning, {} points, {} "
-                   "vertices, {} bytes\n",
-             id, counters.grid_bytes, counters.occupied_cells, counters.cleaned_cells,
-             counters.extracted_points, counters.vertices, counters.geometry_bytes);
+  constexpr const char* kText =
+      "ASR {}: grid of {} bytes, {} cells occupied, {} after cleaning, {} points, {} vertices, {} "
+      "bytes\n";
+  constexpr const char* kJson =
+      R"({{"asr": {}, "grid_bytes": {}, "occupied_cells": {}, "cleaned_cells": {}, "points": {}, )"
+      R"("vertices": {}, "geometry_bytes": {}}})"
+      "\n";
+  fmt::print(fmt::runtime(settings.json ? kJson : kText), id, counters.grid_bytes,
+             counters.occupied_cells, counters.cleaned_cells, counters.extracted_points,
+             counters.vertices, counters.geometry_bytes);
 }
 
 }  // namespace roomatlas::apps
