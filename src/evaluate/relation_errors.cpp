@@ -6,7 +6,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "roomatlas/evaluate/evaluate.hpp"
+#include "roomatlas/evaluate/relations.hpp"
 
 namespace roomatlas {
 namespace {

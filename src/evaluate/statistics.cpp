@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "roomatlas/evaluate/evaluate.hpp"
+#include "roomatlas/evaluate/statistics.hpp"
 
 namespace roomatlas {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "roomatlas/evaluate/evaluate.hpp"
+#include "roomatlas/evaluate/true_poses.hpp"
 
 namespace roomatlas {
 namespace {
