@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "roomatlas/core/geometry.hpp"
 #include "roomatlas/evaluate/true_poses.hpp"
 
 namespace roomatlas {
