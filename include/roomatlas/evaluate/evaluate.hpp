@@ -3,6 +3,8 @@
 
 // Everything of the module; each topic has its own header.
 #include "roomatlas/evaluate/plan_errors.hpp"
+#include "roomatlas/evaluate/pose_lookup.hpp"
 #include "roomatlas/evaluate/relations.hpp"
 #include "roomatlas/evaluate/statistics.hpp"
+#include "roomatlas/evaluate/time_ranges.hpp"
 #include "roomatlas/evaluate/true_poses.hpp"
