@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "comparison_report.hpp"
 #include "settings.hpp"
+#include "trajectory_flags.hpp"
 
 namespace roomatlas::apps {
 
@@ -17,12 +19,14 @@ using Path = std::filesystem::path;
 
 void info(const Settings& settings, const Path& log);
 void build(const Settings& settings, const Path& log, const Path& out,
-           const std::vector<Path>& truth);
+           const std::vector<Path>& truth, const TrajectoryFlags& flags);
 void map(const Settings& settings, const Path& log, const Path& store);
 void assemble(const Settings& settings, const Path& store);
 void export_all(const Settings& settings, const Path& store,
                 const std::vector<std::string>& formats, const Path& out);
-void evaluate(const Settings& settings, const Path& store, const std::vector<Path>& truth);
+void evaluate(const Settings& settings, const std::vector<Path>& judged,
+              const std::vector<Path>& truth, const TrajectoryFlags& flags,
+              const ComparisonFiles& files);
 void simulate(const Settings& settings, const Path& world, const Path& drive, const Path& out);
 
 /// The formats that `export` knows.

@@ -6,56 +6,135 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "evaluation_report.hpp"
+#include "roomatlas/io/comparison_text.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
 #include "roomatlas/io/summary.hpp"
+#include "truth_files.hpp"
 
 namespace roomatlas::apps {
 namespace {
 
-/// Adds a truth file, told by its name: .relations, .tum, or a plan in .geojson.
-void add_truth(const Path& file, Truth& truth) {
-  const std::string extension = file.extension().string();
-  if (extension == ".relations") {
-    truth.relations = read_relations(file);
-  } else if (extension == ".tum") {
-    truth.poses = read_tum(file);
-  } else if (extension == ".geojson" || extension == ".json") {
-    truth.plan = read_plan(file);
-  } else {
-    throw UsageError(file.string() +
-                     ": unknown kind of truth: expected .relations, .tum or .geojson");
+constexpr const char* kNoTruth =
+    "nothing to evaluate against: give --truth FILE (relations, a trajectory or a plan)";
+
+/// A store is an SQLite file, whatever its name.
+bool is_store(const Path& file) {
+  constexpr std::string_view kMagic = "SQLite format 3";
+  std::string head(kMagic.size(), '\0');
+  std::ifstream(file, std::ios::binary)
+      .read(head.data(), static_cast<std::streamsize>(head.size()));
+  return head == kMagic;
+}
+
+void require_assembly(const GeoPackageStore& store, const Path& file) {
+  if (store.has_assembly()) return;
+  throw NotEnoughError(file.string() + ": not assembled yet: run `roomatlas assemble` on it first");
+}
+
+void add_poses_in(const GeoPackageStore& store, Truth& truth) {
+  for (const TruePose& pose : store.truth()) {
+    truth.poses.push_back({pose.timestamp_s, pose.world_from_robot});
   }
+}
+
+void add_run(const Settings& settings, const Path& file, const std::string& name,
+             std::vector<Run>& runs) {
+  if (is_store(file)) {
+    const GeoPackageStore store(file, GeoPackageStore::Mode::read);
+    require_assembly(store, file);
+    PlacedMission placed = place(store, store.correction());
+    runs.push_back({name + " odometry", std::move(placed.odometry)});
+    runs.push_back({name + " corrected", std::move(placed.corrected)});
+    return;
+  }
+  TrajectoryFile read = read_trajectory(file, settings.mission, LogPoses::recorded);
+  show(read.issues);
+  runs.push_back({name, std::move(read.poses)});
+}
+
+/// Short names, or the paths as given where those would be the same.
+std::string name_of(const Path& file, const std::vector<Path>& all) {
+  const auto same = std::count_if(all.begin(), all.end(), [&](const Path& other) {
+    return other.filename() == file.filename();
+  });
+  return same > 1 ? file.string() : file.filename().string();
+}
+
+Comparison comparison_of(const Settings& settings, const std::vector<Path>& judged,
+                         const std::vector<Path>& truth_files, const Preparation& prepare,
+                         const CompareOptions& options) {
+  Truth truth;
+  for (const Path& file : truth_files) add_truth(file, settings, truth);
+  std::vector<Run> runs;
+  for (const Path& file : judged) add_run(settings, file, name_of(file, judged), runs);
+  if (truth.poses.empty() && truth_files.empty() && is_store(judged.front())) {
+    add_poses_in(GeoPackageStore(judged.front(), GeoPackageStore::Mode::read), truth);
+  }
+  if (truth.poses.empty() && truth.relations.empty()) throw UsageError(kNoTruth);
+  for (Run& run : runs) run.trajectory = prepare(run.name, std::move(run.trajectory));
+  return compare(runs, {names_of(truth_files), truth.relations, truth.poses}, options,
+                 prepare.carry());
+}
+
+/// Tells why there is no figure at all, in the words of the first run that says so.
+[[noreturn]] void refuse(const Comparison& comparison) {
+  for (const JudgedRun& run : comparison.runs) {
+    for (const Issue& issue : run.issues) {
+      if (issue.severity == Severity::error) throw NotEnoughError(to_string(issue));
+    }
+  }
+  throw NotEnoughError("no figure could be computed");
+}
+
+void report(const Settings& settings, const Comparison& comparison, const Preparation& prepare) {
+  if (settings.json) {
+    fmt::print("{}", to_json(comparison));
+  } else {
+    print(comparison, prepare.steps());
+  }
+  for (const JudgedRun& run : comparison.runs) show(run.issues);
 }
 
 }  // namespace
 
-std::optional<Evaluation> evaluation_of(const Path& store_file, const std::vector<Path>& files) {
+std::optional<Evaluation> evaluation_of(const Settings& settings, const Path& store_file,
+                                        const std::vector<Path>& files,
+                                        const TrajectoryFlags& flags) {
   const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
-  if (!store.has_assembly()) {
-    throw NotEnoughError(store_file.string() +
-                         ": not assembled yet: run `roomatlas assemble` on it first");
-  }
+  require_assembly(store, store_file);
   Truth truth;
-  for (const TruePose& pose : store.truth()) {
-    truth.poses.push_back({pose.timestamp_s, pose.world_from_robot});
-  }
-  for (const Path& file : files) add_truth(file, truth);
+  add_poses_in(store, truth);
+  for (const Path& file : files) add_truth(file, settings, truth);
   if (truth.poses.empty() && files.empty()) return std::nullopt;
+  const Preparation prepare(flags, settings);
   const PlacedMission placed = place(store, store.correction());
-  return roomatlas::evaluate(placed.odometry, placed.corrected, store.plan(), truth);
+  return roomatlas::evaluate(prepare("odometry", placed.odometry),
+                             prepare("corrected", placed.corrected), store.plan(), truth,
+                             prepare.relation_options(), prepare.carry());
 }
 
-void evaluate(const Settings& settings, const Path& store, const std::vector<Path>& truth) {
-  const auto evaluation = evaluation_of(store, truth);
-  if (!evaluation) {
-    throw UsageError("nothing to evaluate against: give --truth FILE (relations, TUM or plan)");
+void evaluate(const Settings& settings, const std::vector<Path>& judged,
+              const std::vector<Path>& truth, const TrajectoryFlags& flags,
+              const ComparisonFiles& files) {
+  const bool is_one_store = judged.size() == 1 && is_store(judged.front());
+  if (is_one_store) {
+    const auto evaluation = evaluation_of(settings, judged.front(), truth, flags);
+    if (!evaluation) throw UsageError(kNoTruth);
+    if (settings.json) {
+      fmt::print("{}", to_json(*evaluation));
+    } else {
+      print(*evaluation);
+    }
   }
-  if (settings.json) {
-    fmt::print("{}", to_json(*evaluation));
-  } else {
-    print(*evaluation);
-  }
+  const bool has_files =
+      !files.csv.empty() || !files.latex.empty() || !files.plots.empty() || !files.archive.empty();
+  if (is_one_store && !has_files) return;
+  const Preparation prepare(flags, settings);
+  const Comparison comparison = comparison_of(settings, judged, truth, prepare, flags.compare);
+  if (!comparison.has_figures()) refuse(comparison);
+  if (!is_one_store) report(settings, comparison, prepare);
+  write(comparison, files);
 }
 
 }  // namespace roomatlas::apps

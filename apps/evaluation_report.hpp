@@ -6,13 +6,15 @@
 #include <vector>
 
 #include "roomatlas/pipeline/pipeline.hpp"
+#include "trajectory_flags.hpp"
 
 namespace roomatlas::apps {
 
 /// Judges an assembled store against true poses in it and the given truth files. Nothing when
 /// there is neither.
 [[nodiscard]] std::optional<Evaluation> evaluation_of(
-    const std::filesystem::path& store, const std::vector<std::filesystem::path>& truth);
+    const Settings& settings, const std::filesystem::path& store,
+    const std::vector<std::filesystem::path>& truth, const TrajectoryFlags& flags);
 
 /// Tables for people, on stdout.
 void print(const Evaluation& evaluation);

@@ -27,7 +27,10 @@ struct Arguments {
   Path world;
   Path drive;
   Path out;
+  std::vector<Path> judged;
   std::vector<Path> truth;
+  apps::TrajectoryFlags trajectory;
+  apps::ComparisonFiles comparison;
   std::vector<std::string> formats = {"svg", "png", "geojson", "tum", "dot", "json"};
   bool print_config = false;
 };
@@ -43,8 +46,20 @@ CLI::Option* output(CLI::App* command, Path& value, const char* meaning) {
 void add_truth(CLI::App* command, Arguments& arguments) {
   command
       ->add_option("--truth", arguments.truth,
-                   "truth to compare with: FILE.relations, FILE.tum or a plan FILE.geojson")
+                   "truth to compare with: FILE.relations, a trajectory (TUM, g2o, CARMEN log with "
+                   "TRUEPOS, corrected log, poses) or a plan FILE.geojson")
       ->configurable(false);
+  apps::add_trajectory_flags(command, arguments.trajectory);
+}
+
+void add_comparison_files(CLI::App* command, apps::ComparisonFiles& files) {
+  const auto add = [&](const char* name, Path& value, const char* meaning) {
+    command->add_option(name, value, meaning)->group("Results")->configurable(false);
+  };
+  add("--csv", files.csv, "file for all figures, a line each");
+  add("--latex", files.latex, "file for a table with means and intervals");
+  add("--plots", files.plots, "folder for SVG plots: over time, histogram, map");
+  add("--archive", files.archive, "ZIP file in evo's result layout");
 }
 
 /// Each command with its files; what runs is left in `chosen`.
@@ -60,7 +75,7 @@ void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
   positional(info, "LOG", a.log, "mission log");
 
   CLI::App* build = command("build", "log -> floor plan: everything in order",
-                            [&] { apps::build(settings, a.log, a.out, a.truth); });
+                            [&] { apps::build(settings, a.log, a.out, a.truth, a.trajectory); });
   positional(build, "LOG", a.log, "mission log, plain or gzip");
   output(build, a.out, "folder for the results");
   add_truth(build, a);
@@ -83,10 +98,17 @@ void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
       ->configurable(false);
   output(exported, a.out, "folder for the files");
 
-  CLI::App* evaluate = command("evaluate", "errors before and after, against truth",
-                               [&] { apps::evaluate(settings, a.store, a.truth); });
-  positional(evaluate, "STORE", a.store, "assembled store");
+  CLI::App* evaluate =
+      command("evaluate", "errors of stores, trajectories or logs, against truth",
+              [&] { apps::evaluate(settings, a.judged, a.truth, a.trajectory, a.comparison); });
+  evaluate
+      ->add_option("RUN", a.judged,
+                   "what to judge: an assembled store, a trajectory (TUM, g2o, poses) or a log; "
+                   "several are compared with the first")
+      ->required()
+      ->configurable(false);
   add_truth(evaluate, a);
+  add_comparison_files(evaluate, a.comparison);
 
   CLI::App* simulate = command("simulate", "drive through a world: log with ground truth",
                                [&] { apps::simulate(settings, a.world, a.drive, a.out); });

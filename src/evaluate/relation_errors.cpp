@@ -108,7 +108,8 @@ RelationErrors relation_errors(const Trajectory& trajectory, const std::vector<R
     const Pose2 error = inverse(relation.pose1_from_pose2) * pose1_from_pose2;
     result.errors.push_back({i, relation.t1_s, relation.t2_s, error.position().norm(),
                              degrees(std::abs(error.theta_rad)),
-                             std::abs(relation.t2_s - relation.t1_s) < options.split_s});
+                             std::abs(relation.t2_s - relation.t1_s) < options.split_s,
+                             map_from_pose2->pose});
   }
   if (result.matched < result.relations) {
     result.issues.insert(result.issues.begin(), count_unmatched(result, trajectory, relations));

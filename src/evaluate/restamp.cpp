@@ -40,6 +40,17 @@ Restamped restamp(const Trajectory& logger_stamped, const std::vector<ClockReadi
   return result;
 }
 
+bool has_own_stamps(const Trajectory& trajectory, const std::vector<ClockReading>& clock) {
+  std::vector<double> timestamps_s;
+  for (const ClockReading& reading : clock) timestamps_s.push_back(reading.timestamp_s);
+  const evaluation::TimeRuns runs(timestamps_s);
+  std::size_t equal = 0;
+  for (const StampedPose& stamped : trajectory) {
+    if (runs.same_microsecond(stamped.timestamp_s)) ++equal;
+  }
+  return 2 * equal > trajectory.size();
+}
+
 Trajectory shifted(Trajectory trajectory, double offset_s) {
   for (StampedPose& stamped : trajectory) stamped.timestamp_s += offset_s;
   return trajectory;

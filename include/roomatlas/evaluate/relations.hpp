@@ -32,6 +32,7 @@ struct RelationError {
   double translation_m = 0.0;  ///< [0, inf)
   double rotation_deg = 0.0;   ///< [0, 180]
   bool is_local = false;
+  Pose2 map_from_pose2;  ///< where the trajectory has the robot at `t2_s`
 };
 
 struct RelationErrors {

@@ -29,6 +29,11 @@ struct Restamped {
                                 const std::vector<ClockReading>& clock,
                                 double max_difference_s = 0.05);
 
+/// Whether a trajectory carries the log's own timestamps already: most of its times equal one of
+/// them to the microsecond. False for no poses.
+[[nodiscard]] bool has_own_stamps(const Trajectory& trajectory,
+                                  const std::vector<ClockReading>& clock);
+
 /// The trajectory with every time later by `offset_s`.
 [[nodiscard]] Trajectory shifted(Trajectory trajectory, double offset_s);
 

@@ -96,7 +96,11 @@ struct Evaluation {
 };
 
 /// Judges a correction against what is known of the truth.
+/// @param relations how relations are brought together with the trajectories
+/// @param carry odometry that fills the trajectories' gaps there; may be null
 [[nodiscard]] Evaluation evaluate(const Trajectory& odometry, const Trajectory& corrected,
-                                  const FloorPlan& plan, const Truth& truth);
+                                  const FloorPlan& plan, const Truth& truth,
+                                  const RelationOptions& relations = {},
+                                  const Trajectory* carry = nullptr);
 
 }  // namespace roomatlas
