@@ -25,7 +25,7 @@ std::string heading_of(const Figure& figure) {
 void print_row(const Figure& figure, std::size_t width) {
   const Statistics& s = figure.statistics;
   fmt::print(
-      "  {:<{}} {:>6} {:>4.0f} % {:>9.3f} {:>20} {:>9.3f} {:>9.3f} {:>9.3f} {:>9.3f} {:>9.3f} "
+      "  {:<{}} {:>6} {:>4.0f} % {:>9.4f} {:>20} {:>9.3f} {:>9.3f} {:>9.3f} {:>9.3f} {:>9.3f} "
       "{:>10.4f}\n",
       figure.run, width, s.count, 100.0 * figure.share(), s.mean,
       figure.interval ? interval_text(*figure.interval) : "", s.rmse, s.standard_deviation,
@@ -35,7 +35,7 @@ void print_row(const Figure& figure, std::size_t width) {
   const char* verdict = less.high < 0.0  ? "better"
                         : less.low > 0.0 ? "worse"
                                          : "no clear difference";
-  fmt::print("  {:<{}} {:>6} {:>6} {:>+9.3f} {:>20}  than the first run: {}\n", "", width,
+  fmt::print("  {:<{}} {:>6} {:>6} {:>+9.4f} {:>20}  than the first run: {}\n", "", width,
              figure.shared, "", less.mean, interval_text(less), verdict);
 }
 

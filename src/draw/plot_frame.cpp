@@ -57,10 +57,10 @@ std::optional<Axis> value_axis(const std::vector<PlotSeries>& series, int most) 
     high = std::max(high, *std::max_element(finite.begin(), finite.end()));
   }
   if (medians.empty()) return std::nullopt;
-  const auto [least, most_median] = std::minmax_element(medians.begin(), medians.end());
-  constexpr double kVeryDifferent = 20.0;
-  if (low >= 0.0 && *least > 0.0 && *most_median > kVeryDifferent * *least) {
-    return logarithmic_axis(*least / 10.0, high);  // single tiny values would stretch it
+  const double least_median = *std::min_element(medians.begin(), medians.end());
+  constexpr double kVeryDifferent = 100.0;
+  if (low >= 0.0 && least_median > 0.0 && high > kVeryDifferent * least_median) {
+    return logarithmic_axis(least_median / 10.0, high);  // single tiny values would stretch it
   }
   return linear_axis(std::min(low, 0.0), high, most);
 }

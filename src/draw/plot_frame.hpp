@@ -37,8 +37,8 @@ class PlotFrame {
 /// A page that says that there is nothing to draw.
 [[nodiscard]] std::string empty_plot(const std::string& title);
 
-/// The axis for values of several series: logarithmic where they are positive and the series'
-/// medians differ more than twentyfold. Nothing when no value is finite.
+/// The axis for values of several series: logarithmic where none is negative and the largest is
+/// more than a hundred times some series' median. Nothing when no value is finite.
 [[nodiscard]] std::optional<Axis> value_axis(const std::vector<PlotSeries>& series, int most);
 
 }  // namespace roomatlas::drawing

@@ -160,7 +160,7 @@ std::string describe(const MatchOptions& options, bool carried) {
   std::string text;
   switch (options.match) {
     case TimeMatch::exact:
-      text = "times equal to the microsecond";
+      text = "equal to the microsecond";
       break;
     case TimeMatch::nearest:
       text = std::string("nearest pose within ") + gap;
@@ -171,7 +171,7 @@ std::string describe(const MatchOptions& options, bool carried) {
       break;
   }
   if (!carried) return text;
-  return (gap_s == 0.0 ? std::string("times equal to the microsecond") : text) +
+  return (gap_s == 0.0 ? std::string("equal to the microsecond") : text) +
          ", else carried on from the pose before by odometry";
 }
 

@@ -19,6 +19,17 @@ std::string text_of(double seconds) {
   return text;
 }
 
+/// What to do about a time without a pose.
+std::string remedy_for(const MatchOptions& options) {
+  if (options.match == TimeMatch::exact) {
+    return "; give one pose for each range scan, stamped with the scan's own timestamp to the "
+           "microsecond, or --match nearest";
+  }
+  return options.match == TimeMatch::nearest || options.max_gap_s
+             ? "; a larger --max-gap reaches farther"
+             : "; it is outside of the trajectory: --carry ODOMETRY reaches farther";
+}
+
 Issue name_unmatched(const Relation& relation, std::int64_t number, const PoseLookup& poses,
                      const MatchOptions& options) {
   std::string missing;
@@ -28,14 +39,10 @@ Issue name_unmatched(const Relation& relation, std::int64_t number, const PoseLo
     missing += missing.empty() ? name : std::string(" and ") + name;
     if (std::isfinite(nearest_s)) missing += " (nearest " + text_of(nearest_s) + " s away)";
   }
-  const char* remedy =
-      options.match == TimeMatch::exact
-          ? "; give one pose for each range scan, stamped with the scan's own timestamp to the "
-            "microsecond, or --match nearest"
-          : "; a larger --max-gap reaches farther";
+  const std::string missing_and_remedy = missing + remedy_for(options);
   return {Severity::warning, "", 0, "relation " + std::to_string(number),
           "t1 = " + text_of(relation.t1_s) + ", t2 = " + text_of(relation.t2_s) +
-              ": the trajectory has no pose at " + missing + remedy};
+              ": the trajectory has no pose at " + missing_and_remedy};
 }
 
 TimeRange time_range_of(const std::vector<Relation>& relations) {

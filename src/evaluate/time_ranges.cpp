@@ -88,10 +88,14 @@ std::string explain_mismatch(const TimeRange& trajectory, const TimeRange& truth
   if (trajectory.count == 0) return "the trajectory has no pose with a time";
   const std::string text = "no time of the truth " + to_string(truth) +
                            " has a pose of the trajectory " + to_string(trajectory);
-  if (const TimeUnit* unit = unit_of(std::abs(trajectory.last_s)))
-    return text + convert("trajectory's", *unit);
-  if (const TimeUnit* unit = unit_of(std::abs(truth.last_s)))
-    return text + convert("truth's", *unit);
+  if (const TimeUnit* unit = unit_of(std::abs(trajectory.last_s))) {
+    const TimeUnit* by_length = unit_between(trajectory, truth);
+    return text + convert("trajectory's", by_length != nullptr ? *by_length : *unit);
+  }
+  if (const TimeUnit* unit = unit_of(std::abs(truth.last_s))) {
+    const TimeUnit* by_length = unit_between(truth, trajectory);
+    return text + convert("truth's", by_length != nullptr ? *by_length : *unit);
+  }
   if (overlap(trajectory, truth)) {
     return text +
            "; the times overlap but none is equal: try --match nearest or --match interpolate";
