@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "commands.hpp"
@@ -68,13 +69,13 @@ Comparison comparison_of(const Settings& settings, const std::vector<Path>& judg
   for (const Path& file : truth_files) add_truth(file, settings, truth);
   std::vector<Run> runs;
   for (const Path& file : judged) add_run(settings, file, name_of(file, judged), runs);
-  if (truth.poses.empty() && truth_files.empty() && is_store(judged.front())) {
+  if (truth.poses.empty() && truth.relations.empty() && is_store(judged.front())) {
     add_poses_in(GeoPackageStore(judged.front(), GeoPackageStore::Mode::read), truth);
   }
   if (truth.poses.empty() && truth.relations.empty()) throw UsageError(kNoTruth);
   for (Run& run : runs) run.trajectory = prepare(run.name, std::move(run.trajectory));
-  return compare(runs, {names_of(truth_files), truth.relations, truth.poses}, options,
-                 prepare.carry());
+  const std::string name = truth_files.empty() ? "TRUEPOS in the store" : names_of(truth_files);
+  return compare(runs, {name, truth.relations, truth.poses}, options, prepare.carry());
 }
 
 /// Tells why there is no figure at all, in the words of the first run that says so.
@@ -94,6 +95,21 @@ void report(const Settings& settings, const Comparison& comparison, const Prepar
     print(comparison, prepare.steps());
   }
   for (const JudgedRun& run : comparison.runs) show(run.issues);
+}
+
+void report(const Settings& settings, const Evaluation& evaluation) {
+  if (settings.json) {
+    fmt::print("{}", to_json(evaluation));
+  } else {
+    print(evaluation);
+  }
+}
+
+/// What is left of a store's evaluation once its trajectories stand in a table.
+Evaluation without_trajectories(Evaluation evaluation) {
+  evaluation.relations.reset();
+  evaluation.true_poses.reset();
+  return evaluation;
 }
 
 }  // namespace
@@ -117,23 +133,21 @@ std::optional<Evaluation> evaluation_of(const Settings& settings, const Path& st
 void evaluate(const Settings& settings, const std::vector<Path>& judged,
               const std::vector<Path>& truth, const TrajectoryFlags& flags,
               const ComparisonFiles& files) {
-  const bool is_one_store = judged.size() == 1 && is_store(judged.front());
-  if (is_one_store) {
-    const auto evaluation = evaluation_of(settings, judged.front(), truth, flags);
-    if (!evaluation) throw UsageError(kNoTruth);
-    if (settings.json) {
-      fmt::print("{}", to_json(*evaluation));
-    } else {
-      print(*evaluation);
-    }
+  std::optional<Evaluation> of_store;
+  if (judged.size() == 1 && is_store(judged.front())) {
+    of_store = evaluation_of(settings, judged.front(), truth, flags);
+    if (!of_store) throw UsageError(kNoTruth);
+    if (!of_store->relations && !of_store->true_poses) return report(settings, *of_store);
   }
-  const bool has_files =
-      !files.csv.empty() || !files.latex.empty() || !files.plots.empty() || !files.archive.empty();
-  if (is_one_store && !has_files) return;
   const Preparation prepare(flags, settings);
   const Comparison comparison = comparison_of(settings, judged, truth, prepare, flags.compare);
   if (!comparison.has_figures()) refuse(comparison);
-  if (!is_one_store) report(settings, comparison, prepare);
+  if (of_store && settings.json) {
+    report(settings, *of_store);
+  } else {
+    report(settings, comparison, prepare);
+    if (of_store) report(settings, without_trajectories(*of_store));
+  }
   write(comparison, files);
 }
 

@@ -44,7 +44,7 @@ std::string colour_at(double share) {
 
 double percentile_95(std::vector<double> values) {
   std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(0.95 * static_cast<double>(values.size() - 1))];
+  return values[static_cast<std::size_t>(std::ceil(0.95 * static_cast<double>(values.size() - 1)))];
 }
 
 void add_colour_bar(pugi::xml_node svg, const Axis& axis, const std::string& label,

@@ -43,7 +43,7 @@ TEST(Axis, OfOneValueStillHasALength) {
 }
 
 TEST(Axis, WritesTicksWithTheDecimalsOfItsSteps) {
-  const drawing::Axis axis = drawing::linear_axis(0.0, 0.043, 8);
+  const drawing::Axis axis = drawing::linear_axis(0.0, 0.038, 8);
   EXPECT_EQ(drawing::tick_text(axis, axis.ticks[1]), "0.005");
   EXPECT_EQ(drawing::tick_text(drawing::linear_axis(0, 700, 8), 100.0), "100");
   EXPECT_EQ(drawing::tick_text(drawing::logarithmic_axis(0.001, 100), 0.001), "0.001");
