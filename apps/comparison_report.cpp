@@ -11,8 +11,14 @@
 namespace roomatlas::apps {
 namespace {
 
+/// As many decimals as leave three or four figures that count.
+std::string short_text(double value) {
+  const double size = std::abs(value);
+  return fmt::format("{:.{}f}", value, size >= 100.0 ? 1 : size >= 1.0 ? 3 : size >= 0.01 ? 4 : 6);
+}
+
 std::string interval_text(const ConfidenceInterval& interval) {
-  return fmt::format("[{:.3f}, {:.3f}]", interval.low, interval.high);
+  return "[" + short_text(interval.low) + ", " + short_text(interval.high) + "]";
 }
 
 std::string heading_of(const Figure& figure) {
@@ -24,19 +30,22 @@ std::string heading_of(const Figure& figure) {
 
 void print_row(const Figure& figure, std::size_t width) {
   const Statistics& s = figure.statistics;
-  fmt::print(
-      "  {:<{}} {:>6} {:>4.0f} % {:>9.4f} {:>20} {:>9.3f} {:>9.3f} {:>9.3f} {:>9.3f} {:>9.3f} "
-      "{:>10.4f}\n",
-      figure.run, width, s.count, 100.0 * figure.share(), s.mean,
-      figure.interval ? interval_text(*figure.interval) : "", s.rmse, s.standard_deviation,
-      s.median, s.minimum, s.maximum, s.mean_square);
+  fmt::print("  {:<{}} {:>6} {:>4.0f} % {:>9} {:>22}", figure.run, width, s.count,
+             100.0 * figure.share(), short_text(s.mean),
+             figure.interval ? interval_text(*figure.interval) : "");
+  for (const double value :
+       {s.rmse, s.standard_deviation, s.median, s.minimum, s.maximum, s.mean_square}) {
+    fmt::print(" {:>9}", short_text(value));
+  }
+  fmt::print("\n");
   if (!figure.against_first) return;
   const ConfidenceInterval& less = *figure.against_first;
   const char* verdict = less.high < 0.0  ? "better"
                         : less.low > 0.0 ? "worse"
                                          : "no clear difference";
-  fmt::print("  {:<{}} {:>6} {:>6} {:>+9.4f} {:>20}  than the first run: {}\n", "", width,
-             figure.shared, "", less.mean, interval_text(less), verdict);
+  fmt::print("  {:<{}} {:>6} {:>6} {:>9} {:>22}  than the first run: {}\n", "", width,
+             figure.shared, "", (less.mean > 0.0 ? "+" : "") + short_text(less.mean),
+             interval_text(less), verdict);
 }
 
 void print_used(const Comparison& comparison, const std::vector<std::string>& steps) {
@@ -71,7 +80,7 @@ void print(const Comparison& comparison, const std::vector<std::string>& steps) 
   for (const Figure& figure : all) {
     if (heading_of(figure) != heading) {
       heading = heading_of(figure);
-      fmt::print("\n{}\n  {:<{}} {:>6} {:>6} {:>9} {:>20} {:>9} {:>9} {:>9} {:>9} {:>9} {:>10}\n",
+      fmt::print("\n{}\n  {:<{}} {:>6} {:>6} {:>9} {:>22} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n",
                  heading, "run", width, "count", "share", "mean", "95 % interval", "rmse", "std",
                  "median", "min", "max", "squared");
     }

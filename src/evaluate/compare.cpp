@@ -94,7 +94,7 @@ void note_poses(const JudgedPoses& judged, const Run& run, const TrajectoryTruth
   const std::size_t matched = judged.matched.size();
   if (matched == 0) {
     issues.push_back({Severity::error, run.name, 0, "true poses",
-                      explain_mismatch(time_range(run.trajectory), time_range(truth.poses))});
+                      explain_mismatch(times_of(run.trajectory), times_of(truth.poses))});
   } else if (matched == 1) {
     issues.push_back({Severity::warning, run.name, 0, "true poses",
                       "one pose only has a true one: alignment makes its error 0, and there is no "

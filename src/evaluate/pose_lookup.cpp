@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/evaluate/pose_lookup.hpp"
 
+#include "roomatlas/evaluate/time_ranges.hpp"
 #include "time_runs.hpp"
 
 #include <cmath>
@@ -12,13 +13,6 @@ namespace roomatlas {
 namespace {
 
 constexpr double kNearestGap_s = 0.5;  // more than a scan, less than what a robot drives far in
-
-std::vector<double> times_of(const Trajectory& trajectory) {
-  std::vector<double> times_s;
-  times_s.reserve(trajectory.size());
-  for (const StampedPose& stamped : trajectory) times_s.push_back(stamped.timestamp_s);
-  return times_s;
-}
 
 }  // namespace
 

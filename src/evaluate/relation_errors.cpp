@@ -45,24 +45,24 @@ Issue name_unmatched(const Relation& relation, std::int64_t number, const PoseLo
               ": the trajectory has no pose at " + missing_and_remedy};
 }
 
-TimeRange time_range_of(const std::vector<Relation>& relations) {
+std::vector<double> times_of(const std::vector<Relation>& relations) {
   std::vector<double> times_s;
   for (const Relation& relation : relations) {
     times_s.push_back(relation.t1_s);
     times_s.push_back(relation.t2_s);
   }
-  return time_range(times_s);
+  return times_s;
 }
 
 Issue count_unmatched(const RelationErrors& errors, const Trajectory& trajectory,
                       const std::vector<Relation>& relations) {
   const bool none = errors.matched == 0;
   const std::int64_t unmatched = errors.relations - errors.matched;
-  return {
-      none ? Severity::error : Severity::warning, "", 0, "relations",
-      std::to_string(unmatched) + " of " + std::to_string(errors.relations) +
-          " have no pose at one of their timestamps and do not count" +
-          (none ? "; " + explain_mismatch(time_range(trajectory), time_range_of(relations)) : "")};
+  return {none ? Severity::error : Severity::warning, "", 0, "relations",
+          std::to_string(unmatched) + " of " + std::to_string(errors.relations) +
+              " have no pose at one of their timestamps and do not count" +
+              (none ? "; " + explain_mismatch(roomatlas::times_of(trajectory), times_of(relations))
+                    : "")};
 }
 
 struct ErrorLists {

@@ -72,18 +72,24 @@ TimeRange time_range(const std::vector<double>& times_s) {
   return range;
 }
 
-TimeRange time_range(const Trajectory& trajectory) {
+std::vector<double> times_of(const Trajectory& trajectory) {
   std::vector<double> times_s;
+  times_s.reserve(trajectory.size());
   for (const StampedPose& stamped : trajectory) times_s.push_back(stamped.timestamp_s);
-  return time_range(times_s);
+  return times_s;
 }
+
+TimeRange time_range(const Trajectory& trajectory) { return time_range(times_of(trajectory)); }
 
 std::string to_string(const TimeRange& range) {
   if (range.count == 0) return "no times";
   return "[" + text_of("%.3f", range.first_s) + ", " + text_of("%.3f", range.last_s) + "] s";
 }
 
-std::string explain_mismatch(const TimeRange& trajectory, const TimeRange& truth) {
+std::string explain_mismatch(const std::vector<double>& trajectory_s,
+                             const std::vector<double>& truth_s) {
+  const TimeRange trajectory = time_range(trajectory_s);
+  const TimeRange truth = time_range(truth_s);
   if (truth.count == 0) return "the truth is empty: give a file that holds relations or poses";
   if (trajectory.count == 0) return "the trajectory has no pose with a time";
   const std::string text = "no time of the truth " + to_string(truth) +
@@ -105,19 +111,20 @@ std::string explain_mismatch(const TimeRange& trajectory, const TimeRange& truth
   if (const TimeUnit* unit = unit_between(truth, trajectory))
     return text + convert("truth's", *unit);
 
-  const double offset_s = truth.first_s - trajectory.first_s;
-  const double longer_s = std::max(length_s(trajectory), length_s(truth));
-  const double shorter_s = std::min(length_s(trajectory), length_s(truth));
-  std::string advice = text + "; the ranges do not meet. An offset of " +
-                       text_of("%.3f", offset_s) +
-                       " s would bring their beginnings together: --time-offset " +
-                       text_of("%.3f", offset_s) + " --match nearest";
-  if (shorter_s < 0.8 * longer_s) {
-    advice += " (they last " + text_of("%.0f", length_s(trajectory)) + " s and " +
-              text_of("%.0f", length_s(truth)) + " s: is it the same recording?)";
+  std::string advice = text + "; the ranges do not meet. ";
+  if (const auto fit = fitting_offset(trajectory_s, truth_s)) {
+    advice += "An offset of " + text_of("%.3f", fit->offset_s) + " s fits " +
+              text_of("%.0f", 100.0 * fit->share) + " % of the truth's times: --time-offset " +
+              text_of("%.3f", fit->offset_s) + " --match nearest.";
+  } else {
+    const double offset_s = truth.first_s - trajectory.first_s;
+    advice += "No offset fits most of the truth's times; " + text_of("%.3f", offset_s) +
+              " s would bring the beginnings together (--time-offset " + text_of("%.3f", offset_s) +
+              "). They last " + text_of("%.0f", length_s(trajectory)) + " s and " +
+              text_of("%.0f", length_s(truth)) + " s: is it the same recording?";
   }
   if (trajectory.first_s < 1000.0 && trajectory.first_s < truth.first_s) {
-    advice += ". Times that count from 0 may be a logger's: --stamps-from LOG takes the log's own";
+    advice += " Times that count from 0 may be a logger's: --stamps-from LOG takes the log's own";
   }
   return advice;
 }

@@ -79,24 +79,54 @@ TEST(Moved, IsTheTrajectoryOfAnotherPointOfTheRobot) {
   EXPECT_EQ(shifted({{1.0, {}}}, 2.5)[0].timestamp_s, 3.5);
 }
 
-TEST(ExplainMismatch, NamesBothRangesTheOffsetAndTheFlag) {
-  const std::string text = explain_mismatch({100, 0.0, 1000.0, 0}, {50, 1211.5, 2200.0, 0});
-  EXPECT_THAT(text, HasSubstr("[1211.500, 2200.000] s"));
-  EXPECT_THAT(text, HasSubstr("[0.000, 1000.000] s"));
-  EXPECT_THAT(text, HasSubstr("--time-offset 1211.500"));
+/// Times from one to another, `step_s` apart.
+std::vector<double> times(double first_s, double last_s, double step_s) {
+  std::vector<double> times_s;
+  for (int i = 0; first_s + i * step_s <= last_s; ++i) times_s.push_back(first_s + i * step_s);
+  return times_s;
+}
+
+TEST(ExplainMismatch, NamesBothRangesTheOffsetThatFitsAndTheFlag) {
+  const std::string text = explain_mismatch(times(0.0, 1000.0, 0.25), times(1301.5, 2200.0, 7.0));
+  EXPECT_THAT(text, HasSubstr("truth [1301.500, 2197.500] s"));
+  EXPECT_THAT(text, HasSubstr("trajectory [0.000, 1000.000] s"));
   EXPECT_THAT(text, HasSubstr("--stamps-from"));
 }
 
+TEST(ExplainMismatch, SaysWhenNoOffsetFits) {
+  const std::string text = explain_mismatch({0.0, 1.0, 2.0}, {500.0, 507.1, 519.7, 555.5, 556.1});
+  EXPECT_THAT(text, HasSubstr("No offset fits"));
+  EXPECT_THAT(text, HasSubstr("--time-offset 500.000"));
+  EXPECT_THAT(text, HasSubstr("same recording?"));
+}
+
+TEST(FittingOffset, FindsTheOffsetOfIrregularTimesWhereverTheTruthBegins) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> gap(0.1, 3.0);
+  std::uniform_real_distribution<double> late(-0.015, 0.015);
+  std::vector<double> trajectory_s = {10.0};
+  for (int i = 0; i < 800; ++i) trajectory_s.push_back(trajectory_s.back() + gap(random));
+  std::vector<double> truth_s;
+  for (std::size_t i = 123; i < 700; i += 3)
+    truth_s.push_back(trajectory_s[i] + 976052857.25 + late(random));
+  const auto fit = fitting_offset(trajectory_s, truth_s);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->offset_s, 976052857.25, 0.02);
+  EXPECT_GT(fit->share, 0.95);
+  EXPECT_FALSE(fitting_offset({}, truth_s));
+  EXPECT_FALSE(fitting_offset(trajectory_s, {}));
+}
+
 TEST(ExplainMismatch, KnowsNanosecondsByTheirSizeOrByTheirLength) {
-  EXPECT_THAT(explain_mismatch({9, 1.6e18, 1.60001e18, 0}, {9, 1.6e9, 1.60001e9, 0}),
+  EXPECT_THAT(explain_mismatch(times(1.6e18, 1.60001e18, 1e12), times(1.6e9, 1.60001e9, 1e3)),
               HasSubstr("trajectory's times look like nanoseconds"));
-  EXPECT_THAT(explain_mismatch({9, 5.0, 105.0, 0}, {9, 6e9, 105e9, 0}),
+  EXPECT_THAT(explain_mismatch(times(5.0, 105.0, 1.0), times(6e9, 105e9, 1e9)),
               HasSubstr("truth's times look like nanoseconds"));
 }
 
 TEST(ExplainMismatch, SaysWhenTimesOverlapOrThereAreNone) {
-  EXPECT_THAT(explain_mismatch({9, 0.0, 10.0, 0}, {9, 5.0, 15.0, 0}), HasSubstr("--match nearest"));
-  EXPECT_THAT(explain_mismatch({9, 0.0, 10.0, 0}, {}), HasSubstr("truth is empty"));
+  EXPECT_THAT(explain_mismatch({0.0, 10.0}, {5.0, 15.0}), HasSubstr("--match nearest"));
+  EXPECT_THAT(explain_mismatch({0.0, 10.0}, {}), HasSubstr("truth is empty"));
 }
 
 TEST(CheckTrajectory, TellsNaNOnePoseWrongUnitsAndStepsBack) {

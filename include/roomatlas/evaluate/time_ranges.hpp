@@ -5,6 +5,7 @@
 #include "roomatlas/core/pose2.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,24 @@ struct TimeRange {
 };
 [[nodiscard]] TimeRange time_range(const std::vector<double>& times_s);
 [[nodiscard]] TimeRange time_range(const Trajectory& trajectory);
+[[nodiscard]] std::vector<double> times_of(const Trajectory& trajectory);
+
+/// A number of seconds that brings a trajectory's times onto the truth's.
+struct TimeOffset {
+  double offset_s = 0.0;  ///< to add to the trajectory's times
+  double share = 0.0;     ///< of the truth's times that then have a pose within 40 ms, (0, 1]
+};
+
+/// The offset that most pairs of times agree on, within 40 ms; nothing where fewer than half of the
+/// truth's times have a pose then. Evenly stamped times fit at many offsets: of equals the one
+/// nearest to the beginnings' difference. Looks at 200 of the truth's times at most.
+[[nodiscard]] std::optional<TimeOffset> fitting_offset(const std::vector<double>& trajectory_s,
+                                                       const std::vector<double>& truth_s);
 
 /// Why no time of the truth has a pose of the trajectory: both ranges, the likely cause (another
 /// clock, another unit, another recording) and the flag that helps.
-[[nodiscard]] std::string explain_mismatch(const TimeRange& trajectory, const TimeRange& truth);
+[[nodiscard]] std::string explain_mismatch(const std::vector<double>& trajectory_s,
+                                           const std::vector<double>& truth_s);
 
 /// What looks wrong in a trajectory before it is compared with anything: no poses, one pose, NaN,
 /// times in milliseconds or nanoseconds, clocks that step back (a note). `name` names it.
