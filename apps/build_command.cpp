@@ -35,7 +35,7 @@ void write_summary(const Path& store_file, const std::optional<Evaluation>& eval
 }  // namespace
 
 void build(const Settings& settings, const Path& log, const Path& out,
-           const std::vector<Path>& truth) {
+           const std::vector<Path>& truth, const TrajectoryFlags& flags) {
   (void)open_mission(log, settings.mission);  // an unreadable log leaves no folder behind
   const bool is_new_folder = std::filesystem::create_directories(out);
   const Path store = out / "building.gpkg";
@@ -51,7 +51,7 @@ void build(const Settings& settings, const Path& log, const Path& out,
   }
   assemble(settings, store);
   export_all(settings, store, {"svg", "png", "geojson", "tum", "dot"}, out);
-  const Evaluation evaluation = evaluation_of(settings, store, truth);
+  const Evaluation evaluation = evaluation_of(settings, store, truth, flags);
   write_summary(store, evaluation, out);
   if (settings.json) {
     fmt::print("{}", to_json(evaluation));

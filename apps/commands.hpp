@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "comparison_report.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "settings.hpp"
+#include "trajectory_flags.hpp"
 
 namespace roomatlas::apps {
 
@@ -27,12 +29,14 @@ struct SimulateArguments {
 
 void info(const Settings& settings, const Path& log);
 void build(const Settings& settings, const Path& log, const Path& out,
-           const std::vector<Path>& truth);
+           const std::vector<Path>& truth, const TrajectoryFlags& flags);
 void map(const Settings& settings, const Path& log, const Path& store);
 void assemble(const Settings& settings, const Path& store);
 void export_all(const Settings& settings, const Path& store,
                 const std::vector<std::string>& formats, const Path& out);
-void evaluate(const Settings& settings, const Path& store, const std::vector<Path>& truth);
+void evaluate(const Settings& settings, const std::vector<Path>& judged,
+              const std::vector<Path>& truth, const TrajectoryFlags& flags,
+              const ComparisonFiles& files);
 void inspect(const Settings& settings, const Path& store, AsrId id, const Path& out);
 void simulate(const Settings& settings, const SimulateArguments& arguments);
 

@@ -26,7 +26,9 @@ void print_subset(const char* subject, const RelationSubset& before, const Relat
 }
 
 void print(const RelationsBeforeAfter& relations) {
-  fmt::print("relations: {} of {} matched\n", relations.after.matched, relations.after.relations);
+  fmt::print("relations: {} of {} matched ({:.0f} %), {}\n", relations.after.matched,
+             relations.after.relations, 100.0 * relations.after.coverage(),
+             to_string(relations.after.use));
   print_subset("all", relations.before.all, relations.after.all);
   print_subset("local", relations.before.local, relations.after.local);
   print_subset("loop", relations.before.loop, relations.after.loop);

@@ -27,8 +27,11 @@ struct Arguments {
   AsrId asr = 0;
   Path out;
   apps::SimulateArguments simulate;
+  std::vector<Path> judged;
   std::vector<Path> truth;
   std::vector<Path> spans;
+  apps::TrajectoryFlags trajectory;
+  apps::ComparisonFiles comparison;
   std::vector<std::string> formats = {"svg", "png", "geojson", "tum", "dot", "json"};
   bool print_config = false;
 };
@@ -51,12 +54,14 @@ std::vector<Path> truth_of(const Arguments& arguments) {
 void add_truth(CLI::App* command, Arguments& arguments) {
   command
       ->add_option("--truth", arguments.truth,
-                   "truth to compare with: FILE.relations, FILE.tum, a plan FILE.geojson, a label "
-                   "picture FILE.pgm[.gz], or tape-measure spans FILE.csv; again for more")
+                   "truth to compare with: FILE.relations, a trajectory (TUM, g2o, CARMEN log with "
+                   "TRUEPOS, corrected log, poses), a plan FILE.geojson, a label picture "
+                   "FILE.pgm[.gz], or tape-measure spans FILE.csv; again for more")
       ->configurable(false);
   command
       ->add_option("--spans", arguments.spans, "tape-measure spans, FILE.csv: as --truth FILE.csv")
       ->configurable(false);
+  apps::add_trajectory_flags(command, arguments.trajectory);
 }
 
 void add_simulate(CLI::App* command, apps::SimulateArguments& a) {
@@ -75,6 +80,16 @@ void add_simulate(CLI::App* command, apps::SimulateArguments& a) {
   output(command, a.out, "folder for mission.clf, truth.tum and truth.geojson");
 }
 
+void add_comparison_files(CLI::App* command, apps::ComparisonFiles& files) {
+  const auto add = [&](const char* name, Path& value, const char* meaning) {
+    command->add_option(name, value, meaning)->group("Results")->configurable(false);
+  };
+  add("--csv", files.csv, "file for all figures, a line each");
+  add("--latex", files.latex, "file for a table with means and intervals");
+  add("--plots", files.plots, "folder for SVG plots: over time, histogram, map");
+  add("--archive", files.archive, "ZIP file in evo's result layout");
+}
+
 /// Each command with its files; what runs is left in `chosen`.
 void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
                   std::function<void()>& chosen) {
@@ -88,7 +103,7 @@ void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
   positional(info, "LOG", a.log, "mission log");
 
   CLI::App* build = command("build", "log -> floor plan: everything in order",
-                            [&] { apps::build(settings, a.log, a.out, truth_of(a)); });
+                            [&] { apps::build(settings, a.log, a.out, truth_of(a), a.trajectory); });
   positional(build, "LOG", a.log, "mission log, plain or gzip");
   output(build, a.out, "folder for the results");
   add_truth(build, a);
@@ -111,10 +126,17 @@ void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
       ->configurable(false);
   output(exported, a.out, "folder for the files");
 
-  CLI::App* evaluate = command("evaluate", "errors before and after, against truth and without any",
-                               [&] { apps::evaluate(settings, a.store, truth_of(a)); });
-  positional(evaluate, "STORE", a.store, "assembled store");
+  CLI::App* evaluate =
+      command("evaluate", "errors of stores, trajectories or logs, against truth and without any",
+              [&] { apps::evaluate(settings, a.judged, truth_of(a), a.trajectory, a.comparison); });
+  evaluate
+      ->add_option("RUN", a.judged,
+                   "what to judge: an assembled store, a trajectory (TUM, g2o, poses) or a log; "
+                   "several are compared with the first")
+      ->required()
+      ->configurable(false);
   add_truth(evaluate, a);
+  add_comparison_files(evaluate, a.comparison);
 
   CLI::App* inspect = command("inspect", "one room as it was made, step by step, as a drawing",
                               [&] { apps::inspect(settings, a.store, a.asr, a.out); });

@@ -4,7 +4,8 @@
 #include <limits>
 #include <optional>
 
-#include "roomatlas/evaluate/evaluate.hpp"
+#include "roomatlas/core/geometry.hpp"
+#include "roomatlas/evaluate/true_poses.hpp"
 
 namespace roomatlas {
 namespace {

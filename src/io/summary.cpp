@@ -25,7 +25,11 @@ Json json_of(const Statistics& statistics) {
           {"mean", finite(statistics.mean)},
           {"std", finite(statistics.standard_deviation)},
           {"median", finite(statistics.median)},
-          {"max", finite(statistics.maximum)}};
+          {"max", finite(statistics.maximum)},
+          {"min", finite(statistics.minimum)},
+          {"rmse", finite(statistics.rmse)},
+          {"sse", finite(statistics.sse)},
+          {"squared", finite(statistics.mean_square)}};
 }
 
 Json json_of(const RelationSubset& subset) {
@@ -34,10 +38,9 @@ Json json_of(const RelationSubset& subset) {
 }
 
 Json json_of(const RelationErrors& errors) {
-  return {{"relations", errors.relations},
-          {"matched", errors.matched},
-          {"all", json_of(errors.all)},
-          {"local", json_of(errors.local)},
+  return {{"relations", errors.relations}, {"matched", errors.matched},
+          {"coverage", errors.coverage()}, {"poses", to_string(errors.use)},
+          {"all", json_of(errors.all)},    {"local", json_of(errors.local)},
           {"loop", json_of(errors.loop)}};
 }
 

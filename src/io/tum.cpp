@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "number_rows.hpp"
 #include "numbers.hpp"
-#include "output_file.hpp"
+#include "tum_text.hpp"
 
 #include "roomatlas/io/formats.hpp"
 
@@ -18,20 +18,24 @@ double heading_rad(double x, double y, double z, double w) {
 
 }  // namespace
 
-void write_tum(const Path& file, const Trajectory& trajectory) {
-  io::OutputFile output(file);
-  std::string line;
+std::string io::tum_text(const Trajectory& trajectory) {
+  std::string text;
   for (const StampedPose& stamped : trajectory) {
-    line.clear();
     const Pose2& pose = stamped.pose;
+    bool is_first = true;
     for (const double value : {stamped.timestamp_s, pose.x_m, pose.y_m, 0.0, 0.0, 0.0,
                                std::sin(pose.theta_rad / 2), std::cos(pose.theta_rad / 2)}) {
-      if (!line.empty()) line += ' ';
-      io::append_number(line, value);
+      if (!is_first) text += ' ';
+      is_first = false;
+      append_number(text, value);
     }
-    output.write(line += '\n');
+    text += '\n';
   }
-  output.commit();
+  return text;
+}
+
+void write_tum(const Path& file, const Trajectory& trajectory) {
+  write_file(file, io::tum_text(trajectory));
 }
 
 Trajectory read_tum(const Path& file) {

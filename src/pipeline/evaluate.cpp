@@ -19,11 +19,11 @@ PlanAlignment alignment_of(const Evaluation& evaluation, const FloorPlan& plan,
 }  // namespace
 
 Evaluation evaluate(const Trajectory& odometry, const Trajectory& corrected, const FloorPlan& plan,
-                    const Truth& truth) {
+                    const Truth& truth, const RelationOptions& relations, const Trajectory* carry) {
   Evaluation evaluation;
   if (!truth.relations.empty()) {
-    evaluation.relations = {relation_errors(odometry, truth.relations, {}),
-                            relation_errors(corrected, truth.relations, {})};
+    evaluation.relations = {relation_errors(odometry, truth.relations, relations, carry),
+                            relation_errors(corrected, truth.relations, relations, carry)};
   }
   if (!truth.poses.empty()) {
     evaluation.true_poses = {true_pose_errors(odometry, truth.poses),

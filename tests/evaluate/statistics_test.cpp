@@ -68,5 +68,36 @@ TEST(Statistics, DoNotDependOnTheOrderToTheLastBit) {
   EXPECT_EQ(one.standard_deviation, other.standard_deviation);
 }
 
+/// Two passes with more digits, and a selection in place of a sort.
+TEST(StatisticsOfValues, AreTheSevenOfAnIndependentComputation) {
+  std::vector<double> values;
+  for (int i = 0; i < 1001; ++i) values.push_back(std::exp(std::sin(12.9898 * i) * 3.0));
+  long double sum = 0.0L;
+  long double squares = 0.0L;
+  for (const double value : values) {
+    sum += value;
+    squares += static_cast<long double>(value) * value;
+  }
+  const long double count = 1001.0L;
+  const long double mean = sum / count;
+  long double deviations = 0.0L;
+  for (const double value : values) deviations += (value - mean) * (value - mean);
+  const auto rank_of = [&](double candidate) {
+    return std::count_if(values.begin(), values.end(), [&](double v) { return v < candidate; });
+  };
+  const double median =
+      *std::find_if(values.begin(), values.end(), [&](double v) { return rank_of(v) == 500; });
+
+  const Statistics s = statistics(values);
+  EXPECT_NEAR(s.mean, static_cast<double>(mean), 1e-9);
+  EXPECT_NEAR(s.standard_deviation, static_cast<double>(std::sqrt(deviations / count)), 1e-9);
+  EXPECT_NEAR(s.rmse, static_cast<double>(std::sqrt(squares / count)), 1e-9);
+  EXPECT_NEAR(s.sse, static_cast<double>(squares), 1e-9);
+  EXPECT_NEAR(s.mean_square, static_cast<double>(squares / count), 1e-9);
+  EXPECT_EQ(s.median, median);
+  EXPECT_EQ(s.minimum, *std::min_element(values.begin(), values.end()));
+  EXPECT_EQ(s.maximum, *std::max_element(values.begin(), values.end()));
+}
+
 }  // namespace
 }  // namespace roomatlas

@@ -113,8 +113,12 @@ struct Evaluation {
 };
 
 /// Judges a correction against what is known of the truth.
+/// @param relations how relations are brought together with the trajectories
+/// @param carry odometry that fills the trajectories' gaps there; may be null
 [[nodiscard]] Evaluation evaluate(const Trajectory& odometry, const Trajectory& corrected,
-                                  const FloorPlan& plan, const Truth& truth);
+                                  const FloorPlan& plan, const Truth& truth,
+                                  const RelationOptions& relations = {},
+                                  const Trajectory* carry = nullptr);
 
 /// Judges where odometry and where the correction put the rooms: against true poses where there are
 /// some, and against themselves. Adds to `evaluation`, which `evaluate` has made of the same truth.

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "trajectory_flags.hpp"
+
+#include <fmt/format.h>
+
+#include "console.hpp"
+
+namespace roomatlas::apps {
+namespace {
+
+template <typename Choice>
+void add_choice(CLI::App* command, const std::string& names, Choice& value,
+                const std::map<std::string, Choice>& choices, const std::string& meaning,
+                const std::string& preset) {
+  command->add_option(names, value, meaning + " [" + preset + "]")
+      ->transform(CLI::CheckedTransformer(choices).description(""))
+      ->group("Judging trajectories")
+      ->configurable(false);
+}
+
+void add_times(CLI::App* command, TrajectoryFlags& flags) {
+  const auto add = [&](const char* names, auto& value, const char* meaning) {
+    return command->add_option(names, value, meaning)
+        ->group("Judging trajectories")
+        ->configurable(false);
+  };
+  MatchOptions& match = flags.compare.match;
+  add_choice<TimeMatch>(command, "--match", match.match,
+                        {{"exact", TimeMatch::exact},
+                         {"nearest", TimeMatch::nearest},
+                         {"interpolate", TimeMatch::interpolate}},
+                        "exact, nearest or interpolate: the pose for a time of the truth", "exact");
+  command
+      ->add_option_function<double>(
+          "--max-gap,--t-max-diff,--t_max_diff",
+          [&match](double gap_s) { match.max_gap_s = gap_s; },
+          "s; nearest: a pose farther away does not count [0.5]; interpolate: nor do neighbours "
+          "farther apart [no limit]")
+      ->check(CLI::NonNegativeNumber)
+      ->group("Judging trajectories")
+      ->configurable(false);
+  add("--time-offset,--t-offset,--t_offset", flags.time_offset_s,
+      "s; added to the trajectory's times");
+  add("--pose-offset", flags.pose_offset,
+      "x,y,theta (m, m, rad): judge this point of the robot, in the frame of its pose")
+      ->delimiter(',')
+      ->expected(3);
+  add("--stamps-from", flags.stamps_from,
+      "CARMEN log: poses stamped by its logger's clock (last column) get its own timestamps");
+  add("--carry", flags.carry, "odometry (TUM or log) that carries poses on where there are none");
+  add("--split-seconds", flags.compare.split_s,
+      "s; relations across less are local, the others loop [30]");
+}
+
+void add_ape_rpe(CLI::App* command, TrajectoryFlags& flags) {
+  const std::string group = "Judging trajectories by true poses (as evo)";
+  CompareOptions& compare = flags.compare;
+  command
+      ->add_option_function<PoseRelation>(
+          "-r,--pose-relation,--pose_relation",
+          [&compare](const PoseRelation& relation) {
+            compare.rpe.relation = relation;
+            compare.ape.relation = relation == PoseRelation::point_distance_error_ratio
+                                       ? PoseRelation::trans_part
+                                       : relation;
+          },
+          "what of a pose's error counts [trans_part]")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, PoseRelation>{
+          {"full", PoseRelation::full},
+          {"trans_part", PoseRelation::trans_part},
+          {"rot_part", PoseRelation::rot_part},
+          {"angle_deg", PoseRelation::angle_deg},
+          {"angle_rad", PoseRelation::angle_rad},
+          {"point_distance", PoseRelation::point_distance},
+          {"point_distance_error_ratio", PoseRelation::point_distance_error_ratio}}))
+      ->group(group)
+      ->configurable(false);
+  const auto flag = [&](const char* names, const char* meaning, std::function<void()> set) {
+    return command->add_flag_callback(names, std::move(set), meaning)
+        ->group(group)
+        ->configurable(false);
+  };
+  CLI::Option* align = flag("-a,--align", "align by least squares, without scale (default)",
+                            [&compare] { compare.ape.alignment = Alignment::umeyama; });
+  CLI::Option* origin = flag("--align-origin,--align_origin", "align the first pose",
+                             [&compare] { compare.ape.alignment = Alignment::origin; });
+  CLI::Option* none = flag("--no-align", "compare in the frames as they are",
+                           [&compare] { compare.ape.alignment = Alignment::none; });
+  align->excludes(origin)->excludes(none);
+  origin->excludes(none);
+  const auto add = [&](const char* names, auto& value, const char* meaning) {
+    return command->add_option(names, value, meaning)->group(group)->configurable(false);
+  };
+  add("--n-to-align,--n_to_align", compare.ape.poses_to_align,
+      "align by this many poses from the start [-1: all]");
+  add("-d,--delta", compare.rpe.delta, "distance of the poses of a pair [1]");
+  add_choice<DeltaUnit>(command, "-u,--delta-unit,--delta_unit", compare.rpe.unit,
+                        {{"f", DeltaUnit::frames},
+                         {"m", DeltaUnit::metres},
+                         {"d", DeltaUnit::degrees},
+                         {"r", DeltaUnit::radians}},
+                        "f frames, m metres of path, d degrees, r radians", "f");
+  add("-t,--delta-tol,--delta_tol", compare.rpe.relative_tolerance,
+      "share of delta that a pair may miss it by, with --all-pairs [0.1]");
+  flag("--all-pairs,--all_pairs", "pairs from every pose instead of end to end",
+       [&compare] { compare.rpe.all_pairs = true; });
+  flag("--pairs-from-reference,--pairs_from_reference", "measure delta on the truth",
+       [&compare] { compare.rpe.pairs_from_reference = true; });
+  add("--bootstrap-resamples", compare.bootstrap.resamples,
+      "draws for the confidence intervals [1000]")
+      ->check(CLI::Range(1, 1000000));
+  add("--bootstrap-seed", compare.bootstrap.seed, "decides the draws [1]");
+}
+
+}  // namespace
+
+void add_trajectory_flags(CLI::App* command, TrajectoryFlags& flags) {
+  add_times(command, flags);
+  add_ape_rpe(command, flags);
+}
+
+Preparation::Preparation(const TrajectoryFlags& flags, const Settings& settings)
+    : compare_(flags.compare), time_offset_s_(flags.time_offset_s) {
+  if (flags.pose_offset.size() == 3) {
+    const std::vector<double>& at = flags.pose_offset;
+    if (std::abs(at[2]) > 2.0 * kPi) {
+      throw UsageError("--pose-offset: theta is in radians, and " + fmt::format("{}", at[2]) +
+                       " looks like degrees");
+    }
+    pose_from_point_ = {at[0], at[1], wrap_angle(at[2])};
+    steps_.push_back(fmt::format("judged {} m ahead and {} m left of the pose, turned by {} rad",
+                                 at[0], at[1], at[2]));
+  }
+  if (!flags.stamps_from.empty()) {
+    clock_ = read_clock(flags.stamps_from);
+    steps_.push_back("times of the logger replaced by the timestamps of " +
+                     flags.stamps_from.filename().string());
+  }
+  if (!flags.carry.empty()) {
+    // Relative motion is wanted of the point that is judged.
+    carry_ = moved(read_trajectory(flags.carry, settings.mission, LogPoses::recorded).poses,
+                   pose_from_point_);
+    if (carry_.empty()) throw InputError(flags.carry.string() + ": holds no poses to carry by");
+    steps_.push_back("gaps carried by " + flags.carry.filename().string());
+  }
+  if (time_offset_s_ != 0.0) steps_.push_back(fmt::format("times later by {} s", time_offset_s_));
+}
+
+Trajectory Preparation::operator()(const std::string& name, Trajectory trajectory) const {
+  if (!clock_.empty() && !has_own_stamps(trajectory, clock_)) {
+    Restamped restamped = restamp(trajectory, clock_);
+    for (Issue& issue : restamped.issues) issue.file = name;
+    show(restamped.issues);
+    trajectory = std::move(restamped.trajectory);
+  }
+  if (time_offset_s_ != 0.0) trajectory = shifted(std::move(trajectory), time_offset_s_);
+  return moved(std::move(trajectory), pose_from_point_);
+}
+
+RelationOptions Preparation::relation_options() const { return {compare_.split_s, compare_.match}; }
+
+}  // namespace roomatlas::apps

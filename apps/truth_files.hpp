@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "roomatlas/pipeline/pipeline.hpp"
+#include "settings.hpp"
+
+namespace roomatlas::apps {
+
+/// Adds a truth file: told by its name where that ends (with .gz or without) in .relations,
+/// .geojson or .json (a plan), .pgm (room labels) or .csv (tape-measure spans), else by content as
+/// anything that holds a trajectory. Throws InputError when it holds nothing.
+void add_truth(const std::filesystem::path& file, const Settings& settings, Truth& truth);
+
+/// The names of files, without folders, for a heading.
+[[nodiscard]] std::string names_of(const std::vector<std::filesystem::path>& files);
+
+}  // namespace roomatlas::apps

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "roomatlas/core/pose2.hpp"
+#include "roomatlas/evaluate/statistics.hpp"
+
+#include <cstdint>
+
+namespace roomatlas {
+
+/// Error of a trajectory against true poses, aligned at the first matched pose. True poses are
+/// interpolated between their neighbours in file order; poses outside them are not matched.
+struct TruePoseErrors {
+  Statistics position_m;
+  Statistics heading_deg;
+  std::int64_t poses = 0;
+  std::int64_t matched = 0;
+  Pose2 truth_from_building;  ///< the least-squares alignment of all matched positions, for
+                              ///< comparing plans; the errors above are aligned at the first
+};
+[[nodiscard]] TruePoseErrors true_pose_errors(const Trajectory& trajectory,
+                                              const Trajectory& truth);
+
+}  // namespace roomatlas
