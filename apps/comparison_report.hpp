@@ -15,6 +15,10 @@ struct ComparisonFiles {
   std::filesystem::path latex;
   std::filesystem::path plots;    ///< a folder
   std::filesystem::path archive;  ///< in evo's layout
+
+  [[nodiscard]] bool any() const {
+    return !csv.empty() || !latex.empty() || !plots.empty() || !archive.empty();
+  }
 };
 
 /// Tables for people, on stdout.

@@ -125,9 +125,9 @@ Evaluation evaluation_of(const Settings& settings, const Path& store_file,
   const Correction correction = store.correction();
   const FloorPlan plan = store.plan();
   const PlacedMission placed = place(store, correction);
-  Evaluation evaluation = roomatlas::evaluate(
-      prepare("odometry", placed.odometry), prepare("corrected", placed.corrected), plan, truth,
-      prepare.relation_options(), prepare.carry());
+  Evaluation evaluation = roomatlas::evaluate(prepare("odometry", placed.odometry),
+                                              prepare("corrected", placed.corrected), plan, truth,
+                                              prepare.relation_options(), prepare.carry());
   judge_placements(store, correction, plan, truth, evaluation);
   return evaluation;
 }

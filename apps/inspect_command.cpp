@@ -14,9 +14,10 @@ void inspect(const Settings& settings, const Path& store_file, AsrId id, const P
   const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
   const Asr asr = store.get(id, AsrDetail::readings);
   if (asr.readings.empty()) {
-    throw NotEnoughError(fmt::format("{}: ASR {} was stored without its readings; map the log again "
-                                     "without --no-keep-readings",
-                                     store_file.string(), id));
+    throw NotEnoughError(
+        fmt::format("{}: ASR {} was stored without its readings; map the log again "
+                    "without --no-keep-readings",
+                    store_file.string(), id));
   }
   const RoomMap map = map_room(asr.path, asr.readings, asr.exits, footprint_of(store.metadata()),
                                settings.map.record.map);

@@ -66,14 +66,16 @@ void add_truth(CLI::App* command, Arguments& arguments) {
 
 void add_simulate(CLI::App* command, apps::SimulateArguments& a) {
   positional(command, "WORLD", a.world, "plan (GeoJSON), nav2 map (YAML), or picture (PNG, PGM)");
-  command->add_option("--resolution", a.file.resolution_m, "m a pixel, of a world that is a picture")
+  command
+      ->add_option("--resolution", a.file.resolution_m, "m a pixel, of a world that is a picture")
       ->check(CLI::Range(0.001, 10.0))
       ->configurable(false);
   command->add_option("--room-labels", a.file.room_labels, "picture with each pixel's room number")
       ->configurable(false);
   command->add_option("--drive", a.drive, "way-points; without them the robot explores by itself")
       ->configurable(false);
-  command->add_option("--start", a.start, "where the exploring robot starts: x,y in m, heading in deg")
+  command
+      ->add_option("--start", a.start, "where the exploring robot starts: x,y in m, heading in deg")
       ->delimiter(',')
       ->expected(3)
       ->configurable(false);
@@ -102,8 +104,9 @@ void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
   CLI::App* info = command("info", "what is in a log", [&] { apps::info(settings, a.log); });
   positional(info, "LOG", a.log, "mission log");
 
-  CLI::App* build = command("build", "log -> floor plan: everything in order",
-                            [&] { apps::build(settings, a.log, a.out, truth_of(a), a.trajectory); });
+  CLI::App* build = command("build", "log -> floor plan: everything in order", [&] {
+    apps::build(settings, a.log, a.out, truth_of(a), a.trajectory);
+  });
   positional(build, "LOG", a.log, "mission log, plain or gzip");
   output(build, a.out, "folder for the results");
   add_truth(build, a);

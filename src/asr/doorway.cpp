@@ -48,8 +48,7 @@ std::optional<Chord> narrowest_chord(const HimmGrid& grid, const Pose2& at,
         first_obstacle(grid, at.position(), -left, kMaxReachM, options.occupied_value);
     if (!to_left || !to_right) continue;
     const Chord chord{heading, *to_left, *to_right};
-    const double wider_m =
-        narrowest.empty() ? 0.0 : chord.width_m() - narrowest.front().width_m();
+    const double wider_m = narrowest.empty() ? 0.0 : chord.width_m() - narrowest.front().width_m();
     if (wider_m > kStepM / 2.0) continue;
     if (wider_m < -kStepM / 2.0) narrowest.clear();
     narrowest.push_back(chord);

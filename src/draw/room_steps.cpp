@@ -68,10 +68,11 @@ class Layout {
              {3.2, Weight::bold, Anchor::start, kInk});
     add_text(group, {left, top - 1.4}, counts, {2.5, Weight::normal, Anchor::start, kFaintInk});
     const Point2 corner(left, top + height_mm_);
-    return {group, corner,
-            {mm_per_m(),
-             {corner.x() - mm_per_m() * room_m_.min.x(),
-              corner.y() + mm_per_m() * room_m_.min.y()}}};
+    return {
+        group,
+        corner,
+        {mm_per_m(),
+         {corner.x() - mm_per_m() * room_m_.min.x(), corner.y() + mm_per_m() * room_m_.min.y()}}};
   }
 
  private:
@@ -143,7 +144,10 @@ void add_lines(const Panel& panel, const std::vector<Polyline>& lines, const cha
   std::string path;
   for (const Polyline& line : lines) path += path_of(panel.to_paper(line));
   add(panel.group, "path",
-      {{"fill", "none"}, {"stroke", stroke}, {"stroke-width", width}, {"stroke-linejoin", "round"},
+      {{"fill", "none"},
+       {"stroke", stroke},
+       {"stroke-width", width},
+       {"stroke-linejoin", "round"},
        {"d", path}});
 }
 
@@ -153,7 +157,9 @@ void add_dots(const Panel& panel, const std::vector<Polyline>& lines, const char
     for (const Point2& point : line) {
       const Point2 at = panel.to_paper(point);
       add(panel.group, "circle",
-          {{"cx", number(at.x())}, {"cy", number(at.y())}, {"r", number(radius_mm)},
+          {{"cx", number(at.x())},
+           {"cy", number(at.y())},
+           {"r", number(radius_mm)},
            {"fill", fill}});
     }
   }
@@ -180,8 +186,7 @@ std::int64_t size_of(const std::vector<Polyline>& lines) {
 std::string draw_room_steps(const RoomMap& map, const Polyline& path, const std::string& title) {
   const Layout layout(seen_part(map.grid));
   pugi::xml_document document;
-  pugi::xml_node svg =
-      add_page(document, kPageWidth_mm, layout.bottom_mm() + kFooter_mm, title);
+  pugi::xml_node svg = add_page(document, kPageWidth_mm, layout.bottom_mm() + kFooter_mm, title);
   add_text(svg, {kEdge_mm, kEdge_mm + 4.0}, title, {4.5, Weight::bold, Anchor::start, kInk});
 
   const AsrCounters& counters = map.counters;
@@ -194,8 +199,8 @@ std::string draw_room_steps(const RoomMap& map, const Polyline& path, const std:
   cells.paint(raw, map.grid.box(), [&](const Cell& cell) { return himm_colour(map.grid, cell); });
   add_lines(raw, {path}, kPathStroke, kThin_mm);
 
-  const Panel cleaned = layout.add(svg, 1, "cleaned", "Cleaned",
-                                   counted(counters.cleaned_cells, "cells occupied"));
+  const Panel cleaned =
+      layout.add(svg, 1, "cleaned", "Cleaned", counted(counters.cleaned_cells, "cells occupied"));
   cells.paint(cleaned, map.cleaned.box,
               [&](const Cell& cell) { return cleaned_colour(map.cleaned.at(cell)); });
   add_lines(cleaned, {path}, kPathStroke, kThin_mm);
@@ -211,9 +216,9 @@ std::string draw_room_steps(const RoomMap& map, const Polyline& path, const std:
   add_lines(simplified, map.simplified, kPointStroke, kFrame_mm);
   add_dots(simplified, map.simplified, kPointStroke, 0.5);
 
-  const Panel lines = layout.add(svg, 4, "fitted", "Lines fitted",
-                                 counted(counters.vertices, "vertices, ") +
-                                     counted(counters.geometry_bytes, "bytes"));
+  const Panel lines = layout.add(
+      svg, 4, "fitted", "Lines fitted",
+      counted(counters.vertices, "vertices, ") + counted(counters.geometry_bytes, "bytes"));
   add_lines(lines, fitted, kInk, kFrame_mm);
   add_dots(lines, fitted, kInk, 0.5);
 

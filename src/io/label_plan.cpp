@@ -17,8 +17,8 @@ FloorPlan read_label_plan(const std::filesystem::path& file, double pixel_m) {
     for (int x = 0; x < labels.width(); ++x) labels(x, y) = std::max(0, labels(x, y));
   }
   FloorPlan plan;
-  plan.rooms = io::rooms_of_labels(labels,
-                                   [&](const Point2& corner) { return Point2(pixel_m * corner); });
+  plan.rooms =
+      io::rooms_of_labels(labels, [&](const Point2& corner) { return Point2(pixel_m * corner); });
   if (plan.rooms.empty()) {
     throw InputError(file.string() + ": holds no room: every pixel is 0; expected room numbers");
   }

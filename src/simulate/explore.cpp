@@ -47,9 +47,9 @@ ExploreSummary explore(const FloorPlan& world, const SimulationOptions& simulati
                        const ExploreOptions& options,
                        const std::function<void(const SimulatedStep&)>& sink) {
   require_sound(simulation);
-  const Pose2 world_from_start =
-      options.world_from_start ? *options.world_from_start
-                               : default_start(world, simulation.footprint);
+  const Pose2 world_from_start = options.world_from_start
+                                     ? *options.world_from_start
+                                     : default_start(world, simulation.footprint);
   Robot robot(world, simulation, world_from_start);
   require_free(world, world_from_start.position(), simulation.footprint.width_m / 2.0);
   Explorer explorer(simulation);

@@ -5,22 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
-#ifdef EXDEBUG
-#include <cstdio>
-#endif
 
 namespace roomatlas {
 namespace {
 
 constexpr double kMapEveryM = 0.02;
 constexpr double kMapEveryDeg = 1.5;
-constexpr double kRenewEveryS = 0.6;    // ways are found anew on what has been seen since
+constexpr double kRenewEveryS = 0.6;  // ways are found anew on what has been seen since
 constexpr double kAtGoalM = 0.12;
-constexpr double kGiveUpM = 0.3;        // frontiers this near to a hopeless one are hopeless too
+constexpr double kGiveUpM = 0.3;  // frontiers this near to a hopeless one are hopeless too
 constexpr double kAnchorEveryM = 0.5;
-constexpr double kLookBehindM = 0.6;    // both jambs have been seen by then
-constexpr double kDoorSkipM = 0.2;      // of the way ahead, beside the robot itself
-constexpr double kBeyondDoorM = 0.45;   // how far behind a door its way ends
+constexpr double kLookBehindM = 0.6;   // both jambs have been seen by then
+constexpr double kDoorSkipM = 0.2;     // of the way ahead, beside the robot itself
+constexpr double kBeyondDoorM = 0.45;  // how far behind a door its way ends
 constexpr double kStuckM = 0.15;
 constexpr int kStuckGoals = 6;
 
@@ -45,23 +42,13 @@ Explorer::Explorer(const SimulationOptions& options)
       map_(options.footprint),
       rooms_(map_.frame()) {}
 
-std::optional<Steering> Explorer::decide(const RangeReading& reading,
-                                         const Pose2& map_from_robot, bool bumped) {
+std::optional<Steering> Explorer::decide(const RangeReading& reading, const Pose2& map_from_robot,
+                                         bool bumped) {
   const Point2 position = map_from_robot.position();
   sense(reading, map_from_robot);
   follow_rooms(map_from_robot);
   if (goal_ && !renew(*goal_, position)) goal_.reset();
   if (!goal_) goal_ = next_goal(position);
-#ifdef EXDEBUG
-  { static Point2 last(1e9,1e9); if (goal_ && (goal_->way.back()-last).norm()>1e-6) { last=goal_->way.back();
-   std::fprintf(stderr,"%.1f at (%.2f %.2f) room %zu zone %d goal %s%d (%.2f %.2f) len %.2f doors %zu\n",time_s_,position.x(),position.y(),rooms_.current(),zone_?(int)*zone_:-1,goal_->door?"door ":goal_->ignores_doors?"left ":"front ",goal_->door?(int)*goal_->door:-1,last.x(),last.y(),length(goal_->way),rooms_.doors().size());}}
-#endif
-#ifdef EXDEBUG
-  if (!goal_) { FILE* f=std::fopen("/tmp/ex/map.ppm","wb"); auto b=map_.box(); std::fprintf(f,"P6 %d %d 255\n",b.width(),b.height());
-   for(int y=b.max.y-1;y>=b.min.y;--y) for(int x=b.min.x;x<b.max.x;++x){ Cell q{x,y}; unsigned char c[3]={128,128,128}; auto set=[&](int r,int g,int bb){c[0]=(unsigned char)r;c[1]=(unsigned char)g;c[2]=(unsigned char)bb;};
-     if(map_.himm().raw(q)<0) set(255,255,255); if(map_.is_passable(q)) set(200,255,200); if(map_.is_passable(q)&&map_.is_tight(q)) set(255,255,150); if(map_.himm().raw(q)==-128) set(180,180,255); if(map_.himm().raw(q)>0) set(220,180,180); if(map_.is_obstacle(q)) set(0,0,0); if(map_.is_frontier(q)) set(255,0,0); if(given_up_.contains(key_of(q))) set(255,128,0); if(rooms_.is_closed(q,std::nullopt)) set(0,160,0);
-     std::fwrite(c,1,3,f);} std::fclose(f);}
-#endif
   if (!goal_ || is_stuck_) return std::nullopt;
   time_s_ += 1.0 / options_.rate_hz;
   echoes_.add(reading, map_from_robot);
@@ -70,8 +57,8 @@ std::optional<Steering> Explorer::decide(const RangeReading& reading,
     goal_.reset();
     last_step_ = {-last_step_.turn_rad, -last_step_.length_m};
   } else {
-    last_step_ = steer(map_, echoes_.points_map(), map_from_robot, options_.footprint, goal_->way,
-                       limits_);
+    last_step_ =
+        steer(map_, echoes_.points_map(), map_from_robot, options_.footprint, goal_->way, limits_);
   }
   return last_step_;
 }
@@ -79,8 +66,7 @@ std::optional<Steering> Explorer::decide(const RangeReading& reading,
 void Explorer::sense(const RangeReading& reading, const Pose2& map_from_robot) {
   if (last_mapped_) {
     const Pose2 moved = inverse(*last_mapped_) * map_from_robot;
-    if (moved.position().norm() < kMapEveryM &&
-        std::abs(moved.theta_rad) < radians(kMapEveryDeg)) {
+    if (moved.position().norm() < kMapEveryM && std::abs(moved.theta_rad) < radians(kMapEveryDeg)) {
       return;
     }
   }
@@ -253,22 +239,17 @@ bool Explorer::renew(Goal& goal, const Point2& position) {
 
 void Explorer::give_up(const Goal& goal, const Point2& position) {
   ++goals_given_up_;
-#ifdef EXDEBUG
-  { Cell c=map_.frame().cell_of(position); for(int y=c.y+14;y>=c.y-14;--y){ for(int x=c.x-24;x<=c.x+24;++x){ Cell q{x,y}; bool onway=false; for(auto&w:goal.way) if(map_.frame().cell_of(w)==q) onway=true;
-   std::fputc(q==c?'R':onway?'+':map_.is_obstacle(q)?'#':map_.himm().raw(q)==-128?'r':map_.is_passable(q)?(map_.is_tight(q)?',':'.'):map_.himm().raw(q)<0?'-':map_.himm().raw(q)==0?' ':'?',stderr);} std::fputc('\n',stderr);} std::fprintf(stderr,"theta %.2f\n",degrees(last_mapped_->theta_rad)); }
-  std::fprintf(stderr,"   GIVE UP %.1f at (%.2f %.2f) deadline %.1f\n",time_s_,position.x(),position.y(),goal.deadline_s);
-#endif
   if (goal.door) rooms_.note_failure(*goal.door);
   const bool moved = (position - last_moved_).norm() > kStuckM;
   given_up_here_ = moved ? 0 : given_up_here_ + 1;
   if (given_up_here_ >= kStuckGoals) is_stuck_ = true;
   const Cell hopeless = map_.frame().cell_of(goal.way.back());
   const int reach = static_cast<int>(kGiveUpM / map_.frame().cell_m);
-  for_each_cell({{hopeless.x - reach, hopeless.y - reach},
-                 {hopeless.x + reach + 1, hopeless.y + reach + 1}},
-                [&](const Cell& cell) {
-                  if (distance_cells(cell, hopeless) <= reach) given_up_.insert(key_of(cell));
-                });
+  for_each_cell(
+      {{hopeless.x - reach, hopeless.y - reach}, {hopeless.x + reach + 1, hopeless.y + reach + 1}},
+      [&](const Cell& cell) {
+        if (distance_cells(cell, hopeless) <= reach) given_up_.insert(key_of(cell));
+      });
 }
 
 }  // namespace roomatlas

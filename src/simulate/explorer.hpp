@@ -32,7 +32,7 @@ class Explorer {
   struct Goal {
     std::optional<ExplorerRooms::Door> door;
     ExplorerRooms::Room from = 0;  ///< the room in which it was chosen
-    bool ignores_doors = false;  ///< a frontier that was left over, wherever it is
+    bool ignores_doors = false;    ///< a frontier that was left over, wherever it is
     double deadline_s = 0.0;
     Polyline way;
   };

@@ -29,8 +29,8 @@ double width_before_m(const ExplorerMap& map, const Point2& middle, const Point2
   double widest_m = 0.0;
   for (double at_m = 0.35; at_m < 0.8; at_m += 0.1) {
     const Point2 at = middle + at_m * before;
-    widest_m = std::max(widest_m, free_m(map, at, left, kWideReachM) +
-                                      free_m(map, at, -left, kWideReachM));
+    widest_m = std::max(widest_m,
+                        free_m(map, at, left, kWideReachM) + free_m(map, at, -left, kWideReachM));
   }
   return widest_m;
 }

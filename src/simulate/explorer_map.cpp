@@ -7,18 +7,18 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kCellM = 0.05;         // a door's jambs leave room for the robot between them
-constexpr double kObstacle = 5.0;       // C: two hits; one may be crosstalk
-constexpr double kSonarHitM = 0.8;      // farther echoes are too vague: they would close doors
-constexpr double kSonarNoEchoM = 0.5;   // a flat wall gives none
-constexpr double kConeFreeM = 1.5;      // how far the whole cone counts as free
-constexpr double kConeShare = 0.7;      // of the half cone
+constexpr double kCellM = 0.05;        // a door's jambs leave room for the robot between them
+constexpr double kObstacle = 5.0;      // C: two hits; one may be crosstalk
+constexpr double kSonarHitM = 0.8;     // farther echoes are too vague: they would close doors
+constexpr double kSonarNoEchoM = 0.5;  // a flat wall gives none
+constexpr double kConeFreeM = 1.5;     // how far the whole cone counts as free
+constexpr double kConeShare = 0.7;     // of the half cone
 constexpr double kEchoClearanceM = 0.1;
 constexpr double kLaserM = 5.0;
 constexpr double kTouchingMarginM = 0.04;  // beyond the robot's half width
 constexpr double kTurningMarginM = 0.05;   // beyond the robot's half diagonal
 constexpr int kLookAroundCells = 2;
-constexpr int kFrontierUnknownCells = 6;   // of the 24 around; fewer are specks between beams
+constexpr int kFrontierUnknownCells = 6;  // of the 24 around; fewer are specks between beams
 
 std::vector<Cell> disc(double radius_m) {
   const int reach = static_cast<int>(std::floor(radius_m / kCellM));
@@ -59,7 +59,8 @@ void spread_over_cones(const HimmGrid& himm, const RangeReading& reading,
       const Point2 along = direction(share * kConeShare * sensor.half_cone_rad);
       const double free_m = std::min(range_m - kEchoClearanceM, kConeFreeM);
       const Ray ray{{map_from_beam.position(), map_from_beam * Point2(free_m * along)}, false};
-      rays.push_back(std::abs(share) < 1.0 && free_m < kSonarHitM ? ray : up_to_obstacles(himm, ray));
+      rays.push_back(std::abs(share) < 1.0 && free_m < kSonarHitM ? ray
+                                                                  : up_to_obstacles(himm, ray));
     }
   }
 }
@@ -98,9 +99,8 @@ void ExplorerMap::grow() {
   const CellBox& box = himm_.box();
   if (box.min == box_.min && box.max == box_.max) return;
   std::vector<Nearness> grown(box.count());
-  for_each_cell(box_, [&](const Cell& cell) {
-    grown[box.index_of(cell)] = nearness_[box_.index_of(cell)];
-  });
+  for_each_cell(
+      box_, [&](const Cell& cell) { grown[box.index_of(cell)] = nearness_[box_.index_of(cell)]; });
   nearness_ = std::move(grown);
   box_ = box;
 }

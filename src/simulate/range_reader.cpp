@@ -84,8 +84,8 @@ RangeReader::Echoes RangeReader::with_crosstalk(const Echoes& echoes_m) {
   return heard_m;
 }
 
-std::vector<float> RangeReader::read(const Obstacles& obstacles,
-                                     const Pose2& world_from_robot, const RangeSensor& sensor) {
+std::vector<float> RangeReader::read(const Obstacles& obstacles, const Pose2& world_from_robot,
+                                     const RangeSensor& sensor) {
   const bool is_sonar = sensor.kind == SensorKind::sonar;
   Echoes echoes_m;
   for (const Pose2& robot_from_beam : sensor.robot_from_beam) {

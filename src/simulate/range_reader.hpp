@@ -27,8 +27,8 @@ class RangeReader {
   explicit RangeReader(const SimulationOptions& options);
   /// @param obstacles all that come into the sensor's range
   /// @return metres, one a beam, in (0, max_range_m]
-  [[nodiscard]] std::vector<float> read(const Obstacles& obstacles,
-                                        const Pose2& world_from_robot, const RangeSensor& sensor);
+  [[nodiscard]] std::vector<float> read(const Obstacles& obstacles, const Pose2& world_from_robot,
+                                        const RangeSensor& sensor);
 
  private:
   using Echoes = std::vector<std::optional<double>>;

@@ -11,8 +11,8 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kLookAheadM = 0.45;     // along the way; more cuts corners
-constexpr double kWindowM = 0.9;         // of the polar histogram; more shies from far walls
+constexpr double kLookAheadM = 0.45;  // along the way; more cuts corners
+constexpr double kWindowM = 0.9;      // of the polar histogram; more shies from far walls
 constexpr double kSectorDeg = 5.0;
 constexpr double kMaxDeviationDeg = 30.0;
 constexpr double kDensityOfWall = 1000.0;  // k that weighs like a deviation of 30 degrees
@@ -20,8 +20,8 @@ constexpr double kTurnOnSpotDeg = 30.0;
 constexpr double kCellMarginM = 0.01;  // a cell's middle lies before the surface that raised it
 constexpr double kEchoMarginM = 0.03;
 constexpr double kLeastTurnRad = 1e-3;
-constexpr double kNearM = 0.8;           // what may be touched in one step or a few
-constexpr double kCloseEchoM = 0.5;      // nearly where a cone's axis says
+constexpr double kNearM = 0.8;       // what may be touched in one step or a few
+constexpr double kCloseEchoM = 0.5;  // nearly where a cone's axis says
 constexpr std::size_t kRememberedSweeps = 15;
 constexpr int kWayOutSteps = 40;
 
