@@ -67,7 +67,7 @@ PlacedAll placed_all(const std::vector<AsrEvidence>& evidence,
   return all;
 }
 
-Verdict vote_of(const FigureVote& vote, const CompareOptions& options) {
+Verdict vote_of(const FigureVote& vote, const VerdictOptions& options) {
   const double change = vote.after - vote.before;
   const double clear = std::max(options.clear_share * std::max(vote.before, vote.after),
                                 options.clear_fraction * facts_of(vote.figure).typical);
@@ -122,7 +122,7 @@ SelfConsistency self_consistency(const std::vector<AsrEvidence>& evidence,
 }
 
 ConsistencyComparison compare(const SelfConsistency& before, const SelfConsistency& after,
-                              const CompareOptions& options) {
+                              const VerdictOptions& options) {
   ConsistencyComparison comparison{before, after, {}, Verdict::undecided};
   double change = 0.0;
   int better = 0;

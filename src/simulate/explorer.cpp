@@ -12,6 +12,7 @@ namespace {
 constexpr double kMapEveryM = 0.02;
 constexpr double kMapEveryDeg = 1.5;
 constexpr double kRenewEveryS = 0.6;  // ways are found anew on what has been seen since
+constexpr double kRenewShare = 0.1;   // ... and the rarer the longer they are: they cost more
 constexpr double kAtGoalM = 0.12;
 constexpr double kGiveUpM = 0.3;  // frontiers this near to a hopeless one are hopeless too
 constexpr double kAnchorEveryM = 0.5;
@@ -212,7 +213,7 @@ bool Explorer::is_done(const Goal& goal) const {
 bool Explorer::renew(Goal& goal, const Point2& position) {
   const bool arrived = (goal.way.back() - position).norm() <= kAtGoalM;
   if (time_s_ < renew_s_ && !arrived) return true;
-  renew_s_ = time_s_ + kRenewEveryS;
+  renew_s_ = time_s_ + kRenewEveryS + kRenewShare * length(goal.way) / options_.speed_m_per_s;
   if (is_done(goal)) return false;
   if (time_s_ > goal.deadline_s || (arrived && !goal.door)) {
     give_up(goal, position);

@@ -111,7 +111,7 @@ struct ConsistencyComparison {
   Verdict verdict = Verdict::undecided;
 };
 
-struct CompareOptions {
+struct VerdictOptions {
   double clear_share = 0.1;        ///< a figure votes when it changes by more than this share ...
   double clear_fraction = 0.02;    ///< ... and by this fraction of its typical size
   bool before_is_odometry = true;  ///< `door_sides` then has no vote
@@ -122,6 +122,6 @@ struct CompareOptions {
 /// it; else it is undecided.
 [[nodiscard]] ConsistencyComparison compare(const SelfConsistency& before,
                                             const SelfConsistency& after,
-                                            const CompareOptions& options);
+                                            const VerdictOptions& options);
 
 }  // namespace roomatlas
