@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "roomatlas/correct/optimize.hpp"
 #include "settings.hpp"
 
 namespace roomatlas::apps {
@@ -24,6 +26,20 @@ void export_all(const Settings& settings, const Path& store,
                 const std::vector<std::string>& formats, const Path& out);
 void evaluate(const Settings& settings, const Path& store, const std::vector<Path>& truth);
 void simulate(const Settings& settings, const Path& world, const Path& drive, const Path& out);
+
+/// A result was written, but with --strict its quality is not enough (exit code 5).
+struct GateFailed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct OptimizeArguments {
+  Path graph;
+  Path out;
+  Path covariance;  ///< empty: not wanted
+  OptimizeOptions options;
+  bool strict = false;
+};
+void optimize(const Settings& settings, const OptimizeArguments& arguments);
 
 /// The formats that `export` knows.
 [[nodiscard]] std::vector<std::string> export_formats();

@@ -71,9 +71,8 @@ ROOMATLAS_INLINE void add_child(const Front& front, const double* child, std::pt
     const std::ptrdiff_t column = row_in_front[c] * Size;
     const bool in_panel = column < front.width;
     const std::ptrdiff_t stride = in_panel ? panel_stride : front.rows;
-    double* const target = in_panel
-                               ? front.panel + column * stride
-                               : front.update + (column - front.width) * stride - front.width;
+    double* const target = in_panel ? front.panel + column * stride
+                                    : front.update + (column - front.width) * stride - front.width;
     const double* const source = child + c * Size * child_stride;
     while (runs[first].in_child + runs[first].count <= c * Size) ++first;
     const std::ptrdiff_t above = c * Size - runs[first].in_child;
@@ -147,8 +146,7 @@ ROOMATLAS_INLINE std::int32_t eliminate_all(const Supernodes& nodes, double* val
       waiting.pop_back();
       base = child.begin;
       add_child<Size>(front, stack + child.begin, nodes.row_count(child.supernode),
-                      nodes.row_in_parent.data() + nodes.rows_begin[child.supernode],
-                      runs.data());
+                      nodes.row_in_parent.data() + nodes.rows_begin[child.supernode], runs.data());
     }
     const std::ptrdiff_t failed =
         eliminate_panel<Size>(front, smallest + std::ptrdiff_t{nodes.first[s]} * Size);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#include "initial_guess.hpp"
+#include "chordal.hpp"
 
 namespace roomatlas {
 namespace {
@@ -35,8 +35,8 @@ void fill(const SolverGraph& graph, std::span<const double> weights, BlockCholes
       z[at(edge.from) * 2 + 1] -= s;
     } else {
       const bool from_is_row = edge.from > edge.to;
-      const BlockPlace place = from_is_row ? matrix.place(edge.from, edge.to)
-                                           : matrix.place(edge.to, edge.from);
+      const BlockPlace place =
+          from_is_row ? matrix.place(edge.from, edge.to) : matrix.place(edge.to, edge.from);
       const double turn = from_is_row ? -s : s;
       double* const block = values + place.offset;
       block[0] -= c;

@@ -71,9 +71,8 @@ ROOMATLAS_INLINE void subtract_tile(double* result, std::ptrdiff_t result_stride
 /// Columns of one strip, from its first row down: result(i, j) -= sum_k left(i, k) right(j, k).
 template <int Columns>
 ROOMATLAS_INLINE void subtract_strip(double* result, std::ptrdiff_t result_stride,
-                                     const double* left, const double* right,
-                                     std::ptrdiff_t stride, std::ptrdiff_t row_count,
-                                     std::ptrdiff_t depth) {
+                                     const double* left, const double* right, std::ptrdiff_t stride,
+                                     std::ptrdiff_t row_count, std::ptrdiff_t depth) {
   std::ptrdiff_t i = 0;
   for (; i + 8 <= row_count; i += 8) {
     subtract_tile<4, 2, Columns>(result + i, result_stride, left + i, right, stride, depth);
@@ -89,7 +88,8 @@ ROOMATLAS_INLINE void subtract_strip(double* result, std::ptrdiff_t result_strid
   if (i < row_count) {
     for (int j = 0; j < Columns; ++j) {
       double sum = 0.0;
-      for (std::ptrdiff_t k = 0; k < depth; ++k) sum += left[i + k * stride] * right[j + k * stride];
+      for (std::ptrdiff_t k = 0; k < depth; ++k)
+        sum += left[i + k * stride] * right[j + k * stride];
       result[i + j * result_stride] -= sum;
     }
   }

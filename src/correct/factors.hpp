@@ -13,7 +13,8 @@
 namespace roomatlas {
 
 /// Upper triangular W with W' W = information, so that |W r|^2 = r' Omega r. For a non-diagonal
-/// Omega the lower factor would be wrong.
+/// Omega the lower factor would be wrong. Where information has a zero eigenvalue, W is not
+/// triangular.
 [[nodiscard]] Eigen::Matrix3d whitening(const Eigen::Matrix3d& information);
 
 /// A relative pose i_from_j measured between two poses (x, y, theta) of the building:

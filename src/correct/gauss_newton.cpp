@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gauss_newton.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -22,61 +23,82 @@ double take(const std::vector<double>& step, const std::vector<double>& right_si
   return predicted;
 }
 
+/// Chi-square that would still be gained after a step, if steps go on shrinking as they did.
+double left_after(double predicted, double predicted_before) {
+  if (!std::isfinite(predicted)) return std::numeric_limits<double>::infinity();
+  const double ratio = std::clamp(predicted / predicted_before, 0.0, 0.9);
+  return std::isfinite(predicted_before) ? predicted * ratio / (1.0 - ratio) : predicted;
+}
+
+/// Keeps the best state and says whether to go on.
+class Best {
+ public:
+  explicit Best(GaussNewtonResult& result) : result_(result) {
+    result_.chi_square = std::numeric_limits<double>::infinity();
+  }
+  bool offer(double chi_square, const State& state) {
+    if (chi_square <= result_.chi_square) {
+      result_.chi_square = chi_square;
+      result_.state = state;
+      return true;
+    }
+    return std::isfinite(chi_square) && ++uphill_ <= kMostUphillSteps;
+  }
+
+ private:
+  GaussNewtonResult& result_;
+  int uphill_ = 0;
+};
+
 }  // namespace
 
 GaussNewton::GaussNewton(const SolverGraph& graph)
     : graph_(graph), matrix_(graph.supernodes), places_(places_of(graph, matrix_)) {}
 
-GaussNewton::~GaussNewton() = default;
-
 GaussNewtonResult GaussNewton::solve(State state, std::span<const double> weights,
                                      StepSource source, double tolerance, int max_iterations) {
-  GaussNewtonResult best;
-  best.chi_square = std::numeric_limits<double>::infinity();
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  const double floor = 1e-12 * static_cast<double>(graph_.edges.size());
+  GaussNewtonResult result;
+  Best best(result);
   NormalEquations equations{matrix_, places_, right_side_};
-  int uphill = 0;
   bool old_factor = false;
-  double predicted = std::numeric_limits<double>::infinity();
-  for (int k = 0;; ++k) {
-    double now = 0.0;
-    const bool last = (std::isfinite(predicted) && predicted <= tolerance * best.chi_square) ||
-                      k == max_iterations;
+  double left = kUnknown;
+  double predicted = kUnknown;
+  for (;;) {
+    const bool done = std::isfinite(left) && left <= tolerance * result.chi_square + floor;
+    const bool last = done || result.iterations >= max_iterations;
+    const double now = last         ? chi_square(graph_, state, weights)
+                       : old_factor ? gradient(graph_, state, weights, right_side_)
+                                    : linearise(graph_, state, weights, source, equations);
+    if (source == StepSource::state && !best.offer(now, state)) return result;
     if (last) {
-      now = chi_square(graph_, state, weights);
-    } else if (old_factor) {
-      now = gradient(graph_, state, weights, right_side_);
-    } else {
-      now = linearise(graph_, state, weights, source, equations);
-    }
-    if (source == StepSource::state) {
-      if (now <= best.chi_square) {
-        best.chi_square = now;
-        best.state = state;
-      } else if (!(std::abs(now) <= std::numeric_limits<double>::max()) ||
-                 ++uphill > kMostUphillSteps) {
-        return best;
-      }
-    }
-    if (last) {
-      best.converged = k < max_iterations;
-      return best;
+      result.converged = done;
+      return result;
     }
     if (!old_factor) {
-      if (const std::int32_t failed = matrix_.factorize(); failed != -1) {
-        best.singular_slot = failed;
-        return best;
-      }
+      result.singular_slot = matrix_.factorize();
+      if (result.singular_slot != -1) return result;
     }
     step_ = right_side_;
     matrix_.solve(step_.data());
     const double before = predicted;
     predicted = take(step_, right_side_, state);
-    ++best.iterations;
-    old_factor = source == StepSource::state && predicted < kNearlyThere * now &&
-                 (!old_factor || predicted < 0.1 * before);
-    if (source == StepSource::measured) predicted = std::numeric_limits<double>::infinity();
-    source = StepSource::state;
+    ++result.iterations;
+    if (source == StepSource::measured) {  // its prediction is that of another problem
+      predicted = kUnknown;
+      source = StepSource::state;
+      continue;
+    }
+    left = left_after(predicted, before);
+    old_factor = predicted < kNearlyThere * now && (!old_factor || predicted < 0.1 * before);
   }
+}
+
+bool GaussNewton::factorize_at(const State& state, std::span<const double> weights) {
+  NormalEquations equations{matrix_, places_, right_side_};
+  (void)linearise(graph_, state, weights, StepSource::state, equations);
+  return matrix_.factorize() == -1;
 }
 
 }  // namespace roomatlas

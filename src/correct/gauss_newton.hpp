@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <span>
 
 #include "linearise.hpp"
@@ -20,15 +19,17 @@ struct GaussNewtonResult {
 class GaussNewton {
  public:
   explicit GaussNewton(const SolverGraph& graph);
-  ~GaussNewton();
 
   /// Iterates from a start and keeps the best state: steps that go uphill are taken too, because
   /// refusing them costs many iterations and they rarely matter.
   /// @param source of the first step: `measured` for a start of headings without positions
-  /// @param tolerance stops when the predicted fall of chi-square is below this share of it
+  /// @param tolerance stops when what is left to gain is estimated below this share of chi-square
   [[nodiscard]] GaussNewtonResult solve(State start, std::span<const double> weights,
-                                        StepSource source, double tolerance = 1e-8,
+                                        StepSource source, double tolerance = 1e-7,
                                         int max_iterations = 50);
+
+  /// Leaves the factor at a state in `matrix()`. False where it is not positive definite.
+  [[nodiscard]] bool factorize_at(const State& state, std::span<const double> weights);
 
   [[nodiscard]] BlockCholesky<3>& matrix() { return matrix_; }
   [[nodiscard]] const MatrixPlaces<3>& places() const { return places_; }

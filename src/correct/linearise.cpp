@@ -155,7 +155,8 @@ double chi_square(const SolverGraph& graph, const State& state, std::span<const 
   const std::vector<Point2> directions = directions_of(state);
   double sum = 0.0;
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-    const double value = terms_of(graph.edges[e], state, directions, 1.0, StepSource::state).chi_square;
+    const double value =
+        terms_of(graph.edges[e], state, directions, 1.0, StepSource::state).chi_square;
     if (each != nullptr) (*each)[e] = value;
     sum += weight_of(weights, e) * value;
   }

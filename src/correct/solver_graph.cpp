@@ -21,7 +21,7 @@ std::int32_t root_of(Indices& parent, std::int32_t node) {
 }
 
 SolverEdge solver_edge(const PoseEdge& edge, const Indices& slot) {
-  SolverEdge result{slot[at(edge.from)], slot[at(edge.to)], edge.from_from_to.x_m,
+  SolverEdge result{slot[at(edge.from)],   slot[at(edge.to)],           edge.from_from_to.x_m,
                     edge.from_from_to.y_m, edge.from_from_to.theta_rad, {}};
   const double c = std::cos(result.theta_rad);
   const double s = std::sin(result.theta_rad);

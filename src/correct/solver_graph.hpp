@@ -34,7 +34,8 @@ struct SolverGraph {
   Components components;
   Supernodes supernodes;
   std::int32_t variable_count = 0;
-  /// Of each node: its position of elimination, or variable_count + its component where it is fixed.
+  /// Of each node: its position of elimination, or variable_count + its component where it is
+  /// fixed.
   std::vector<std::int32_t> slot;
   std::vector<SolverEdge> edges;
   std::vector<std::int32_t> edge_index;  ///< of each of `edges` in the pose graph

@@ -16,10 +16,10 @@ using NodePair = std::pair<std::int32_t, std::int32_t>;
 /// Columns with (nearly) the same rows stand together as one dense panel, a supernode. Columns are
 /// numbered in the order of elimination: "position".
 struct Supernodes {
-  std::vector<std::int32_t> position;  ///< of each node
-  std::vector<std::int32_t> owner;     ///< supernode of each position
-  std::vector<std::int32_t> first;     ///< first position of each supernode, and the end
-  std::vector<std::int32_t> parent;    ///< supernode that eliminates its first row, or -1
+  std::vector<std::int32_t> position;    ///< of each node
+  std::vector<std::int32_t> owner;       ///< supernode of each position
+  std::vector<std::int32_t> first;       ///< first position of each supernode, and the end
+  std::vector<std::int32_t> parent;      ///< supernode that eliminates its first row, or -1
   std::vector<std::int64_t> rows_begin;  ///< into `rows`, and the end
   std::vector<std::int32_t> rows;        ///< positions below each supernode's own, ascending
   /// Where each of `rows` stands in the parent's front (its columns, then its rows).
@@ -39,6 +39,7 @@ struct Supernodes {
 /// Orders by approximate minimum degree (Amestoy, Davis, Duff 1996) on the graph of blocks.
 /// @param pairs without repetition of what order the two stand in is needed; a pair may repeat,
 ///   and a node with itself is passed over
-[[nodiscard]] Supernodes find_supernodes(std::size_t node_count, const std::vector<NodePair>& pairs);
+[[nodiscard]] Supernodes find_supernodes(std::size_t node_count,
+                                         const std::vector<NodePair>& pairs);
 
 }  // namespace roomatlas

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "roomatlas/core/pose2.hpp"
@@ -45,6 +46,10 @@ struct PoseGraph {
 
 /// The sum over all edges. @param poses one a node
 [[nodiscard]] double chi_square(const PoseGraph& graph, std::span<const Pose2> poses);
+
+/// What is wrong with an edge by itself, in words, or empty: a number that is not finite, or an
+/// information matrix that is not symmetric or has a negative eigenvalue.
+[[nodiscard]] std::string problem_of(const PoseEdge& edge);
 
 /// Throws InputError naming the edge when an index is out of range, an edge joins a node with
 /// itself, a number is not finite, or an information matrix is not symmetric or has a negative

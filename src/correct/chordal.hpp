@@ -13,10 +13,4 @@ namespace roomatlas {
 /// @return a state with all positions zero, or an empty one where the system is singular
 [[nodiscard]] State chordal_headings(const SolverGraph& graph, std::span<const double> weights);
 
-/// Poses along a spanning tree: breadth first from the fixed nodes, odometry before loops.
-/// Fixed nodes are at the origin.
-/// @param weights edges of weight 0 are not used, as far as the others reach all nodes
-[[nodiscard]] State spanning_tree_poses(const SolverGraph& graph, const PoseGraph& poses,
-                                        std::span<const double> weights);
-
 }  // namespace roomatlas
