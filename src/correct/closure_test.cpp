@@ -36,13 +36,12 @@ ClosureTest test(const SolverEdge& edge, const State& state, const SelectedInver
   const Eigen::Matrix3d information = information_of(edge);
   const Eigen::Matrix3d w = whitening(information);
   const Eigen::Vector3d error = w * error_of(edge, state);
-  const Eigen::Matrix3d predicted =
-      w * inverse.relative(state, edge.from, edge.to) * w.transpose();
+  const Eigen::Matrix3d predicted = w * inverse.relative(state, edge.from, edge.to) * w.transpose();
   // Among the accepted, the edge took part in the prediction: what is left of its own variance is
   // that of its residual, and the distance is the same as if it had not (Cook and Weisberg 1982).
-  const Eigen::Matrix3d variance =
-      accepted ? Eigen::Matrix3d(Eigen::Matrix3d::Identity() - predicted)
-               : Eigen::Matrix3d(Eigen::Matrix3d::Identity() + predicted);
+  const Eigen::Matrix3d variance = accepted
+                                       ? Eigen::Matrix3d(Eigen::Matrix3d::Identity() - predicted)
+                                       : Eigen::Matrix3d(Eigen::Matrix3d::Identity() + predicted);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(variance);
   const Eigen::Vector3d values = eigen.eigenvalues().cwiseMax(kLeastShare);
   ClosureTest result;

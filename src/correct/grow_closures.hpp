@@ -21,8 +21,19 @@ class ClosureGrowth {
   [[nodiscard]] const Issues& issues() const { return issues_; }
 
  private:
+  /// A closure that lost against another although others bore it out too.
+  struct Rival {
+    std::int32_t edge = 0;
+    std::size_t supporters = 0;
+    std::size_t against = 0;
+  };
+
+  void grow();
+  void widen();
+  void warn();
   void solve_and_test();
   void estimate_noise();
+  [[nodiscard]] double log_chance(const ClosureTest& test, double distance) const;
   [[nodiscard]] bool fits(const ClosureTest& test) const;
   [[nodiscard]] bool is_sharp(const ClosureTest& test) const;
   [[nodiscard]] bool is_accepted(const ClosureTest& test) const;
@@ -40,7 +51,8 @@ class ClosureGrowth {
   std::vector<ClosureTest> tests_;
   double noise_variance_ = 1.0;  ///< times what the information matrices say
   double log_search_volume_ = 0.0;
-  std::vector<std::int32_t> unsupported_;  ///< edges accepted with no other to bear them out
+  bool wide_ = false;  ///< the last stage, with the wide gate
+  std::vector<Rival> rivals_;
   Issues issues_;
 };
 

@@ -96,12 +96,23 @@ Solved LeastSquares::solve_from(const State& start, std::span<const double> weig
   return local(start, weights, StepSource::state);
 }
 
-State LeastSquares::odometry() const {
+SpanningTree LeastSquares::odometry_tree() const {
   std::vector<std::uint8_t> costly(graph_.edges.size());
   for (std::size_t e = 0; e < costly.size(); ++e) {
     costly[e] = poses_.edges[at(graph_.edge_index[e])].kind == EdgeKind::loop ? 1 : 0;
   }
-  return poses_along(graph_, spanning_tree(graph_, incidence_, costly, {}));
+  return spanning_tree(graph_, incidence_, costly, {});
+}
+
+State LeastSquares::odometry() const { return poses_along(graph_, odometry_tree()); }
+
+std::vector<std::int32_t> LeastSquares::bridges() const {
+  std::vector<std::int32_t> loops;
+  for (const std::int32_t e : odometry_tree().via) {
+    if (e == -1) continue;
+    if (poses_.edges[at(graph_.edge_index[at(e)])].kind == EdgeKind::loop) loops.push_back(e);
+  }
+  return loops;
 }
 
 State LeastSquares::state_of(const std::vector<Pose2>& poses) const {

@@ -37,6 +37,8 @@ class LeastSquares {
   [[nodiscard]] Solved solve_from(const State& start, std::span<const double> weights);
   /// Poses along odometry, as far as it leads, then over loops.
   [[nodiscard]] State odometry() const;
+  /// Loops without which odometry and trusted edges would not join each component: one choice.
+  [[nodiscard]] std::vector<std::int32_t> bridges() const;
 
   [[nodiscard]] State state_of(const std::vector<Pose2>& poses) const;
   /// In the frame of the guess: the fixed node of each component is where the guess has it.
@@ -46,6 +48,7 @@ class LeastSquares {
   Solved by_block(const State& start, std::span<const double> weights, StepSource source,
                   int max_iterations);
   Solved local(const State& start, std::span<const double> weights, StepSource source);
+  [[nodiscard]] SpanningTree odometry_tree() const;
   void continue_with_ceres(Solved& solved, const State& start, std::span<const double> weights);
 
   const PoseGraph& poses_;
