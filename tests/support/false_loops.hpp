@@ -45,7 +45,8 @@ inline PoseGraph with_false_loops(PoseGraph graph, double share, FalseLoops kind
     if (edge.kind == EdgeKind::loop) informations.push_back(edge.information);
     if (edge.to - edge.from == 1) step[static_cast<std::size_t>(edge.from)] = &edge;
   }
-  const auto wanted = static_cast<std::ptrdiff_t>(std::llround(share * std::ssize(informations)));
+  const auto wanted =
+      static_cast<std::ptrdiff_t>(std::llround(share * static_cast<double>(informations.size())));
   std::vector<PoseEdge> added;
   while (std::ssize(added) < wanted) {
     const std::int32_t size = kind == FalseLoops::single ? 1 : kGroup;
