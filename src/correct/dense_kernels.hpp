@@ -32,18 +32,33 @@ ROOMATLAS_INLINE bool factor_block(double* block, std::ptrdiff_t stride, const d
   return true;
 }
 
+/// Width rows of the step below.
+template <int Size, int Width>
+ROOMATLAS_INLINE void solve_some_rows(const double* factor, const double* inverse, double* rows,
+                                      std::ptrdiff_t stride) {
+  typedef double Lane __attribute__((vector_size(Width * sizeof(double)), aligned(8)));
+  Lane column[Size];
+  for (int j = 0; j < Size; ++j) {
+    column[j] = *reinterpret_cast<const Lane*>(rows + j * stride);
+    for (int k = 0; k < j; ++k) column[j] -= factor[j + k * stride] * column[k];
+    column[j] *= inverse[j];
+    *reinterpret_cast<Lane*>(rows + j * stride) = column[j];
+  }
+}
+
 /// Rows below a factored block: rows := rows * inverse(factor)'.
 template <int Size>
 ROOMATLAS_INLINE void solve_rows(const double* factor, const double* inverse, double* rows,
                                  std::ptrdiff_t stride, std::ptrdiff_t count) {
-  for (int j = 0; j < Size; ++j) {
-    double* column = rows + j * stride;
-    for (int k = 0; k < j; ++k) {
-      const double share = factor[j + k * stride];
-      const double* const other = rows + k * stride;
-      for (std::ptrdiff_t i = 0; i < count; ++i) column[i] -= share * other[i];
+  std::ptrdiff_t i = 0;
+  for (; i + 4 <= count; i += 4) solve_some_rows<Size, 4>(factor, inverse, rows + i, stride);
+  for (; i + 2 <= count; i += 2) solve_some_rows<Size, 2>(factor, inverse, rows + i, stride);
+  for (; i < count; ++i) {
+    for (int j = 0; j < Size; ++j) {
+      double value = rows[i + j * stride];
+      for (int k = 0; k < j; ++k) value -= factor[j + k * stride] * rows[i + k * stride];
+      rows[i + j * stride] = value * inverse[j];
     }
-    for (std::ptrdiff_t i = 0; i < count; ++i) column[i] *= inverse[j];
   }
 }
 

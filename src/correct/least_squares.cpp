@@ -14,6 +14,8 @@ constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(i
 
 /// Share of chi-square that may be left to gain.
 constexpr double kTolerance = 1e-7;
+/// Chi-square a degree of freedom of a guess that is near the minimum.
+constexpr double kGood = 1.0;
 
 /// Takes over a solution that is better; iterations add up.
 void keep_better(Solved& best, Solved&& other) {
@@ -75,20 +77,31 @@ Solved LeastSquares::local(const State& start, std::span<const double> weights, 
   return solved;
 }
 
+/// A guess that fits this well needs no global start. Whether it winds right is checked after.
+bool LeastSquares::is_good(const State& guess, std::span<const double> weights) const {
+  const double freedom =
+      3.0 * (static_cast<double>(graph_.edges.size()) - static_cast<double>(graph_.variable_count));
+  return freedom > 0.0 && weights.empty() && chi_square(graph_, guess, weights) < kGood * freedom;
+}
+
 Solved LeastSquares::solve(std::span<const double> weights) {
-  const State start = chordal_headings(graph_, weights);
+  const State guess = poses_.guess.empty() ? State() : state_of(poses_.guess);
+  const bool from_guess = !guess.empty() && is_good(guess, weights);
+  const State start = from_guess ? guess : chordal_headings(graph_, weights);
   if (start.empty()) return solve_from(odometry(), weights);
-  Solved best = local(start, weights, StepSource::measured);
+  Solved best = local(start, weights, from_guess ? StepSource::state : StepSource::measured);
   const SpanningTree tree = spanning_tree(graph_, incidence_, {}, weights);
   if (best.converged && winds_right(graph_, tree, best.state, weights)) return best;
 
-  if (const State other = headings_by_winding(graph_, tree, weights); !other.empty()) {
-    keep_better(best, local(other, weights, StepSource::measured));
+  const State by_winding = headings_by_winding(graph_, tree, weights);
+  const State other = from_guess ? chordal_headings(graph_, weights) : guess;
+  if (!by_winding.empty()) {
+    keep_better(best, local(by_winding, weights, StepSource::measured));
+  }
+  if (!other.empty()) {
+    keep_better(best, local(other, weights, from_guess ? StepSource::measured : StepSource::state));
   }
   keep_better(best, local(odometry(), weights, StepSource::state));
-  if (!poses_.guess.empty()) {
-    keep_better(best, local(state_of(poses_.guess), weights, StepSource::state));
-  }
   return best;
 }
 

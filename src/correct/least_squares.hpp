@@ -49,6 +49,7 @@ class LeastSquares {
                   int max_iterations);
   Solved local(const State& start, std::span<const double> weights, StepSource source);
   [[nodiscard]] SpanningTree odometry_tree() const;
+  [[nodiscard]] bool is_good(const State& guess, std::span<const double> weights) const;
   void continue_with_ceres(Solved& solved, const State& start, std::span<const double> weights);
 
   const PoseGraph& poses_;
