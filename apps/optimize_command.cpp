@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
@@ -77,6 +78,20 @@ Json as_json(const Path& file, const PoseGraphFile& input, const OptimizeResult&
           {"closures", closures_as_json(input.graph, result)}};
 }
 
+/// Notes belong to the answer: they go to stdout, and warnings alone to stderr.
+void print_notes(const Issues& issues) {
+  for (const Issue& issue : issues) {
+    if (issue.severity == Severity::note) fmt::print("note: {}\n", to_string(issue));
+  }
+}
+
+Issues warnings_of(const Issues& issues) {
+  Issues warnings;
+  std::ranges::copy_if(issues, std::back_inserter(warnings),
+                       [](const Issue& issue) { return issue.severity != Severity::note; });
+  return warnings;
+}
+
 void append_covariance(std::string& text, const std::string& label, const Eigen::Matrix3d& c) {
   text += fmt::format("{},{},{},{},{},{},{}\n", label, c(0, 0), c(0, 1), c(0, 2), c(1, 1), c(1, 2),
                       c(2, 2));
@@ -114,8 +129,8 @@ void optimize(const Settings& settings, const OptimizeArguments& arguments) {
   if (options.covariance) {
     write_file(arguments.covariance, covariance_table(input.graph, result));
   }
-  show(input.issues);
-  show(result.issues);
+  const Issues warnings = warnings_of(result.issues);
+  show(warnings, 0, 10);
   if (settings.json) {
     fmt::print("{}\n", as_json(arguments.graph, input, result, elapsed.count()).dump(2));
   } else {
@@ -127,6 +142,8 @@ void optimize(const Settings& settings, const OptimizeArguments& arguments) {
     fmt::print("{} iterations, {:.4f} s, {} closures rejected, {}\n", result.iterations,
                elapsed.count(), count_rejected(result),
                result.trusted ? "trusted" : "NOT TO BE TRUSTED");
+    print_notes(input.issues);
+    print_notes(result.issues);
   }
   if (arguments.strict && !result.trusted) {
     throw GateFailed("the result should not be trusted; it is written nevertheless");
