@@ -25,16 +25,16 @@ std::string two_rounds(const std::string& more = "") {
 
 const char* kFalseLoop = "EDGE_SE2 0 6 0 0 0 100 0 0 100 0 400\n";
 
-struct Run {
+struct Solving {
   Outcome outcome;
   bool wrote = false;
 };
 
-Run optimize(const std::string& graph, const std::string& options = "") {
+Solving optimize(const std::string& graph, const std::string& options = "") {
   const Folder folder;
   const auto in = folder.write("in.g2o", graph);
   const auto out = folder / "out.g2o";
-  Run result;
+  Solving result;
   result.outcome = run("optimize " + in.string() + " -o " + out.string() + " " + options);
   result.wrote = std::filesystem::exists(out);
   return result;
@@ -42,7 +42,7 @@ Run optimize(const std::string& graph, const std::string& options = "") {
 
 TEST(OptimizeCommand, WritesTheGraphAndLeavesStderrClean) {
   for (const char* solver : {"block", "ceres"}) {
-    const Run result = optimize(two_rounds(), std::string("--solver ") + solver);
+    const Solving result = optimize(two_rounds(), std::string("--solver ") + solver);
     EXPECT_EQ(result.outcome.exit_code, 0);
     EXPECT_EQ(result.outcome.err, "");
     EXPECT_TRUE(result.wrote);
@@ -51,7 +51,7 @@ TEST(OptimizeCommand, WritesTheGraphAndLeavesStderrClean) {
 }
 
 TEST(OptimizeCommand, PrintsOneJsonObject) {
-  const Run result = optimize(two_rounds(), "--json");
+  const Solving result = optimize(two_rounds(), "--json");
   const auto json = nlohmann::json::parse(result.outcome.out);
   EXPECT_EQ(json.at("nodes"), 9);
   EXPECT_EQ(json.at("loops"), 5);
@@ -63,7 +63,7 @@ TEST(OptimizeCommand, PrintsOneJsonObject) {
 }
 
 TEST(OptimizeCommand, RejectsAFalseLoopWhenAskedTo) {
-  const Run result = optimize(two_rounds(kFalseLoop), "--robust --json");
+  const Solving result = optimize(two_rounds(kFalseLoop), "--robust --json");
   const auto json = nlohmann::json::parse(result.outcome.out);
   EXPECT_EQ(json.at("rejected"), 1);
   EXPECT_FALSE(json.at("closures").back().at("accepted").get<bool>());
@@ -72,10 +72,10 @@ TEST(OptimizeCommand, RejectsAFalseLoopWhenAskedTo) {
 }
 
 TEST(OptimizeCommand, StrictTurnsADoubtfulResultIntoExitCode5) {
-  const Run plain = optimize(two_rounds(kFalseLoop));
+  const Solving plain = optimize(two_rounds(kFalseLoop));
   EXPECT_EQ(plain.outcome.exit_code, 0);
   EXPECT_NE(plain.outcome.err.find("--robust"), std::string::npos);
-  const Run strict = optimize(two_rounds(kFalseLoop), "--strict");
+  const Solving strict = optimize(two_rounds(kFalseLoop), "--strict");
   EXPECT_EQ(strict.outcome.exit_code, 5);
   EXPECT_TRUE(strict.wrote);
   EXPECT_EQ(optimize(two_rounds(), "--strict").outcome.exit_code, 0);
@@ -97,7 +97,7 @@ TEST(OptimizeCommand, WrongGraphsHaveTheirExitCodes) {
       {"", 3, "empty"},
   };
   for (const auto& wrong : cases) {
-    const Run result = optimize(wrong.graph);
+    const Solving result = optimize(wrong.graph);
     EXPECT_EQ(result.outcome.exit_code, wrong.exit_code) << wrong.graph << result.outcome.err;
     EXPECT_EQ(result.outcome.err.rfind("error: ", 0), 0U) << result.outcome.err;
     EXPECT_NE(result.outcome.err.find(wrong.mentions), std::string::npos) << result.outcome.err;
@@ -106,7 +106,7 @@ TEST(OptimizeCommand, WrongGraphsHaveTheirExitCodes) {
 }
 
 TEST(OptimizeCommand, TwoComponentsAreBothSolved) {
-  const Run result = optimize(two_rounds("EDGE_SE2 50 51 1 0 0 1 0 0 1 0 1\n"), "--json");
+  const Solving result = optimize(two_rounds("EDGE_SE2 50 51 1 0 0 1 0 0 1 0 1\n"), "--json");
   EXPECT_EQ(nlohmann::json::parse(result.outcome.out).at("components"), 2);
 }
 
