@@ -17,7 +17,8 @@ constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(i
 }  // namespace
 
 CeresResult solve_with_ceres(const SolverGraph& graph, const PoseGraph& poses, const State& start,
-                             std::span<const double> weights, int max_iterations) {
+                             std::span<const double> weights, TrustRegion trust_region,
+                             int max_iterations) {
   CeresResult result;
   result.state = start;
   ceres::Problem::Options ownership;
@@ -40,9 +41,11 @@ CeresResult solve_with_ceres(const SolverGraph& graph, const PoseGraph& poses, c
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
   options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
-  options.initial_trust_region_radius = 1e16;  // steps of Gauss-Newton
-  options.max_trust_region_radius = 1e16;
-  options.jacobi_scaling = false;
+  if (trust_region == TrustRegion::none) {
+    options.initial_trust_region_radius = 1e16;
+    options.max_trust_region_radius = 1e16;
+    options.jacobi_scaling = false;
+  }
   options.function_tolerance = 1e-9;
   options.max_num_iterations = max_iterations;
   options.num_threads = 1;  // the order of sums must not change

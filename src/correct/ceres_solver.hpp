@@ -16,11 +16,15 @@ struct CeresResult {
   std::string message;
 };
 
-/// The same least squares by Ceres: the reference, and what is left where the block factorisation
-/// fails, because its trust region stands a singular matrix.
+enum class TrustRegion {
+  none,    ///< steps of Gauss-Newton: the reference, fast near the minimum
+  damped,  ///< Levenberg-Marquardt: for starts from which Gauss-Newton diverges, singular matrices
+};
+
+/// The same least squares by Ceres: the reference, and what is left where our own steps fail.
 /// @param weights one an edge of the SolverGraph, or empty
 [[nodiscard]] CeresResult solve_with_ceres(const SolverGraph& graph, const PoseGraph& poses,
                                            const State& start, std::span<const double> weights,
-                                           int max_iterations);
+                                           TrustRegion trust_region, int max_iterations);
 
 }  // namespace roomatlas

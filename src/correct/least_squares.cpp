@@ -54,8 +54,10 @@ Solved LeastSquares::by_block(const State& start, std::span<const double> weight
 /// From the best state so far; kept when it is better.
 void LeastSquares::continue_with_ceres(Solved& solved, const State& start,
                                        std::span<const double> weights) {
+  const TrustRegion region =
+      options_.solver == PoseGraphSolver::ceres ? TrustRegion::none : TrustRegion::damped;
   CeresResult ceres = solve_with_ceres(graph_, poses_, solved.state.empty() ? start : solved.state,
-                                       weights, options_.max_iterations);
+                                       weights, region, options_.max_iterations);
   solved.iterations += ceres.iterations;
   if (!solved.state.empty() && !(ceres.chi_square <= solved.chi_square)) return;
   solved.state = std::move(ceres.state);
