@@ -29,6 +29,7 @@ class ClosureGrowth {
   };
 
   void grow();
+  [[nodiscard]] bool has_long_tails() const;
   void widen();
   void warn();
   void solve_and_test();
