@@ -3,10 +3,12 @@
 
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "comparison_report.hpp"
+#include "roomatlas/correct/optimize.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "settings.hpp"
 #include "trajectory_flags.hpp"
@@ -39,6 +41,20 @@ void evaluate(const Settings& settings, const std::vector<Path>& judged,
               const ComparisonFiles& files);
 void inspect(const Settings& settings, const Path& store, AsrId id, const Path& out);
 void simulate(const Settings& settings, const SimulateArguments& arguments);
+
+/// A result was written, but with --strict its quality is not enough (exit code 5).
+struct GateFailed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct OptimizeArguments {
+  Path graph;
+  Path out;
+  Path covariance;  ///< empty: not wanted
+  OptimizeOptions options;
+  bool strict = false;
+};
+void optimize(const Settings& settings, const OptimizeArguments& arguments);
 
 /// The formats that `export` knows.
 [[nodiscard]] std::vector<std::string> export_formats();

@@ -3,6 +3,8 @@
 #include <glog/logging.h>
 #include <spdlog/spdlog.h>
 
+#include <map>
+
 #include "commands.hpp"
 #include "console.hpp"
 
@@ -17,6 +19,7 @@ enum ExitCode {
   kUsage = 2,
   kInput = 3,
   kNotEnough = 4,
+  kGateFailed = 5,
   kInterrupted = 130,
 };
 
@@ -34,6 +37,7 @@ struct Arguments {
   apps::ComparisonFiles comparison;
   std::vector<std::string> formats = {"svg", "png", "geojson", "tum", "dot", "json"};
   bool print_config = false;
+  apps::OptimizeArguments optimize;
 };
 
 CLI::Option* positional(CLI::App* command, const char* name, Path& value, const char* meaning) {
@@ -90,6 +94,21 @@ void add_comparison_files(CLI::App* command, apps::ComparisonFiles& files) {
   add("--latex", files.latex, "file for a table with means and intervals");
   add("--plots", files.plots, "folder for SVG plots: over time, histogram, map");
   add("--archive", files.archive, "ZIP file in evo's result layout");
+}
+
+void add_optimize(CLI::App* command, apps::OptimizeArguments& a) {
+  positional(command, "GRAPH", a.graph, "pose graph: g2o or TORO, plain or gzip");
+  output(command, a.out, "g2o file to write");
+  command->add_flag("--robust", a.options.robust, "reject closures that contradict the others")
+      ->configurable(false);
+  command->add_flag("--strict", a.strict, "exit code 5 where the result should not be trusted")
+      ->configurable(false);
+  command->add_option("--covariance", a.covariance, "CSV file to write covariances to")
+      ->configurable(false);
+  command->add_option("--solver", a.options.solver, "block, or ceres: the reference, slower")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, PoseGraphSolver>{
+          {"block", PoseGraphSolver::block}, {"ceres", PoseGraphSolver::ceres}}))
+      ->configurable(false);
 }
 
 /// Each command with its files; what runs is left in `chosen`.
@@ -151,6 +170,10 @@ void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
                        [&] { apps::simulate(settings, a.simulate); }),
                a.simulate);
 
+  add_optimize(command("optimize", "the solver alone, on a planar pose graph",
+                       [&] { apps::optimize(settings, a.optimize); }),
+               a.optimize);
+
   CLI::App* config = command("config", "the parameters as a configuration file (TOML)",
                              [&] { fmt::print("{}", app.config_to_str(true, true)); });
   config->add_flag("--print", a.print_config, "print every parameter with default and meaning")
@@ -203,6 +226,8 @@ int main(int argc, char** argv) {
     return fail(error, kInput);
   } catch (const NotEnoughError& error) {
     return fail(error, kNotEnough);
+  } catch (const apps::GateFailed& error) {
+    return fail(error, kGateFailed);
   } catch (const Interrupted& error) {
     fmt::print(stderr, "{}: what was mapped is kept; run the same command to start again\n",
                error.what());

@@ -2,6 +2,7 @@
 #include "factors.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <utility>
 
@@ -22,7 +23,11 @@ using RowMajor3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 }  // namespace
 
 Eigen::Matrix3d whitening(const Eigen::Matrix3d& information) {
-  return information.llt().matrixU();
+  const Eigen::LLT<Eigen::Matrix3d> cholesky(information);
+  if (cholesky.info() == Eigen::Success) return cholesky.matrixU();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(information);
+  return eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
+         eigen.eigenvectors().transpose();
 }
 
 RelativePoseFactor::RelativePoseFactor(const Pose2& i_from_j, const Eigen::Matrix3d& information)

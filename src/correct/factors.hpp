@@ -9,12 +9,9 @@
 #include <vector>
 
 #include "roomatlas/core/pose2.hpp"
+#include "whitening.hpp"
 
 namespace roomatlas {
-
-/// Upper triangular W with W' W = information, so that |W r|^2 = r' Omega r. For a non-diagonal
-/// Omega the lower factor would be wrong.
-[[nodiscard]] Eigen::Matrix3d whitening(const Eigen::Matrix3d& information);
 
 /// A relative pose i_from_j measured between two poses (x, y, theta) of the building:
 ///   r = W [ R_ij' (R_i' (t_j - t_i) - t_ij) ; wrap(theta_j - theta_i - theta_ij) ]

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gauss_newton.hpp"
+#include "roomatlas/correct/optimize.hpp"
+#include "spanning_tree.hpp"
+
+namespace roomatlas {
+
+struct Solved {
+  State state;
+  double chi_square = -1.0;  ///< weighted
+  int iterations = 0;        ///< of all starts together
+  bool converged = false;
+  std::int32_t singular_node = -1;  ///< where the system is singular: nothing holds this node
+  std::string message;
+};
+
+/// Solves one pose graph again and again, under weights that change: structure and memory are
+/// kept. Weights are one an edge of `graph()`, or empty: all 1.
+class LeastSquares {
+ public:
+  LeastSquares(const PoseGraph& poses, const OptimizeOptions& options);
+
+  [[nodiscard]] const SolverGraph& graph() const { return graph_; }
+  [[nodiscard]] const Incidence& incidence() const { return incidence_; }
+  [[nodiscard]] GaussNewton& block_solver() { return *block_; }
+
+  /// The minimum without a start.
+  [[nodiscard]] Solved solve(std::span<const double> weights);
+  /// The minimum near a start.
+  [[nodiscard]] Solved solve_from(const State& start, std::span<const double> weights);
+  /// Poses along odometry, as far as it leads, then over loops.
+  [[nodiscard]] State odometry() const;
+  /// Loops without which odometry and trusted edges would not join each component: one choice.
+  [[nodiscard]] std::vector<std::int32_t> bridges() const;
+
+  [[nodiscard]] State state_of(const std::vector<Pose2>& poses) const;
+  /// In the frame of the guess: the fixed node of each component is where the guess has it.
+  [[nodiscard]] std::vector<Pose2> poses_of(const State& state) const;
+
+ private:
+  Solved by_block(const State& start, std::span<const double> weights, StepSource source,
+                  int max_iterations);
+  Solved local(const State& start, std::span<const double> weights, StepSource source);
+  [[nodiscard]] SpanningTree odometry_tree() const;
+  [[nodiscard]] bool is_good(const State& guess, std::span<const double> weights) const;
+  void continue_with_ceres(Solved& solved, const State& start, std::span<const double> weights);
+
+  const PoseGraph& poses_;
+  OptimizeOptions options_;
+  SolverGraph graph_;
+  Incidence incidence_;
+  std::optional<GaussNewton> block_;
+};
+
+}  // namespace roomatlas

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A pose graph as the solver walks over it: nodes in the order of elimination, one fixed node a
+// component, edges sorted by where they first act.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "block_cholesky.hpp"
+#include "roomatlas/correct/pose_graph.hpp"
+
+namespace roomatlas {
+
+/// Connected components, each with one node that does not move.
+struct Components {
+  std::vector<std::int32_t> component;  ///< of each node, numbered by the lowest id in each
+  std::vector<std::int32_t> fixed;      ///< node of each component: the one with the lowest id
+};
+
+[[nodiscard]] Components components_of(const PoseGraph& graph);
+
+/// An edge between two slots. `information` is that of the error in the frame of `from`, so that
+/// nothing but the heading of `from` turns it: xx, xy, yy, xt, yt, tt.
+struct SolverEdge {
+  std::int32_t from = 0;
+  std::int32_t to = 0;
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double theta_rad = 0.0;
+  double information[6] = {};
+};
+
+struct SolverGraph {
+  Components components;
+  Supernodes supernodes;
+  std::int32_t variable_count = 0;
+  /// Of each node: its position of elimination, or variable_count + its component where it is
+  /// fixed.
+  std::vector<std::int32_t> slot;
+  std::vector<SolverEdge> edges;
+  std::vector<std::int32_t> edge_index;  ///< of each of `edges` in the pose graph
+};
+
+[[nodiscard]] SolverGraph solver_graph_of(const PoseGraph& graph);
+
+/// Where an edge acts in the matrix; -1 where a fixed node has no row.
+struct EdgePlaces {
+  std::int64_t between = -1;
+  std::int32_t stride = 0;
+};
+
+/// Places of all blocks that the edges of a graph touch.
+template <int Size>
+struct MatrixPlaces {
+  std::vector<BlockPlace> diagonal;  ///< by position
+  std::vector<EdgePlaces> between;   ///< by edge of the SolverGraph
+};
+
+template <int Size>
+[[nodiscard]] MatrixPlaces<Size> places_of(const SolverGraph& graph,
+                                           const BlockCholesky<Size>& matrix) {
+  MatrixPlaces<Size> places;
+  places.diagonal.reserve(static_cast<std::size_t>(graph.variable_count));
+  for (std::int32_t k = 0; k < graph.variable_count; ++k) {
+    places.diagonal.push_back(matrix.place(k, k));
+  }
+  places.between.reserve(graph.edges.size());
+  for (const SolverEdge& edge : graph.edges) {
+    const std::int32_t row = edge.from > edge.to ? edge.from : edge.to;
+    if (row >= graph.variable_count) {
+      places.between.push_back({});
+      continue;
+    }
+    const BlockPlace place = matrix.place(row, edge.from + edge.to - row);
+    places.between.push_back({place.offset, place.stride});
+  }
+  return places;
+}
+
+}  // namespace roomatlas
