@@ -19,6 +19,10 @@ constexpr double kAnchorEveryM = 0.5;
 constexpr double kLookBehindM = 0.6;   // both jambs have been seen by then
 constexpr double kDoorSkipM = 0.2;     // of the way ahead, beside the robot itself
 constexpr double kBeyondDoorM = 0.45;  // how far behind a door its way ends
+constexpr double kProgressM = 0.1;
+constexpr double kProgressDeg = 15.0;
+constexpr double kPatienceS = 4.0;
+constexpr double kShuffleS = 1.0;
 constexpr double kStuckM = 0.15;
 constexpr int kStuckGoals = 6;
 
@@ -62,6 +66,22 @@ std::optional<Steering> Explorer::decide(const RangeReading& reading, const Pose
         steer(map_, echoes_.points_map(), map_from_robot, options_.footprint, goal_->way, limits_);
   }
   return last_step_;
+}
+
+/// A robot that neither moves nor turns for a while is caught between its steps and what it
+/// avoids: it then goes a little way straight back, the next time straight ahead.
+bool Explorer::is_shuffling(const Pose2& map_from_robot) {
+  if (time_s_ < shuffle_end_s_) return true;
+  const Pose2 moved = inverse(last_progress_) * map_from_robot;
+  if (moved.position().norm() > kProgressM || std::abs(moved.theta_rad) > radians(kProgressDeg)) {
+    last_progress_ = map_from_robot;
+    progress_s_ = time_s_;
+  }
+  if (time_s_ - progress_s_ < kPatienceS) return false;
+  progress_s_ = time_s_;
+  shuffle_end_s_ = time_s_ + kShuffleS;
+  ++shuffles_;
+  return true;
 }
 
 void Explorer::sense(const RangeReading& reading, const Pose2& map_from_robot) {

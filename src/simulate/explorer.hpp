@@ -42,6 +42,7 @@ class Explorer {
   void look_behind(const Pose2& map_from_robot);
   [[nodiscard]] std::optional<ExplorerRooms::Room> known_room_here(const Point2& position);
 
+  [[nodiscard]] bool is_shuffling(const Pose2& map_from_robot);
   [[nodiscard]] std::optional<Goal> next_goal(const Point2& position);
   [[nodiscard]] std::optional<Goal> frontier_goal(const Point2& position);
   [[nodiscard]] std::optional<Goal> door_goal(ExplorerRooms::Door door, const Point2& position);
@@ -66,6 +67,10 @@ class Explorer {
   Point2 last_moved_ = Point2::Zero();
   CloseEchoes echoes_;
   Steering last_step_;
+  Pose2 last_progress_;      ///< where the robot was when it last got on ...
+  double progress_s_ = 0.0;  ///< ... and when
+  double shuffle_end_s_ = 0.0;
+  int shuffles_ = 0;
   double time_s_ = 0.0;
   double renew_s_ = 0.0;
   std::int64_t goals_given_up_ = 0;

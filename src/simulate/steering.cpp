@@ -17,7 +17,8 @@ constexpr double kSectorDeg = 5.0;
 constexpr double kMaxDeviationDeg = 30.0;
 constexpr double kDensityOfWall = 1000.0;  // k that weighs like a deviation of 30 degrees
 constexpr double kTurnOnSpotDeg = 30.0;
-constexpr double kCellMarginM = 0.01;  // a cell's middle lies before the surface that raised it
+constexpr double kStraightMisfit = 0.3;  // with more to turn, it rather makes room for turning
+constexpr double kCellMarginM = 0.01;    // a cell's middle lies before the surface that raised it
 constexpr double kEchoMarginM = 0.03;
 constexpr double kLeastTurnRad = 1e-3;
 constexpr double kNearM = 0.8;       // what may be touched in one step or a few
@@ -155,14 +156,24 @@ Steering steer(const ExplorerMap& map, const std::vector<Point2>& echoes_map,
 
   const Surroundings around(map, echoes_map, map_from_robot, footprint);
   const double creep_m = limits.max_length_m / 3.0;
-  for (const Steering& step :
-       {Steering{turn_rad, length_m}, Steering{turn_rad, length_m / 3.0}, Steering{turn_rad, 0.0},
-        Steering{turn_rad / 2.0, creep_m}, Steering{turn_rad / 4.0, creep_m},
-        Steering{turn_rad / 2.0, -creep_m}, Steering{0.0, length_m / 3.0}}) {
+  for (const Steering& step : {Steering{turn_rad, length_m}, Steering{turn_rad, length_m / 3.0},
+                               Steering{turn_rad, 0.0}, Steering{turn_rad / 2.0, creep_m},
+                               Steering{turn_rad / 4.0, creep_m}, Steering{0.0, length_m / 3.0}}) {
     const bool moves = step.length_m != 0.0 || std::abs(step.turn_rad) > kLeastTurnRad;
     if (moves && around.allow(map_from_robot, step)) return step;
   }
   return way_out(around, map_from_robot, turn_rad, limits);
+}
+
+Steering shuffle(const ExplorerMap& map, const std::vector<Point2>& echoes_map,
+                 const Pose2& map_from_robot, const RobotFootprint& footprint, bool back_first,
+                 const SteeringLimits& limits) {
+  const Surroundings around(map, echoes_map, map_from_robot, footprint);
+  const double length_m = limits.max_length_m / (back_first ? -2.0 : 2.0);
+  for (const double step_m : {length_m, -length_m}) {
+    if (around.allow(map_from_robot, {0.0, step_m})) return {0.0, step_m};
+  }
+  return {};
 }
 
 }  // namespace roomatlas

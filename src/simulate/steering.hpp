@@ -29,6 +29,11 @@ struct SteeringLimits {
                              const Pose2& map_from_robot, const RobotFootprint& footprint,
                              const Polyline& way, const SteeringLimits& limits);
 
+/// A step straight back or ahead, where it is clear: for a robot that does not get away.
+[[nodiscard]] Steering shuffle(const ExplorerMap& map, const std::vector<Point2>& echoes_map,
+                               const Pose2& map_from_robot, const RobotFootprint& footprint,
+                               bool back_first, const SteeringLimits& limits);
+
 /// Echoes from close by, of the last second or so. They are too exact to be forgotten at once, and
 /// no later beam wears them away as in the map.
 class CloseEchoes {

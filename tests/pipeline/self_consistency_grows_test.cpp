@@ -57,7 +57,7 @@ KnownMission driven(const std::string& world) {
   std::vector<MissionEvent> events;
   simulate(read_plan(file.string() + ".geojson"), read_drive(file.string() + ".drive"), {},
            [&](const SimulatedStep& step) {
-             events.emplace_back(step.sonar);
+             events.emplace_back(step.reading);
              events.emplace_back(step.truth);
            });
   MemoryStore store = mapped(events);

@@ -73,6 +73,13 @@ TEST(Odometry, HeadingDriftsByTheBiasOverLengthAndNotOverTurns) {
       20.0, 1e-6);
 }
 
+TEST(Odometry, ReportsTurnsLargerByTheGivenShare) {
+  SimulationOptions options = fast();
+  options.odometry.turn_share = -0.04;
+  const auto steps = run({}, {{0, 0}, {5, 0}, {5, 5}}, options);  // one turn of 90 degrees
+  EXPECT_NEAR(degrees(steps.back().odometry.odom_from_robot.theta_rad), 90.0 * 0.96, 1e-9);
+}
+
 TEST(Odometry, HeadingNoiseIsARandomWalkOverLength) {
   SimulationOptions options = fast();
   options.odometry.heading_noise_deg_per_sqrt_m = 0.5;

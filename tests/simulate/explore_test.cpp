@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/simulate/explore.hpp"
+
+#include "simulate/simulated.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace roomatlas {
+namespace {
+
+using namespace testing_simulate;
+
+Polygon slab(double min_x, double min_y, double max_x, double max_y) {
+  return {box(min_x, min_y, max_x, max_y), {}};
+}
+
+PlanRoom room(RoomId id, double min_x, double min_y, double max_x, double max_y) {
+  PlanRoom room;
+  room.id = id;
+  room.parts = {slab(min_x, min_y, max_x, max_y)};
+  room.area_m2 = area(room.parts[0]);
+  room.label_point = {(min_x + max_x) / 2.0, (min_y + max_y) / 2.0};
+  return room;
+}
+
+/// Two rooms of 4 m x 4 m beside each other; the wall between them has a gap of 0.9 m.
+FloorPlan two_rooms(bool with_door = true) {
+  FloorPlan world;
+  world.rooms = {room(1, 0, 0, 4, 4), room(2, 4.2, 0, 8.2, 4)};
+  world.walls = {slab(-0.2, -0.2, 8.4, 0), slab(-0.2, 4, 8.4, 4.2), slab(-0.2, 0, 0, 4),
+                 slab(8.2, 0, 8.4, 4)};
+  if (with_door) {
+    world.walls.push_back(slab(4, 0, 4.2, 1.5));
+    world.walls.push_back(slab(4, 2.4, 4.2, 4));
+  } else {
+    world.walls.push_back(slab(4, 0, 4.2, 4));
+  }
+  return world;
+}
+
+ExploreSummary explored(const FloorPlan& world, const SimulationOptions& simulation,
+                        const ExploreOptions& options = {}) {
+  return explore(world, simulation, options, [](const SimulatedStep&) {});
+}
+
+TEST(Explore, EntersTheRoomBehindTheDoorAndEndsByItself) {
+  for (const SensorKind sensor : {SensorKind::sonar, SensorKind::laser}) {
+    SimulationOptions simulation;
+    simulation.sensor = sensor;
+    const ExploreSummary summary = explored(two_rooms(), simulation);
+    EXPECT_TRUE(summary.finished);
+    EXPECT_EQ(summary.collisions, 0);
+    EXPECT_EQ(summary.entered, (std::set<RoomId>{1, 2}));
+  }
+}
+
+TEST(Explore, LeavesAClosedOffRoomAloneAndEnds) {
+  const ExploreSummary summary = explored(two_rooms(false), {});
+  EXPECT_TRUE(summary.finished);
+  EXPECT_EQ(summary.entered, (std::set<RoomId>{1}));
+}
+
+TEST(Explore, EndsWhenTheTimeIsUp) {
+  ExploreOptions options;
+  options.max_time_s = 5.0;
+  const ExploreSummary summary = explored(two_rooms(), {}, options);
+  EXPECT_FALSE(summary.finished);
+  EXPECT_NEAR(summary.duration_s, 5.0, 0.11);
+}
+
+TEST(Explore, EndsInAPlaceTooTightToTurnIn) {
+  FloorPlan world;
+  world.walls = {{box(-1, -1, 1.46, 1.42), {box(0, 0, 0.47, 0.42)}}};
+  ExploreOptions options;
+  options.world_from_start = Pose2{0.235, 0.21, 0.0};
+  const ExploreSummary summary = explored(world, {}, options);
+  EXPECT_LT(summary.duration_s, 600.0);
+}
+
+TEST(Explore, RefusesAStartInAWall) {
+  ExploreOptions options;
+  options.world_from_start = Pose2{4.1, 1.0, 0.0};
+  EXPECT_THROW((void)explored(two_rooms(), {}, options), InputError);
+}
+
+TEST(Explore, RefusesAWorldWithoutAPlaceToStart) {
+  FloorPlan world;
+  world.walls = {slab(0, 0, 1, 1)};
+  EXPECT_THROW((void)explored(world, {}), InputError);
+}
+
+TEST(Explore, TheSameSeedGivesTheSameMission) {
+  const auto run = [](std::uint64_t seed) {
+    SimulationOptions simulation;
+    simulation.seed = seed;
+    std::vector<SimulatedStep> steps;
+    (void)explore(two_rooms(), simulation, {},
+                  [&](const SimulatedStep& step) { steps.push_back(step); });
+    return steps;
+  };
+  const auto same = [](const SimulatedStep& a, const SimulatedStep& b) {
+    return a.odometry.odom_from_robot == b.odometry.odom_from_robot &&
+           a.truth.world_from_robot == b.truth.world_from_robot &&
+           a.reading.ranges_m == b.reading.ranges_m;
+  };
+  const auto first = run(3);
+  const auto second = run(3);
+  const auto other = run(4);
+  ASSERT_EQ(first.size(), second.size());
+  EXPECT_TRUE(std::equal(first.begin(), first.end(), second.begin(), same));
+  EXPECT_FALSE(std::equal(first.begin(), first.end(), other.begin(), other.end(), same));
+}
+
+TEST(Explore, OdometryErrorsDoNotChangeTheDriveUnlessItBelievesThem) {
+  const auto path_of = [](OdometryPreset preset, bool on_odometry) {
+    SimulationOptions simulation;
+    simulation.odometry = odometry_errors(preset);
+    ExploreOptions options;
+    options.on_odometry = on_odometry;
+    options.max_time_s = 60.0;
+    std::vector<Pose2> path;
+    (void)explore(two_rooms(), simulation, options,
+                  [&](const SimulatedStep& step) { path.push_back(step.truth.world_from_robot); });
+    return path;
+  };
+  EXPECT_EQ(path_of(OdometryPreset::mild, false), path_of(OdometryPreset::hard, false));
+  EXPECT_NE(path_of(OdometryPreset::mild, true), path_of(OdometryPreset::hard, true));
+}
+
+}  // namespace
+}  // namespace roomatlas
