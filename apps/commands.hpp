@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -24,6 +25,7 @@ void export_all(const Settings& settings, const Path& store,
                 const std::vector<std::string>& formats, const Path& out);
 void evaluate(const Settings& settings, const Path& store, const std::vector<Path>& truth);
 void simulate(const Settings& settings, const Path& world, const Path& drive, const Path& out);
+void simulate_rooms(const Settings& settings, std::int64_t rooms, const Path& out);
 
 /// The formats that `export` knows.
 [[nodiscard]] std::vector<std::string> export_formats();
