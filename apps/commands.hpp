@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -20,9 +21,10 @@ using Path = std::filesystem::path;
 /// Files and choices of `simulate`.
 struct SimulateArguments {
   Path world;
-  WorldFileOptions file;      ///< of a world that is a picture
-  Path drive;                 ///< empty: the robot explores
-  std::vector<double> start;  ///< x and y in metres, heading in degrees; or empty
+  WorldFileOptions file;                     ///< of a world that is a picture
+  Path drive;                                ///< empty: the robot explores
+  std::vector<double> start;                 ///< x and y in metres, heading in degrees; or empty
+  std::optional<std::int64_t> random_rooms;  ///< instead of a world
   Path out;
 };
 
@@ -41,6 +43,7 @@ void evaluate(const Settings& settings, const std::vector<Path>& judged,
               const ComparisonFiles& files);
 void inspect(const Settings& settings, const Path& store, AsrId id, const Path& out);
 void simulate(const Settings& settings, const SimulateArguments& arguments);
+void simulate_rooms(const Settings& settings, std::int64_t rooms, const Path& out);
 
 /// A result was written, but with --strict its quality is not enough (exit code 5).
 struct GateFailed : std::runtime_error {

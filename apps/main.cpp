@@ -69,7 +69,12 @@ void add_truth(CLI::App* command, Arguments& arguments) {
 }
 
 void add_simulate(CLI::App* command, apps::SimulateArguments& a) {
-  positional(command, "WORLD", a.world, "plan (GeoJSON), nav2 map (YAML), or picture (PNG, PGM)");
+  command->add_option("WORLD", a.world, "plan (GeoJSON), nav2 map (YAML), or picture (PNG, PGM)")
+      ->configurable(false);
+  command
+      ->add_option("--random-rooms", a.random_rooms,
+                   "instead of WORLD: a random building of N rooms, as a store of ASRs")
+      ->configurable(false);
   command
       ->add_option("--resolution", a.file.resolution_m, "m a pixel, of a world that is a picture")
       ->check(CLI::Range(0.001, 10.0))

@@ -100,6 +100,8 @@ void add_map(CLI::App& app, MapOptions& options) {
             20.0);
   stage.add("simplify-tolerance", map.simplify_tolerance_m,
             "m; Douglas-Peucker. Smaller keeps the steps of the raster", 0.0, 2.0);
+  stage.add("sonar-simplify-tolerance", map.sonar_simplify_tolerance_m,
+            "m; the same for walls seen by sonars", 0.0, 1.0);
   stage.choice("line-fit", map.fit.method, "how walls are fitted; regression is the paper's",
                std::map<std::string, FitMethod>{{"tls", FitMethod::total_least_squares},
                                                 {"regression", FitMethod::regression}});

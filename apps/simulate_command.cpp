@@ -73,6 +73,11 @@ std::optional<Pose2> start_of(const std::vector<double>& start) {
 }  // namespace
 
 void simulate(const Settings& settings, const SimulateArguments& arguments) {
+  if (arguments.world.empty() == !arguments.random_rooms) {
+    throw UsageError("simulate: expected either WORLD or --random-rooms N");
+  }
+  if (arguments.random_rooms)
+    return simulate_rooms(settings, *arguments.random_rooms, arguments.out);
   const FloorPlan world = sound_world(arguments);
   ExploreOptions explore_options = settings.explore;
   explore_options.world_from_start = start_of(arguments.start);

@@ -29,8 +29,16 @@ std::vector<std::size_t> points_at_jambs(const Polyline& points, const std::vect
   return pinned;
 }
 
+/// Of Douglas-Peucker: the sonars' where any reading is one of theirs.
+double tolerance_m(const std::vector<RangeReading>& readings, const RoomMapOptions& options) {
+  const bool has_sonars = std::any_of(
+      readings.begin(), readings.end(),
+      [](const RangeReading& reading) { return reading.sensor->kind == SensorKind::sonar; });
+  return has_sonars ? options.sonar_simplify_tolerance_m : options.simplify_tolerance_m;
+}
+
 /// One chain of points becomes a fitted polyline (paper III.D, III.E).
-void add_wall(const Polyline& points, const std::vector<Point2>& jambs,
+void add_wall(const Polyline& points, const std::vector<Point2>& jambs, double simplify_tolerance_m,
               const RoomMapOptions& options, RoomMap& map) {
   const double jamb_reach_m = 2.0 * options.cell_m;
   const auto pinned = points_at_jambs(points, jambs, jamb_reach_m);
@@ -38,7 +46,7 @@ void add_wall(const Polyline& points, const std::vector<Point2>& jambs,
   Polyline thinned;
   for (const std::size_t index : sparse) thinned.push_back(points[index]);
   const auto pinned_thinned = points_at_jambs(thinned, jambs, jamb_reach_m);
-  const auto kept = douglas_peucker(thinned, options.simplify_tolerance_m, pinned_thinned);
+  const auto kept = douglas_peucker(thinned, simplify_tolerance_m, pinned_thinned);
   FittedPolyline fitted = fit_lines(thinned, kept, options.fit, pinned_thinned);
   map.points.push_back(points);
   map.simplified.emplace_back();
@@ -76,10 +84,11 @@ RoomMap map_room(const std::vector<PathSample>& path, const std::vector<RangeRea
       clean_map(map.grid, {.epsilon = options.epsilon, .max_range_m = options.max_mapped_range_m});
   const std::vector<CellChain> chains = extract_points(map.cleaned, options.gamma_cells);
   const std::vector<Point2> jambs = jambs_of(exits);
+  const double simplify_tolerance_m = tolerance_m(readings, options);
   for (const Polyline& points :
        chain_points(chains, map.grid, options.epsilon, options.refine_points)) {
     if (points.size() < 2) continue;  // a lone cell is no wall; cleaned_cells still counts it
-    add_wall(points, jambs, options, map);
+    add_wall(points, jambs, simplify_tolerance_m, options, map);
     map.counters.extracted_points += static_cast<std::int64_t>(points.size());
     map.counters.vertices += static_cast<std::int64_t>(map.walls.back().vertices_asr.size());
   }

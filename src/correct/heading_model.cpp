@@ -54,8 +54,12 @@ Belief spread(const Belief& belief, const Belief& kernel) {
   Belief result{};
   for (std::size_t shift = 0; shift < kStates; ++shift) {
     if (kernel[shift] < kNegligible) continue;
-    for (std::size_t s = 0; s < kStates; ++s) {
-      result[(s + shift) % kStates] += kernel[shift] * belief[s];
+    // in two stretches, so that the compiler can do several states at once
+    for (std::size_t s = 0; s < kStates - shift; ++s) {
+      result[s + shift] += kernel[shift] * belief[s];
+    }
+    for (std::size_t s = kStates - shift; s < kStates; ++s) {
+      result[s + shift - kStates] += kernel[shift] * belief[s];
     }
   }
   return result;

@@ -5,6 +5,8 @@
 
 #include "roomatlas/graph/recognise.hpp"
 
+#include "place_index.hpp"
+
 namespace roomatlas {
 namespace {
 
@@ -37,13 +39,14 @@ class PlacedWalls {
     for (const Asr& asr : asrs) {
       for (const WallPolyline& wall : asr.walls) {
         Polyline& line = walls_.emplace_back(transformed(placement.at(asr.id), wall.vertices_asr));
+        index_.add(boxes_.size(), bounds(line));
         boxes_.push_back(bounds(line));
       }
     }
   }
 
   [[nodiscard]] bool has_wall_near(const Point2& point) const {
-    for (std::size_t i = 0; i < walls_.size(); ++i) {
+    for (const std::size_t i : index_.near(box_around(point, kWallReachM))) {
       if ((point.array() < boxes_[i].min.array() - kWallReachM).any() ||
           (point.array() > boxes_[i].max.array() + kWallReachM).any()) {
         continue;
@@ -58,6 +61,7 @@ class PlacedWalls {
  private:
   std::vector<Polyline> walls_;
   std::vector<Box2> boxes_;
+  PlaceIndex index_;
 };
 
 /// Share of the door line's continuation beside one jamb where a wall has been seen.
@@ -181,9 +185,14 @@ bool is_same_place(const PlacedAsr& a, const PlacedAsr& b, const RoomOptions& op
 void join_overlapping(SameSet& same, const std::vector<Asr>& asrs, const Placement& placement,
                       const RoomOptions& options) {
   std::vector<PlacedAsr> all;
-  for (const Asr& asr : asrs) all.push_back(placed(asr, placement.at(asr.id)));
+  PlaceIndex index;
+  for (const Asr& asr : asrs) {
+    all.push_back(placed(asr, placement.at(asr.id)));
+    index.add(all.size() - 1, all.back().box);
+  }
   for (std::size_t i = 0; i < all.size(); ++i) {
-    for (std::size_t j = i + 1; j < all.size(); ++j) {
+    for (const std::size_t j : index.near(all[i].box)) {
+      if (j <= i) continue;
       if (same.representative(all[i].id) == same.representative(all[j].id)) continue;
       if (is_same_place(all[i], all[j], options)) same.join(all[i].id, all[j].id);
     }

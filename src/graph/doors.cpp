@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace roomatlas {
 namespace {
@@ -36,19 +38,21 @@ std::vector<Crossing> crossings_between_rooms(const std::vector<Asr>& asrs,
   return crossings;
 }
 
-bool is_recognised(const RoomGraph& graph, AsrId a, AsrId b) {
-  const auto edges = edges_of(graph);
-  return std::any_of(edges.begin(), edges.end(), [&](const PassageEdge& edge) {
-    return edge.source == EdgeSource::recognised &&
-           ((edge.from == a && edge.to == b) || (edge.from == b && edge.to == a));
-  });
+using AsrPairs = std::set<std::pair<AsrId, AsrId>>;  // the smaller id first
+
+AsrPairs recognised_pairs(const RoomGraph& graph) {
+  AsrPairs pairs;
+  for (const PassageEdge& edge : edges_of(graph)) {
+    if (edge.source == EdgeSource::recognised) pairs.insert(std::minmax(edge.from, edge.to));
+  }
+  return pairs;
 }
 
-bool is_same_door(const Crossing& a, const Crossing& b, const RoomGraph& graph) {
-  if (std::minmax(a.from_room, a.to_room) != std::minmax(b.from_room, b.to_room)) return false;
+/// Asked of crossings between the same two rooms.
+bool is_same_door(const Crossing& a, const Crossing& b, const AsrPairs& recognised) {
   const double apart_m =
       (a.building_from_pivot.position() - b.building_from_pivot.position()).norm();
-  return apart_m <= kSameDoorM || is_recognised(graph, a.to, b.to);
+  return apart_m <= kSameDoorM || recognised.contains(std::minmax(a.to, b.to));
 }
 
 /// Turns a crossing so that it goes the way of the first.
@@ -85,16 +89,20 @@ BuildingDoor averaged(const std::vector<Crossing>& crossings) {
 std::vector<BuildingDoor> doors_of(const std::vector<Asr>& asrs, const RoomGraph& graph,
                                    const Placement& placement,
                                    const std::map<AsrId, RoomId>& room_of_asr) {
+  const AsrPairs recognised = recognised_pairs(graph);
   std::vector<std::vector<Crossing>> groups;
+  std::map<std::pair<RoomId, RoomId>, std::vector<std::size_t>> groups_between;  // two rooms
   for (const Crossing& crossing : crossings_between_rooms(asrs, placement, room_of_asr)) {
-    const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
-      return std::any_of(group.begin(), group.end(), [&](const Crossing& other) {
-        return is_same_door(crossing, other, graph);
+    auto& between = groups_between[std::minmax(crossing.from_room, crossing.to_room)];
+    const auto same = std::find_if(between.begin(), between.end(), [&](std::size_t group) {
+      return std::any_of(groups[group].begin(), groups[group].end(), [&](const Crossing& other) {
+        return is_same_door(crossing, other, recognised);
       });
     });
-    if (same != groups.end()) {
-      same->push_back(crossing);
+    if (same != between.end()) {
+      groups[*same].push_back(crossing);
     } else {
+      between.push_back(groups.size());
       groups.push_back({crossing});
     }
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/graph/recognise.hpp"
 
+#include "place_index.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -57,15 +59,18 @@ std::vector<PassageEdge> recognise_doorways(const std::vector<Asr>& asrs,
                                             const RecogniseOptions& options) {
   const std::vector<Crossing> crossings = crossings_of(asrs, placement);
   std::vector<PassageEdge> found;
-  for (std::size_t later = 1; later < crossings.size(); ++later) {
+  PlaceIndex crossed;  // those before `later`
+  for (std::size_t later = 0; later < crossings.size(); ++later) {
     std::optional<std::size_t> best;
     double best_m = 0.0;
-    for (std::size_t earlier = 0; earlier < later; ++earlier) {
+    const Point2 place = crossings[later].building_from_pivot.position();
+    for (const std::size_t earlier : crossed.near(box_around(place, options.max_gate_m))) {
       const auto apart_m = distance_if_same(crossings[earlier], crossings[later], options);
       if (!apart_m || (best && *apart_m >= best_m)) continue;
       best = earlier;
       best_m = *apart_m;
     }
+    crossed.add(later, box_around(place, 0.0));
     if (!best) continue;
     const double turn = wrap_angle(crossings[later].building_from_pivot.theta_rad -
                                    crossings[*best].building_from_pivot.theta_rad);

@@ -46,8 +46,10 @@ RoomGraph build_graph(const std::vector<Asr>& asrs) {
 void add_edge(RoomGraph& graph, const PassageEdge& edge) {
   const auto vertex_of = [&](AsrId id) {
     const auto [begin, end] = boost::vertices(graph);
-    const auto at = std::find_if(begin, end, [&](Vertex v) { return graph[v].asr == id; });
-    if (at == end) throw std::out_of_range("no ASR " + std::to_string(id) + " in the graph");
+    const auto at = std::lower_bound(begin, end, id,
+                                     [&](Vertex v, AsrId wanted) { return graph[v].asr < wanted; });
+    if (at == end || graph[*at].asr != id)
+      throw std::out_of_range("no ASR " + std::to_string(id) + " in the graph");
     return *at;
   };
   boost::add_edge(vertex_of(edge.from), vertex_of(edge.to), edge, graph);

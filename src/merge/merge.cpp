@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 
 namespace roomatlas {
@@ -36,13 +37,14 @@ MillimetreGrid grid_around(const std::vector<PlacedOutline>& outlines,
   return MillimetreGrid(box);
 }
 
-/// The position of the room in `rooms`, -1 where it has no floor or is not known.
-int index_of(const std::optional<RoomId>& id, const std::vector<RoomOutlines>& rooms,
-             const Floors& floors_mm) {
-  for (std::size_t r = 0; id && r < rooms.size(); ++r) {
-    if (rooms[r].id == *id && !floors_mm[r].empty()) return static_cast<int>(r);
+/// The position of each room with a floor.
+std::map<RoomId, int> positions_of(const std::vector<RoomOutlines>& rooms,
+                                   const Floors& floors_mm) {
+  std::map<RoomId, int> position_of;
+  for (std::size_t r = 0; r < rooms.size(); ++r) {
+    if (!floors_mm[r].empty()) position_of.emplace(rooms[r].id, static_cast<int>(r));
   }
-  return -1;
+  return position_of;
 }
 
 /// Usable doors in an order that does not depend on that of the input.
@@ -86,10 +88,15 @@ std::vector<PlanDoor> doors_of(const std::vector<PlacedDoor>& doors, const Milli
   }
   const planar::ShapeIndex index(parts_mm);
   const planar::FloorLookup lookup{room_of_part, index};
+  const std::map<RoomId, int> position_of = positions_of(rooms, floors_mm);
+  const auto index_of = [&](const std::optional<RoomId>& id) {  // -1: no floor, or not known
+    const auto at = id ? position_of.find(*id) : position_of.end();
+    return at == position_of.end() ? -1 : at->second;
+  };
   std::vector<PlanDoor> placed;
   for (const PlacedDoor& door : doors) {
-    const int first = index_of(door.room_a, rooms, floors_mm);
-    const int second = index_of(door.room_b, rooms, floors_mm);
+    const int first = index_of(door.room_a);
+    const int second = index_of(door.room_b);
     const Segment2 jambs_mm{grid.to_grid(door.jambs.a), grid.to_grid(door.jambs.b)};
     const Ring opening_mm =
         planar::door_opening(jambs_mm, lookup, first, second, wall_thickness_mm);

@@ -65,12 +65,25 @@ Exit as_exit_of(const Asr& asr, const Pose2& asr_from_door, double width_m) {
   return exit;
 }
 
+using DoorsOfRooms = std::map<RoomId, std::vector<BuildingDoor>>;
+
+/// The doors of each room, in their order.
+DoorsOfRooms by_room(const std::vector<BuildingDoor>& doors) {
+  DoorsOfRooms of_rooms;
+  for (const BuildingDoor& door : doors) {
+    of_rooms[door.room_a].push_back(door);
+    if (door.room_b != door.room_a) of_rooms[door.room_b].push_back(door);
+  }
+  return of_rooms;
+}
+
 /// The doors of an ASR's room near its outline that its own visit did not go through.
 std::vector<Exit> other_doors_of(const Asr& asr, RoomId room, const Pose2& building_from_asr,
-                                 const std::vector<BuildingDoor>& doors) {
+                                 const DoorsOfRooms& doors) {
   std::vector<Exit> others;
-  for (const BuildingDoor& door : doors) {
-    if (door.room_a != room && door.room_b != room) continue;
+  const auto of_room = doors.find(room);
+  if (of_room == doors.end()) return others;
+  for (const BuildingDoor& door : of_room->second) {
     const Pose2 asr_from_door = inverse(building_from_asr) * door.building_from_pivot;
     const Point2 at = asr_from_door.position();
     const bool is_near = contains(asr.outline_asr, at) ||
@@ -86,7 +99,7 @@ std::vector<Exit> other_doors_of(const Asr& asr, RoomId room, const Pose2& build
 
 /// The ASR's outline, cut at every door of its room.
 Polygon outline_cut_at_doors(const AsrSource& source, const Asr& asr, RoomId room,
-                             const Pose2& building_from_asr, const std::vector<BuildingDoor>& doors,
+                             const Pose2& building_from_asr, const DoorsOfRooms& doors,
                              const RobotFootprint& footprint, const AssembleOptions& options) {
   const std::vector<Exit> others =
       options.map_again ? other_doors_of(asr, room, building_from_asr, doors) : std::vector<Exit>{};
@@ -117,6 +130,7 @@ Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
   set_rooms(assembly.graph, assembly.room_of_asr);
   assembly.doors = doors_of(asrs, assembly.graph, placement, assembly.room_of_asr);
 
+  const DoorsOfRooms doors_of_rooms = by_room(assembly.doors);
   std::vector<PlacedOutline> outlines;
   for (const Asr& asr : asrs) {
     report(progress, "outline",
@@ -124,7 +138,7 @@ Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
     const RoomId room = assembly.room_of_asr.at(asr.id);
     const Pose2& building_from_asr = placement.at(asr.id);
     const Polygon outline = outline_cut_at_doors(source, asr, room, building_from_asr,
-                                                 assembly.doors, footprint, options);
+                                                 doors_of_rooms, footprint, options);
     outlines.push_back({asr.id, room, transformed(building_from_asr, outline)});
   }
   std::vector<PlacedDoor> doors;

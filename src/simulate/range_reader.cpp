@@ -67,8 +67,8 @@ std::optional<double> echo_m(const Obstacles& obstacles, const Pose2& world_from
 RangeReader::RangeReader(const SimulationOptions& options)
     : sonar_(options.sonar),
       laser_(options.laser),
-      range_noise_(options.seed, "range noise"),
-      dropout_(options.seed, "dropout"),
+      range_noise_(options.seed, "sonar range"),
+      dropout_(options.seed, "sonar dropout"),
       crosstalk_(options.seed, "crosstalk") {}
 
 RangeReader::Echoes RangeReader::with_crosstalk(const Echoes& echoes_m) {

@@ -101,6 +101,26 @@ TEST(MapRoom, DrawsWallsWithinFiveCentimetresOfTheTruth) {
   }
 }
 
+TEST(MapRoom, SimplifiesWhatSonarsSawByAToleranceOfItsOwn) {
+  Visit visit = visit_to_room();
+  const auto vertices = [&](double laser_m, double sonar_m) {
+    RoomMapOptions options;
+    options.simplify_tolerance_m = laser_m;
+    options.sonar_simplify_tolerance_m = sonar_m;
+    return map_of(visit, options).counters.vertices;
+  };
+  const std::int64_t fine = vertices(0.01, 0.5);
+  EXPECT_GT(fine, vertices(0.5, 0.01));
+  EXPECT_EQ(fine, vertices(0.01, 0.01)) << "a laser does not use the sonars' tolerance";
+
+  RangeSensor sonars = *visit.readings.front().sensor;
+  sonars.kind = SensorKind::sonar;
+  for (RangeReading& reading : visit.readings) {
+    reading.sensor = std::make_shared<const RangeSensor>(sonars);
+  }
+  EXPECT_GT(vertices(0.5, 0.01), vertices(0.01, 0.5));
+}
+
 TEST(MapRoom, DrawsAllWallsOfTheRoom) {
   const Visit visit = visit_to_room();
   const std::vector<Point2> points = points_on_walls(map_of(visit), visit.asr_from_world);

@@ -24,6 +24,9 @@ struct RoomMapOptions {
   double tau_cells = 2.0;           ///< paper IV: points closer than this are dropped
   double simplify_tolerance_m = 0.12;  ///< Douglas-Peucker; the paper gives none. Over one cell,
                                        ///< so that steps of the raster do not become corners
+  double sonar_simplify_tolerance_m = 0.12;  ///< the same for walls seen by sonars. An echo lies
+                                             ///< anywhere across its cone; 0.25 keeps fewer of the
+                                             ///< cone's arcs as corners
   bool refine_points = true;      ///< centre the walls in their raised band; false: cell centres
   double insert_every_m = 0.05;   ///< a sweep is mapped after this much motion ...
   double insert_every_deg = 2.0;  ///< ... or turn; standing still would count one view as many
