@@ -61,6 +61,9 @@ std::optional<Steering> Explorer::decide(const RangeReading& reading, const Pose
     give_up(*goal_, position);
     goal_.reset();
     last_step_ = {-last_step_.turn_rad, -last_step_.length_m};
+  } else if (is_shuffling(map_from_robot)) {
+    last_step_ = shuffle(map_, echoes_.points_map(), map_from_robot, options_.footprint,
+                         shuffles_ % 2 == 1, limits_);
   } else {
     last_step_ =
         steer(map_, echoes_.points_map(), map_from_robot, options_.footprint, goal_->way, limits_);

@@ -156,9 +156,10 @@ Steering steer(const ExplorerMap& map, const std::vector<Point2>& echoes_map,
 
   const Surroundings around(map, echoes_map, map_from_robot, footprint);
   const double creep_m = limits.max_length_m / 3.0;
-  for (const Steering& step : {Steering{turn_rad, length_m}, Steering{turn_rad, length_m / 3.0},
-                               Steering{turn_rad, 0.0}, Steering{turn_rad / 2.0, creep_m},
-                               Steering{turn_rad / 4.0, creep_m}, Steering{0.0, length_m / 3.0}}) {
+  for (const Steering& step :
+       {Steering{turn_rad, length_m}, Steering{turn_rad, length_m / 3.0}, Steering{turn_rad, 0.0},
+        Steering{turn_rad / 2.0, creep_m}, Steering{turn_rad / 4.0, creep_m},
+        Steering{0.0, misfit < kStraightMisfit ? length_m / 3.0 : 0.0}}) {
     const bool moves = step.length_m != 0.0 || std::abs(step.turn_rad) > kLeastTurnRad;
     if (moves && around.allow(map_from_robot, step)) return step;
   }
