@@ -23,8 +23,11 @@ constexpr double kProgressM = 0.1;
 constexpr double kProgressDeg = 15.0;
 constexpr double kPatienceS = 4.0;
 constexpr double kShuffleS = 1.0;
+constexpr double kCaughtM = 0.5;  // so far away it is free again
+constexpr double kRelaxM = 0.02;  // each time it is caught in one place ...
+constexpr double kMaxRelaxM = 0.06;
 constexpr double kStuckM = 0.15;
-constexpr int kStuckGoals = 6;
+constexpr int kStuckGoals = 10;
 
 std::int64_t key_of(const Cell& cell) {
   return (static_cast<std::int64_t>(cell.x) << 32) ^ static_cast<std::uint32_t>(cell.y);
@@ -75,12 +78,16 @@ std::optional<Steering> Explorer::decide(const RangeReading& reading, const Pose
 /// avoids: it then goes a little way straight back, the next time straight ahead.
 bool Explorer::is_shuffling(const Pose2& map_from_robot) {
   if (time_s_ < shuffle_end_s_) return true;
+  if ((map_from_robot.position() - caught_at_).norm() > kCaughtM) limits_.relaxed_m = 0.0;
   const Pose2 moved = inverse(last_progress_) * map_from_robot;
   if (moved.position().norm() > kProgressM || std::abs(moved.theta_rad) > radians(kProgressDeg)) {
     last_progress_ = map_from_robot;
     progress_s_ = time_s_;
   }
   if (time_s_ - progress_s_ < kPatienceS) return false;
+  if ((map_from_robot.position() - caught_at_).norm() > kCaughtM) caught_ = 0;
+  caught_at_ = map_from_robot.position();
+  limits_.relaxed_m = std::min(kRelaxM * caught_++, kMaxRelaxM);
   progress_s_ = time_s_;
   shuffle_end_s_ = time_s_ + kShuffleS;
   ++shuffles_;

@@ -71,6 +71,8 @@ class Explorer {
   double progress_s_ = 0.0;  ///< ... and when
   double shuffle_end_s_ = 0.0;
   int shuffles_ = 0;
+  Point2 caught_at_ = Point2::Zero();  ///< where it last had to shuffle ...
+  int caught_ = 0;                     ///< ... and how often, there
   double time_s_ = 0.0;
   double renew_s_ = 0.0;
   std::int64_t goals_given_up_ = 0;

@@ -23,7 +23,7 @@ constexpr double kEchoMarginM = 0.03;
 constexpr double kLeastTurnRad = 1e-3;
 constexpr double kNearM = 0.8;       // what may be touched in one step or a few
 constexpr double kCloseEchoM = 0.5;  // nearly where a cone's axis says
-constexpr std::size_t kRememberedSweeps = 15;
+constexpr std::size_t kRememberedSweeps = 8;
 constexpr int kWayOutSteps = 40;
 
 /// The point of the way some distance ahead of the way's point nearest to the robot.
@@ -69,10 +69,10 @@ double open_direction(const ExplorerMap& map, const Point2& position, double wan
 class Surroundings {
  public:
   Surroundings(const ExplorerMap& map, const std::vector<Point2>& echoes_map,
-               const Pose2& map_from_robot, const RobotFootprint& footprint)
+               const Pose2& map_from_robot, const RobotFootprint& footprint, double relaxed_m)
       : cells_(map.obstacles_within(map_from_robot.position(), kNearM)),
         echoes_(echoes_map),
-        half_size_(footprint.length_m / 2.0, footprint.width_m / 2.0) {}
+        half_size_(footprint.length_m / 2.0 - relaxed_m, footprint.width_m / 2.0 - relaxed_m) {}
 
   /// Whether a step ends clear of obstacles, or at least clearer than it began.
   [[nodiscard]] bool allow(const Pose2& map_from_robot, const Steering& step) const {
@@ -154,7 +154,7 @@ Steering steer(const ExplorerMap& map, const std::vector<Point2>& echoes_map,
   const double misfit = std::abs(error_rad) / radians(kTurnOnSpotDeg);
   const double length_m = misfit >= 1.0 ? 0.0 : limits.max_length_m * (1.0 - 0.7 * misfit);
 
-  const Surroundings around(map, echoes_map, map_from_robot, footprint);
+  const Surroundings around(map, echoes_map, map_from_robot, footprint, limits.relaxed_m);
   const double creep_m = limits.max_length_m / 3.0;
   for (const Steering& step :
        {Steering{turn_rad, length_m}, Steering{turn_rad, length_m / 3.0}, Steering{turn_rad, 0.0},
@@ -169,7 +169,7 @@ Steering steer(const ExplorerMap& map, const std::vector<Point2>& echoes_map,
 Steering shuffle(const ExplorerMap& map, const std::vector<Point2>& echoes_map,
                  const Pose2& map_from_robot, const RobotFootprint& footprint, bool back_first,
                  const SteeringLimits& limits) {
-  const Surroundings around(map, echoes_map, map_from_robot, footprint);
+  const Surroundings around(map, echoes_map, map_from_robot, footprint, limits.relaxed_m);
   const double length_m = limits.max_length_m / (back_first ? -2.0 : 2.0);
   for (const double step_m : {length_m, -length_m}) {
     if (around.allow(map_from_robot, {0.0, step_m})) return {0.0, step_m};

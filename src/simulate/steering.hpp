@@ -18,6 +18,8 @@ struct Steering {
 struct SteeringLimits {
   double max_length_m = 0.04;  ///< in one period
   double max_turn_rad = 0.08;  ///< in one period
+  double relaxed_m = 0.0;      ///< by which obstacles are believed farther than they seem: for a
+                               ///< robot that is caught between noisy echoes
 };
 
 /// One step along a way, by the polar histogram (paper II.A, equations (1) to (3)): of the

@@ -39,9 +39,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Combine(testing::Values("two_rooms", "eight_rooms", "nine_rooms", "identical_rooms",
                                      "slanted_and_curved", "open_hall"),
                      testing::Values(SensorKind::sonar, SensorKind::laser), testing::Values(11U)),
-    [](const auto& info) {
-      return std::get<0>(info.param) +
-             (std::get<1>(info.param) == SensorKind::sonar ? "Sonar" : "Laser");
+    [](const auto& shown) {
+      return std::get<0>(shown.param) +
+             (std::get<1>(shown.param) == SensorKind::sonar ? "Sonar" : "Laser");
     });
 
 }  // namespace
