@@ -11,6 +11,8 @@ namespace roomatlas {
 namespace {
 
 constexpr int kRaysPerCone = 9;  // odd: one along the axis. 2.5 degrees apart in a 20 degree cone
+constexpr double kCornerCone = 1.5;  // near by, the lobe is wider; else the two front cones of a
+                                     // Pioneer would leave a blind strip straight ahead
 constexpr double kBehindCornerM = 1e-6;  // what hides a corner is nearer than it by more
 constexpr double kLeastRange_m = 0.001;  // readings that are not positive mean "no measurement"
 
@@ -59,8 +61,9 @@ std::optional<double> echo_m(const Obstacles& obstacles, const Pose2& world_from
     if (!nearest_m || hit->range_m < *nearest_m) nearest_m = hit->range_m;
   }
   if (!is_sonar) return nearest_m;
-  const auto corner_m = corner_echo_m(obstacles, world_from_beam, sensor.half_cone_rad,
-                                      std::min(errors.corner_echo_m, sensor.max_range_m));
+  const auto corner_m =
+      corner_echo_m(obstacles, world_from_beam, kCornerCone * sensor.half_cone_rad,
+                    std::min(errors.corner_echo_m, sensor.max_range_m));
   return corner_m && (!nearest_m || *corner_m < *nearest_m) ? corner_m : nearest_m;
 }
 

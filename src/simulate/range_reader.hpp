@@ -15,8 +15,9 @@ namespace roomatlas {
 
 /// The range that one beam measures without noise: the nearest echo of rays spread over its cone.
 /// A ray that meets a surface at more than `specular_limit_deg` from its normal is thrown away from
-/// a sonar and has no echo. A convex corner in the cone sends a weak echo from every angle, heard
-/// up to `corner_echo_m` (Kuc and Siegel 1987). Nothing where there is no echo.
+/// a sonar and has no echo. A convex corner in the cone, taken half as wide again,
+/// sends a weak echo from every angle, heard up to `corner_echo_m` (Kuc and Siegel 1987). Nothing
+/// where there is no echo.
 [[nodiscard]] std::optional<double> echo_m(const Obstacles& obstacles, const Pose2& world_from_beam,
                                            const RangeSensor& sensor, const SonarErrors& errors);
 
