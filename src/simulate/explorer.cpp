@@ -25,7 +25,7 @@ constexpr double kPatienceS = 4.0;
 constexpr double kShuffleS = 1.0;
 constexpr double kCaughtM = 0.5;  // so far away it is free again
 constexpr double kRelaxM = 0.02;  // each time it is caught in one place ...
-constexpr double kMaxRelaxM = 0.04;
+constexpr double kMaxRelaxM = 0.02;
 constexpr double kStuckM = 0.15;
 constexpr int kStuckGoals = 10;
 
