@@ -23,9 +23,9 @@ constexpr double kProgressM = 0.1;
 constexpr double kProgressDeg = 15.0;
 constexpr double kPatienceS = 4.0;
 constexpr double kShuffleS = 1.0;
-constexpr double kCaughtM = 0.5;  // so far away it is free again
-constexpr double kRelaxM = 0.02;  // each time it is caught in one place ...
-constexpr double kMaxRelaxM = 0.02;
+constexpr double kCaughtM = 0.5;    // so far away it is free again
+constexpr int kCalmShuffles = 4;    // caught oftener in one place, it takes noisy echoes ...
+constexpr double kRelaxedM = 0.02;  // ... for so much farther than they seem
 constexpr double kStuckM = 0.15;
 constexpr int kStuckGoals = 10;
 
@@ -87,7 +87,7 @@ bool Explorer::is_shuffling(const Pose2& map_from_robot) {
   if (time_s_ - progress_s_ < kPatienceS) return false;
   if ((map_from_robot.position() - caught_at_).norm() > kCaughtM) caught_ = 0;
   caught_at_ = map_from_robot.position();
-  limits_.relaxed_m = std::min(kRelaxM * caught_++, kMaxRelaxM);
+  limits_.relaxed_m = ++caught_ > kCalmShuffles ? kRelaxedM : 0.0;
   progress_s_ = time_s_;
   shuffle_end_s_ = time_s_ + kShuffleS;
   ++shuffles_;
