@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/evaluate/alignment.hpp"
 
-#include "roomatlas/core/geometry.hpp"
+#include "rigid_fit.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace roomatlas {
 namespace {
@@ -23,24 +22,12 @@ void look_up(const Trajectory& asking, PoseLookup answering, bool estimate_asks,
 }
 
 Pose2 least_squares(const MatchedPoses& matched, std::size_t used) {
-  const double count = static_cast<double>(used);
-  Point2 mean_estimate = Point2::Zero();
-  Point2 mean_truth = Point2::Zero();
+  std::vector<PointPair> points;
   for (std::size_t i = 0; i < used; ++i) {
-    mean_estimate += matched.estimate_from_robot[i].position() / count;
-    mean_truth += matched.truth_from_robot[i].position() / count;
+    points.push_back(
+        {matched.estimate_from_robot[i].position(), matched.truth_from_robot[i].position()});
   }
-  double sine = 0.0;
-  double cosine = 0.0;
-  for (std::size_t i = 0; i < used; ++i) {
-    const Point2 from = matched.estimate_from_robot[i].position() - mean_estimate;
-    const Point2 to = matched.truth_from_robot[i].position() - mean_truth;
-    sine += cross(from, to);
-    cosine += from.dot(to);
-  }
-  const Pose2 turn{0.0, 0.0, wrap_angle(std::atan2(sine, cosine))};
-  const Point2 shift = mean_truth - turn * mean_estimate;
-  return {shift.x(), shift.y(), turn.theta_rad};
+  return rigid_fit(points);
 }
 
 }  // namespace

@@ -5,33 +5,10 @@
 #include <map>
 #include <optional>
 
+#include "roomatlas/evaluate/pose_lookup.hpp"
+
 namespace roomatlas {
 namespace {
-
-/// Where the truth is at a time: between the neighbours that enclose it, from the last answer on,
-/// so that a clock that steps back is followed.
-class TruthAt {
- public:
-  explicit TruthAt(const Trajectory& truth) : truth_(truth) {}
-
-  [[nodiscard]] std::optional<Pose2> operator()(double timestamp_s) {
-    for (std::size_t tried = 0; tried < truth_.size(); ++tried) {
-      const std::size_t i = (at_ + tried) % truth_.size();
-      const StampedPose& from = truth_[i];
-      const StampedPose& to = truth_[std::min(i + 1, truth_.size() - 1)];
-      if (!(from.timestamp_s <= timestamp_s && timestamp_s <= to.timestamp_s)) continue;
-      at_ = i;
-      const double span_s = to.timestamp_s - from.timestamp_s;
-      if (span_s <= 0.0) return from.pose;
-      return interpolate(from.pose, to.pose, (timestamp_s - from.timestamp_s) / span_s);
-    }
-    return std::nullopt;
-  }
-
- private:
-  const Trajectory& truth_;
-  std::size_t at_ = 0;
-};
 
 /// Means over the poses of one visit.
 struct VisitMeans {
@@ -42,16 +19,17 @@ struct VisitMeans {
   double heading_error_rad = 0.0;  ///< true less placed
 };
 
-std::optional<VisitMeans> means_of(const PlacedVisit& visit, TruthAt& truth_at) {
+std::optional<VisitMeans> means_of(const PlacedVisit& visit, PoseLookup& true_pose) {
   VisitMeans means{visit.room, 0, Point2::Zero(), Point2::Zero(), 0.0};
   Point2 heading = Point2::Zero();
   for (const auto& [timestamp_s, placed] : visit.path) {
-    const std::optional<Pose2> truth = truth_at(timestamp_s);
-    if (!truth) continue;
+    const std::optional<FoundPose> found = true_pose.next(timestamp_s);
+    if (!found) continue;
+    const Pose2& truth = found->pose;
     ++means.poses;
     means.placed += placed.position();
-    means.truth += truth->position();
-    heading += direction(truth->theta_rad - placed.theta_rad);
+    means.truth += truth.position();
+    heading += direction(truth.theta_rad - placed.theta_rad);
   }
   if (means.poses == 0) return std::nullopt;
   means.placed /= static_cast<double>(means.poses);
@@ -88,11 +66,11 @@ Statistics over_rooms(const std::vector<RoomPoseError>& rooms, double RoomPoseEr
 
 RoomPoseErrors room_pose_errors(const std::vector<PlacedVisit>& visits, const Trajectory& truth,
                                 const Pose2& truth_from_building) {
-  TruthAt truth_at(truth);
+  PoseLookup true_pose(truth, {.match = TimeMatch::interpolate});
   std::optional<Pose2> truth_from_first;
   std::map<RoomId, RoomPoseError> rooms;
   for (const PlacedVisit& visit : visits) {
-    const std::optional<VisitMeans> means = means_of(visit, truth_at);
+    const std::optional<VisitMeans> means = means_of(visit, true_pose);
     if (!means) continue;
     if (!truth_from_first) truth_from_first = truth_from_placed(*means);
     const VisitError error = error_of(*means, truth_from_building);

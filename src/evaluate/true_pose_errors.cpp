@@ -1,63 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
+#include <vector>
 
-#include "roomatlas/core/geometry.hpp"
+#include "rigid_fit.hpp"
+#include "roomatlas/evaluate/pose_lookup.hpp"
 #include "roomatlas/evaluate/true_poses.hpp"
 
 namespace roomatlas {
 namespace {
-
-/// True poses at the timestamps of a trajectory, asked in file order. Remembers where it was:
-/// where clocks stepped back one timestamp names several places of the file, and the next one on
-/// from there is meant.
-class TruthReader {
- public:
-  explicit TruthReader(const Trajectory& truth) : truth_(truth) {
-    for (const StampedPose& stamped : truth) {
-      first_s_ = std::fmin(first_s_, stamped.timestamp_s);
-      last_s_ = std::fmax(last_s_, stamped.timestamp_s);
-    }
-  }
-
-  /// The true pose at a timestamp; nothing where no two neighbours enclose it.
-  [[nodiscard]] std::optional<Pose2> next(double timestamp_s) {
-    const bool stepped_back = timestamp_s < former_s_;
-    former_s_ = timestamp_s;
-    if (!(timestamp_s >= first_s_ && timestamp_s <= last_s_)) return std::nullopt;
-    const std::size_t count = truth_.size();
-    const std::size_t start = at_ + (stepped_back ? 1 : 0);
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t from = (start + i) % count;
-      if (const auto pose = between(from, std::min(from + 1, count - 1), timestamp_s)) {
-        at_ = from;
-        return pose;
-      }
-    }
-    return std::nullopt;
-  }
-
- private:
-  /// A step back from one pose to the next spans no time: only its two ends count.
-  [[nodiscard]] std::optional<Pose2> between(std::size_t from, std::size_t to,
-                                             double timestamp_s) const {
-    const StampedPose& a = truth_[from];
-    const StampedPose& b = truth_[to];
-    if (timestamp_s == a.timestamp_s) return a.pose;
-    if (timestamp_s == b.timestamp_s) return b.pose;
-    if (!(a.timestamp_s < timestamp_s && timestamp_s < b.timestamp_s)) return std::nullopt;
-    const double fraction = (timestamp_s - a.timestamp_s) / (b.timestamp_s - a.timestamp_s);
-    return interpolate(a.pose, b.pose, fraction);
-  }
-
-  const Trajectory& truth_;
-  std::size_t at_ = 0;  ///< the place of the last answer
-  double former_s_ = -std::numeric_limits<double>::infinity();
-  double first_s_ = std::numeric_limits<double>::infinity();
-  double last_s_ = -std::numeric_limits<double>::infinity();
-};
 
 /// A pose of the trajectory and the true pose at its time.
 struct PosePair {
@@ -67,35 +17,21 @@ struct PosePair {
 
 std::vector<PosePair> matched(const Trajectory& trajectory, const Trajectory& truth) {
   std::vector<PosePair> pairs;
-  TruthReader reader(truth);
+  PoseLookup true_pose(truth, {.match = TimeMatch::interpolate});
   for (const auto& [timestamp_s, building_from_robot] : trajectory) {
-    if (const auto truth_from_robot = reader.next(timestamp_s)) {
-      pairs.push_back({building_from_robot, *truth_from_robot});
+    if (const auto found = true_pose.next(timestamp_s)) {
+      pairs.push_back({building_from_robot, found->pose});
     }
   }
   return pairs;
 }
 
-/// The rigid motion that brings the positions nearest to the true ones, in the sum of squares
-/// (Umeyama 1991, in the plane and without scale).
 Pose2 least_squares_alignment(const std::vector<PosePair>& pairs) {
-  Point2 mean_building = Point2::Zero();
-  Point2 mean_truth = Point2::Zero();
+  std::vector<PointPair> points;
   for (const PosePair& pair : pairs) {
-    mean_building += pair.building_from_robot.position() / static_cast<double>(pairs.size());
-    mean_truth += pair.truth_from_robot.position() / static_cast<double>(pairs.size());
+    points.push_back({pair.building_from_robot.position(), pair.truth_from_robot.position()});
   }
-  double sine = 0.0;
-  double cosine = 0.0;
-  for (const PosePair& pair : pairs) {
-    const Point2 from = pair.building_from_robot.position() - mean_building;
-    const Point2 to = pair.truth_from_robot.position() - mean_truth;
-    sine += cross(from, to);
-    cosine += from.dot(to);
-  }
-  const Pose2 turn{0.0, 0.0, wrap_angle(std::atan2(sine, cosine))};
-  const Point2 shift = mean_truth - turn * mean_building;
-  return {shift.x(), shift.y(), turn.theta_rad};
+  return rigid_fit(points);
 }
 
 }  // namespace
