@@ -14,16 +14,13 @@ namespace {
 
 using namespace drawing;
 
-constexpr double kMillimetres = 1000.0;
-constexpr double kPageWidth_mm = 297.0;
-constexpr double kEdge_mm = 6.0;
 constexpr double kGutter_mm = 6.0;
 constexpr double kCaption_mm = 9.0;
 constexpr double kFooter_mm = 14.0;
 constexpr double kInner_mm = 4.0;  // between a panel's frame and what it shows
 constexpr double kTallestPanel_mm = 180.0;
 constexpr double kLowestPanel_mm = 50.0;
-constexpr double kPanelWidth_mm = (kPageWidth_mm - 2.0 * kEdge_mm - kGutter_mm) / 2.0;
+constexpr double kPanelWidth_mm = (kComparison_mm - 2.0 * kComparisonEdge_mm - kGutter_mm) / 2.0;
 
 Polyline finite_part(const Polyline& line) {
   Polyline finite;
@@ -92,7 +89,7 @@ void add_panel(pugi::xml_node svg, const char* id, const WallSketch& sketch, con
 
 void add_footer(pugi::xml_node svg, double top_mm, int scale) {
   pugi::xml_node footer = add_group(svg, "footer");
-  add_scale_bar(footer, {kEdge_mm + 1.0, top_mm + 4.0}, 60.0, kMillimetres / scale);
+  add_scale_bar(footer, {kComparisonEdge_mm + 1.0, top_mm + 4.0}, 60.0, kMillimetres / scale);
   const double baseline = top_mm + 6.0;
   double x = 100.0;
   const auto add_key = [&](const char* name, const char* stroke, const char* width) {
@@ -103,7 +100,7 @@ void add_footer(pugi::xml_node svg, double top_mm, int scale) {
   };
   add_key("walls", kInk, "0.4");
   add_key("path driven", kPathStroke, "0.4");
-  add_text(footer, {kPageWidth_mm - kEdge_mm, baseline},
+  add_text(footer, {kComparison_mm - kComparisonEdge_mm, baseline},
            "1\u2009:\u2009" + std::to_string(scale) + ", both panels",
            {2.6, Weight::normal, Anchor::end, kFaintInk});
 }
@@ -113,14 +110,14 @@ void add_footer(pugi::xml_node svg, double top_mm, int scale) {
 std::string draw_before_after(const WallSketch& before, const WallSketch& after) {
   const Point2 largest_m = box_of(before).size().cwiseMax(box_of(after).size());
   const Panels panels = panels_for(largest_m);
-  const double top = kEdge_mm + kCaption_mm;
+  const double top = kComparisonEdge_mm + kCaption_mm;
   const double bottom = top + panels.height_mm;
   pugi::xml_document document;
-  pugi::xml_node svg = add_page(document, kPageWidth_mm, bottom + kFooter_mm, "Before and after");
+  pugi::xml_node svg = add_page(document, kComparison_mm, bottom + kFooter_mm, "Before and after");
   const double mm_per_m = kMillimetres / panels.scale;
-  const double second = kEdge_mm + kPanelWidth_mm + kGutter_mm;
-  add_panel(svg, "before", before, {{kEdge_mm, top}, {kEdge_mm + kPanelWidth_mm, bottom}},
-            mm_per_m);
+  const double second = kComparisonEdge_mm + kPanelWidth_mm + kGutter_mm;
+  add_panel(svg, "before", before,
+            {{kComparisonEdge_mm, top}, {kComparisonEdge_mm + kPanelWidth_mm, bottom}}, mm_per_m);
   add_panel(svg, "after", after, {{second, top}, {second + kPanelWidth_mm, bottom}}, mm_per_m);
   add_footer(svg, bottom, panels.scale);
   return to_text(document);

@@ -14,15 +14,13 @@ namespace {
 
 using namespace drawing;
 
-constexpr double kMillimetres = 1000.0;
-constexpr double kPageWidth_mm = 297.0;
-constexpr double kEdge_mm = 6.0;
 constexpr double kGutter_mm = 5.0;
 constexpr double kTitle_mm = 9.0;
 constexpr double kCaption_mm = 10.0;
 constexpr double kFooter_mm = 12.0;
 constexpr double kTallestPanel_mm = 120.0;
-constexpr double kPanelWidth_mm = (kPageWidth_mm - 2.0 * kEdge_mm - 2.0 * kGutter_mm) / 3.0;
+constexpr double kPanelWidth_mm =
+    (kComparison_mm - 2.0 * kComparisonEdge_mm - 2.0 * kGutter_mm) / 3.0;
 constexpr const char* kPointStroke = "#0072b2";
 
 /// What is not unknown of a grid, in metres.
@@ -56,12 +54,12 @@ class Layout {
   [[nodiscard]] int scale() const { return scale_; }
   [[nodiscard]] double mm_per_m() const { return kMillimetres / scale_; }
   [[nodiscard]] double row_mm() const { return kCaption_mm + height_mm_; }
-  [[nodiscard]] double bottom_mm() const { return kEdge_mm + kTitle_mm + 2.0 * row_mm(); }
+  [[nodiscard]] double bottom_mm() const { return kComparisonEdge_mm + kTitle_mm + 2.0 * row_mm(); }
 
   [[nodiscard]] Panel add(pugi::xml_node svg, int number, const char* id,
                           const std::string& caption, const std::string& counts) const {
-    const double left = kEdge_mm + (number % 3) * (kPanelWidth_mm + kGutter_mm);
-    const double top = kEdge_mm + kTitle_mm + (number / 3) * row_mm() + kCaption_mm - 3.0;
+    const double left = kComparisonEdge_mm + (number % 3) * (kPanelWidth_mm + kGutter_mm);
+    const double top = kComparisonEdge_mm + kTitle_mm + (number / 3) * row_mm() + kCaption_mm - 3.0;
     pugi::xml_node group = add_group(svg, id);
     const std::string letter(1, static_cast<char>('a' + number));
     add_text(group, {left, top - 4.6}, letter + "  " + caption,
@@ -186,8 +184,9 @@ std::int64_t size_of(const std::vector<Polyline>& lines) {
 std::string draw_room_steps(const RoomMap& map, const Polyline& path, const std::string& title) {
   const Layout layout(seen_part(map.grid));
   pugi::xml_document document;
-  pugi::xml_node svg = add_page(document, kPageWidth_mm, layout.bottom_mm() + kFooter_mm, title);
-  add_text(svg, {kEdge_mm, kEdge_mm + 4.0}, title, {4.5, Weight::bold, Anchor::start, kInk});
+  pugi::xml_node svg = add_page(document, kComparison_mm, layout.bottom_mm() + kFooter_mm, title);
+  add_text(svg, {kComparisonEdge_mm, kComparisonEdge_mm + 4.0}, title,
+           {4.5, Weight::bold, Anchor::start, kInk});
 
   const AsrCounters& counters = map.counters;
   const CellPainter cells(map.grid.frame());
@@ -228,8 +227,8 @@ std::string draw_room_steps(const RoomMap& map, const Polyline& path, const std:
   add_lines(both, map.simplified, kPointStroke, kThin_mm);
   add_lines(both, fitted, kPathStroke, kThin_mm);
 
-  add_scale_bar(svg, {kEdge_mm + 1.0, layout.bottom_mm() + 3.0}, 50.0, layout.mm_per_m());
-  add_text(svg, {kPageWidth_mm - kEdge_mm, layout.bottom_mm() + 5.0},
+  add_scale_bar(svg, {kComparisonEdge_mm + 1.0, layout.bottom_mm() + 3.0}, 50.0, layout.mm_per_m());
+  add_text(svg, {kComparison_mm - kComparisonEdge_mm, layout.bottom_mm() + 5.0},
            "1\u2009:\u2009" + std::to_string(layout.scale()),
            {2.6, Weight::normal, Anchor::end, kFaintInk});
   return to_text(document);

@@ -8,7 +8,6 @@
 namespace roomatlas::drawing {
 namespace {
 
-constexpr double kMillimetres = 1000.0;
 constexpr double kStripGap_mm = 2.0;
 constexpr int kLargestScale = 50;           // 1:50 shows all that a robot can measure
 constexpr int kSmallestScale = 1000000000;  // beyond any building

@@ -13,6 +13,10 @@ constexpr double kStrip_mm = 30.0;      // the title block along the lower edge
 constexpr double kDimension_mm = 13.0;  // beside and below the drawing, for overall dimensions
 constexpr double kPadding_mm = 6.0;     // above and right of the drawing
 
+constexpr double kMillimetres = 1000.0;     // a metre
+constexpr double kComparison_mm = 297.0;    // width of pictures that set panels side by side ...
+constexpr double kComparisonEdge_mm = 6.0;  // ... and what they leave blank around
+
 /// Building metres to millimetres on paper: y turns from up to down.
 struct PaperTransform {
   double mm_per_m = 10.0;

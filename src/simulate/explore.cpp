@@ -50,8 +50,8 @@ ExploreSummary explore(const FloorPlan& world, const SimulationOptions& simulati
   const Pose2 world_from_start = options.world_from_start
                                      ? *options.world_from_start
                                      : default_start(world, simulation.footprint);
-  Robot robot(world, simulation, world_from_start);
   require_free(world, world_from_start.position(), simulation.footprint.width_m / 2.0);
+  Robot robot(world, simulation, world_from_start);
   Explorer explorer(simulation);
   ExploreSummary summary;
   bool in_contact = false;

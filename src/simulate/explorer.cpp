@@ -15,10 +15,11 @@ constexpr double kRenewEveryS = 0.6;  // ways are found anew on what has been se
 constexpr double kRenewShare = 0.1;   // ... and the rarer the longer they are: they cost more
 constexpr double kAtGoalM = 0.12;
 constexpr double kGiveUpM = 0.3;  // frontiers this near to a hopeless one are hopeless too
-constexpr double kAnchorEveryM = 0.5;
-constexpr double kLookBehindM = 0.6;   // both jambs have been seen by then
-constexpr double kDoorSkipM = 0.2;     // of the way ahead, beside the robot itself
-constexpr double kBeyondDoorM = 0.45;  // how far behind a door its way ends
+constexpr double kTrackEveryM = 0.05;
+constexpr std::size_t kAnchorEvery = 10;  // of the track's points
+constexpr double kLookBehindM = 0.6;      // both jambs have been seen by then
+constexpr double kDoorSkipM = 0.2;        // of the way ahead, beside the robot itself
+constexpr double kBeyondDoorM = 0.45;     // how far behind a door its way ends
 constexpr double kProgressM = 0.1;
 constexpr double kProgressDeg = 15.0;
 constexpr double kPatienceS = 4.0;
@@ -28,10 +29,6 @@ constexpr int kCalmShuffles = 4;    // caught oftener in one place, it takes noi
 constexpr double kRelaxedM = 0.02;  // ... for so much farther than they seem
 constexpr double kStuckM = 0.15;
 constexpr int kStuckGoals = 10;
-
-std::int64_t key_of(const Cell& cell) {
-  return (static_cast<std::int64_t>(cell.x) << 32) ^ static_cast<std::uint32_t>(cell.y);
-}
 
 /// The way's direction around its i-th point.
 Pose2 pose_on(const Polyline& way, std::size_t i) {
@@ -120,16 +117,16 @@ void Explorer::follow_rooms(const Pose2& map_from_robot) {
     last_moved_ = position;
     given_up_here_ = 0;
   }
-  if (track_.empty() || (position - track_.back()).norm() > kAnchorEveryM / 10.0) {
+  if (track_.empty() || (position - track_.back()).norm() > kTrackEveryM) {
     track_.push_back(position);
     if (!zone_) look_behind(map_from_robot);
-    if (!zone_ && track_.size() % 10 == 1) rooms_.anchor(position);
+    if (!zone_ && track_.size() % kAnchorEvery == 1) rooms_.anchor(position);
   }
 }
 
 /// Doorways that were not seen ahead are found once the robot is through.
 void Explorer::look_behind(const Pose2& map_from_robot) {
-  const auto back = static_cast<std::size_t>(kLookBehindM / (kAnchorEveryM / 10.0));
+  const auto back = static_cast<std::size_t>(kLookBehindM / kTrackEveryM);
   if (track_.size() < back + 6) return;
   const Pose2 at = pose_on(track_, track_.size() - 1 - back);
   const auto doorway = seen_doorway(map_, at);
@@ -202,6 +199,13 @@ bool Explorer::find_doorway_on(const Polyline& way, const Point2& position) {
 
 std::optional<Explorer::Goal> Explorer::door_goal(ExplorerRooms::Door door,
                                                   const Point2& position) {
+  auto way = way_through(door, position);
+  if (!way) return std::nullopt;
+  return Goal{door, rooms_.current(), false, deadline_s(*way), std::move(*way)};
+}
+
+/// To behind a door; to its threshold where nothing behind has been seen.
+std::optional<Polyline> Explorer::way_through(ExplorerRooms::Door door, const Point2& position) {
   const Doorway& doorway = rooms_.doors()[door].doorway;
   const auto is_in_line = [&](const Point2& at) {
     return std::abs((inverse(doorway.grid_from_pivot) * at).y()) <= doorway.width_m / 2.0;
@@ -221,8 +225,15 @@ std::optional<Explorer::Goal> Explorer::door_goal(ExplorerRooms::Door door,
   };
   auto way = paths_.way(map_, position, is_beyond, closed);
   if (!way) way = paths_.way(map_, position, is_before, closed);
-  if (!way) return std::nullopt;
-  return Goal{door, rooms_.current(), false, deadline_s(*way), std::move(*way)};
+  return way;
+}
+
+std::optional<Polyline> Explorer::way_to(const Point2& target, bool ignores_doors,
+                                         const Point2& position) {
+  const Cell target_cell = map_.frame().cell_of(target);
+  return paths_.way(
+      map_, position, [&](const Cell& cell) { return cell == target_cell; },
+      [&](const Cell& cell) { return !ignores_doors && rooms_.is_closed(cell, zone_); });
 }
 
 /// What no room claims: a frontier that only a way through several doors reaches.
@@ -249,22 +260,14 @@ bool Explorer::renew(Goal& goal, const Point2& position) {
     give_up(goal, position);
     return false;
   }
-  std::optional<Goal> renewed;
-  if (goal.door) {
-    renewed = door_goal(*goal.door, position);
-  } else {
-    const Cell target = map_.frame().cell_of(goal.way.back());
-    auto way = paths_.way(
-        map_, position, [&](const Cell& cell) { return cell == target; },
-        [&](const Cell& cell) { return !goal.ignores_doors && rooms_.is_closed(cell, zone_); });
-    if (way && !goal.ignores_doors && find_doorway_on(*way, position)) return false;
-    if (way) renewed = Goal{{}, rooms_.current(), goal.ignores_doors, 0.0, std::move(*way)};
-  }
-  if (!renewed) {
+  std::optional<Polyline> way = goal.door ? way_through(*goal.door, position)
+                                          : way_to(goal.way.back(), goal.ignores_doors, position);
+  if (!goal.door && !goal.ignores_doors && way && find_doorway_on(*way, position)) return false;
+  if (!way) {
     if (goal.door) rooms_.note_failure(*goal.door);
     return false;
   }
-  goal.way = std::move(renewed->way);
+  goal.way = std::move(*way);
   return true;
 }
 

@@ -15,7 +15,7 @@ namespace roomatlas {
 /// Decides where the robot goes, from its readings alone.
 class Explorer {
  public:
-  Explorer(const SimulationOptions& options);
+  explicit Explorer(const SimulationOptions& options);
 
   /// Takes one reading and says what to do in the next period; nothing when all is explored, or
   /// when the robot cannot move any more.
@@ -46,6 +46,10 @@ class Explorer {
   [[nodiscard]] std::optional<Goal> next_goal(const Point2& position);
   [[nodiscard]] std::optional<Goal> frontier_goal(const Point2& position);
   [[nodiscard]] std::optional<Goal> door_goal(ExplorerRooms::Door door, const Point2& position);
+  [[nodiscard]] std::optional<Polyline> way_through(ExplorerRooms::Door door,
+                                                    const Point2& position);
+  [[nodiscard]] std::optional<Polyline> way_to(const Point2& target, bool ignores_doors,
+                                               const Point2& position);
   [[nodiscard]] std::optional<Goal> leftover_goal(const Point2& position);
   bool find_doorway_on(const Polyline& way, const Point2& position);
   [[nodiscard]] bool is_done(const Goal& goal) const;

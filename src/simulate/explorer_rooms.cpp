@@ -14,10 +14,6 @@ constexpr double kJambReachM = 0.1;  // it is closed into its jambs
 constexpr double kZoneM = 0.3;       // half the breadth of a door's zone
 constexpr int kMaxFailures = 2;
 
-std::int64_t key_of(const Cell& cell) {
-  return (static_cast<std::int64_t>(cell.x) << 32) ^ static_cast<std::uint32_t>(cell.y);
-}
-
 Segment2 longer(const Segment2& segment, double by_m) {
   const Point2 along = (segment.b - segment.a).normalized();
   return {segment.a - by_m * along, segment.b + by_m * along};

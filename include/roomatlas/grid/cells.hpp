@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 
 #include "roomatlas/core/pose2.hpp"
@@ -14,6 +15,11 @@ struct Cell {
   int y = 0;
   [[nodiscard]] bool operator==(const Cell&) const = default;
 };
+
+/// A number of its own for each cell, for hash tables.
+[[nodiscard]] inline std::int64_t key_of(const Cell& cell) {
+  return (static_cast<std::int64_t>(cell.x) << 32) ^ static_cast<std::uint32_t>(cell.y);
+}
 
 [[nodiscard]] inline double distance_cells(const Cell& a, const Cell& b) {
   return std::hypot(a.x - b.x, a.y - b.y);
