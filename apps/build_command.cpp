@@ -32,12 +32,23 @@ void write_summary(const Path& store_file, const std::optional<Evaluation>& eval
                                                 graph_of(store, correction), evaluation));
 }
 
+/// The highest folder on the way to `folder` that does not exist yet; empty where all do.
+Path topmost_missing(const Path& folder) {
+  Path missing;
+  for (Path at = std::filesystem::absolute(folder).lexically_normal();
+       !at.empty() && !std::filesystem::exists(at); at = at.parent_path()) {
+    missing = at;
+  }
+  return missing;
+}
+
 }  // namespace
 
 void build(const Settings& settings, const Path& log, const Path& out,
            const std::vector<Path>& truth, const TrajectoryFlags& flags) {
   (void)open_mission(log, settings.mission);  // an unreadable log leaves no folder behind
-  const bool is_new_folder = std::filesystem::create_directories(out);
+  const Path new_folder = topmost_missing(out);
+  std::filesystem::create_directories(out);
   const Path store = out / "building.gpkg";
   if (is_mapped_already(settings, log, store)) {
     spdlog::info("{} holds this mission already; assembling it again", store.string());
@@ -45,7 +56,7 @@ void build(const Settings& settings, const Path& log, const Path& out,
     try {
       map(settings, log, store);
     } catch (const NotEnoughError&) {
-      if (is_new_folder) std::filesystem::remove(out);  // nothing came of it
+      if (!new_folder.empty()) std::filesystem::remove_all(new_folder);  // nothing came of it
       throw;
     }
   }

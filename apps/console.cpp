@@ -56,8 +56,8 @@ void show(const Issues& issues, std::int64_t not_listed, std::size_t limit) {
     }
   }
   const auto more = std::ssize(issues) - static_cast<std::ptrdiff_t>(notes + shown) + not_listed;
-  if (more > 0) spdlog::warn("{} more of these (--json lists them)", more);
-  if (notes > 0) spdlog::info("{} notes (-v shows them, summary.json lists them)", notes);
+  if (more > 0) spdlog::warn("{} more of these", more);
+  if (notes > 0) spdlog::info("{} notes (-v shows them)", notes);
 }
 
 }  // namespace roomatlas::apps

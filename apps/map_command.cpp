@@ -37,6 +37,26 @@ void remove_store(const Path& store) {
   }
 }
 
+/// The store that a new one replaces stands beside it until something has been mapped, so that a
+/// log without walls costs nobody his map.
+class FormerStore {
+ public:
+  explicit FormerStore(const Path& store) : store_(store), aside_(store.string() + ".former") {
+    std::error_code none_there;
+    std::filesystem::rename(store_, aside_, none_there);
+  }
+  void bring_back() const {
+    remove_store(store_);
+    std::error_code none_there;
+    std::filesystem::rename(aside_, store_, none_there);
+  }
+  void remove() const { remove_store(aside_); }
+
+ private:
+  Path store_;
+  Path aside_;
+};
+
 }  // namespace
 
 void map(const Settings& settings, const Path& log, const Path& store_file) {
@@ -51,14 +71,19 @@ void map(const Settings& settings, const Path& log, const Path& store_file) {
     (void)map_mission(peeked, nowhere, settings.map);  // says what is missing
   }
 
+  const FormerStore former(store_file);
   GeoPackageStore store(store_file, GeoPackageStore::Mode::create);
   MapSummary summary;
   try {
     summary = map_mission(peeked, store, settings.map, console_progress(settings));
   } catch (const NotEnoughError&) {
-    remove_store(store_file);
+    former.bring_back();
+    throw;
+  } catch (const Interrupted&) {
+    former.remove();
     throw;
   }
+  former.remove();
   const MissionInfo& info = mission->info();
   store.put_metadata(metadata_of(info, sha256_of_file(log), settings));
   store.finish();

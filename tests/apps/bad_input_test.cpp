@@ -72,6 +72,26 @@ TEST(BadInput, AMissionThatSawNoWallIsNotEnough) {
   expect_one_line(outcome, 4, "no wall was seen");
 }
 
+TEST(BadInput, AMissionThatSawNoWallLeavesNoneOfTheFoldersItMade) {
+  std::string log;
+  for (int i = 0; i < 50; ++i) log += scan(0.1 * i, i, 81.91);
+  const Folder folder;
+  const auto file = folder.write("mission.clf", log);
+  EXPECT_EQ(run("build " + file.string() + " -q -o " + (folder / "a/b/c").string()).exit_code, 4);
+  EXPECT_FALSE(std::filesystem::exists(folder / "a"));
+}
+
+TEST(BadInput, AMissionThatSawNoWallLeavesTheStoreThatWasThere) {
+  std::string log;
+  for (int i = 0; i < 50; ++i) log += scan(0.1 * i, i, 81.91);
+  const Folder folder;
+  const auto file = folder.write("mission.clf", log);
+  const auto store = folder.write("building.gpkg", "the map of an earlier mission");
+  EXPECT_EQ(run("map " + file.string() + " -q -o " + store.string()).exit_code, 4);
+  EXPECT_EQ(content_of(store), "the map of an earlier mission");
+  EXPECT_FALSE(std::filesystem::exists(store.string() + ".former"));
+}
+
 TEST(BadInput, AWrongCommandLineIsAUsageError) {
   for (const char* arguments :
        {"", "fly", "build", "build x.clf", "build x.clf -o y --no-such-option 1",
