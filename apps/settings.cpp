@@ -80,6 +80,8 @@ void add_map(CLI::App& app, MapOptions& options) {
   Stage stage(app, "Rooms (online stage)");
   stage.flag("find-reverse", options.reckon.find_reverse,
              "find drives that odometry reports forwards and the readings show backwards");
+  stage.flag("localize", options.localize.enabled,
+             "match each laser sweep with the room so far; off: dead reckoning, as in the paper");
   RecorderOptions& record = options.record;
   RoomMapOptions& map = record.map;
   stage.add("cell", map.cell_m, "m; cell of the grid. Smaller needs more readings a cell", 0.02,

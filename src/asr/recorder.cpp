@@ -52,7 +52,7 @@ Exit entry_from(const Exit& exit, AsrId from) {
 class AsrRecorder::State {
  public:
   State(const RecorderOptions& options, const RobotFootprint& footprint, AsrSink& sink,
-        Localizer localizer)
+        std::unique_ptr<Localizer> localizer)
       : options_(options),
         footprint_(footprint),
         sink_(sink),
@@ -61,10 +61,10 @@ class AsrRecorder::State {
 
   void add(const RangeReading& reading, const Pose2& reckoned_from_robot) {
     if (!last_) odom_from_asr_ = reading.odom_from_robot;
-    const Pose2 predicted =
-        last_ ? last_->asr_from_robot * (inverse(last_->reckoned_from_robot) * reckoned_from_robot)
-              : Pose2{};
-    const Pose2 asr_from_robot = localizer_ ? localizer_(reading, predicted, live_) : predicted;
+    const Pose2 step = last_ ? inverse(last_->reckoned_from_robot) * reckoned_from_robot : Pose2{};
+    const Pose2 predicted = last_ ? last_->asr_from_robot * step : Pose2{};
+    const Pose2 asr_from_robot =
+        localizer_ ? localizer_->locate(reading, predicted, step) : predicted;
     last_ = {asr_from_robot, reckoned_from_robot};
     append(reading, asr_from_robot);
     if (const auto found = search_doorway()) {
@@ -192,9 +192,12 @@ class AsrRecorder::State {
     const Pose2 new_from_old = inverse(old_from_new);
     last_->asr_from_robot = new_from_old * last_->asr_from_robot;
     for (std::size_t i = 0; i < seed_path.size(); ++i) {
-      draw(seed_readings[i], new_from_old * seed_path[i].asr_from_robot);
+      const Pose2 new_from_robot = new_from_old * seed_path[i].asr_from_robot;
+      if (localizer_) localizer_->add(seed_readings[i], new_from_robot);
+      draw(seed_readings[i], new_from_robot);
     }
     for (std::size_t i = 0; i < rest_path.size(); ++i) {
+      if (localizer_) localizer_->add(rest_readings[i], new_from_old * rest_path[i].asr_from_robot);
       append(rest_readings[i], new_from_old * rest_path[i].asr_from_robot);
     }
   }
@@ -215,6 +218,8 @@ class AsrRecorder::State {
     asr.counters = map.counters;
     asr.path = std::exchange(path_, {});
     asr.readings = std::exchange(readings_, {});
+    asr.is_localized = localizer_ && std::all_of(asr.readings.begin(), asr.readings.end(),
+                                                 [](const auto& r) { return can_be_matched(r); });
     if (!options_.keep_readings) asr.readings.clear();
     // Where odometry puts the frame *now*: the frame itself is exact, odometry has drifted.
     const Pose2 odom_from_asr =
@@ -223,6 +228,7 @@ class AsrRecorder::State {
 
     along_m_.clear();
     live_ = HimmGrid(options_.map.cell_m);
+    if (localizer_) localizer_->clear();
     last_drawn_.reset();
     candidate_.reset();
     searched_to_m_ = 0.0;
@@ -232,7 +238,7 @@ class AsrRecorder::State {
   const RecorderOptions options_;
   const RobotFootprint footprint_;
   AsrSink& sink_;
-  const Localizer localizer_;
+  const std::unique_ptr<Localizer> localizer_;
 
   /// Where the last reading was taken.
   struct LastReading {
@@ -255,7 +261,7 @@ class AsrRecorder::State {
 };
 
 AsrRecorder::AsrRecorder(const RecorderOptions& options, const RobotFootprint& footprint,
-                         AsrSink& sink, Localizer localizer)
+                         AsrSink& sink, std::unique_ptr<Localizer> localizer)
     : state_(std::make_unique<State>(options, footprint, sink, std::move(localizer))) {}
 AsrRecorder::~AsrRecorder() = default;
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 
 #include "models.hpp"
@@ -28,7 +29,10 @@ Measurements measurements_of(const std::vector<Asr>& asrs, const RoomGraph& grap
     auto& edges = edge.source == EdgeSource::driven ? measurements.driven : measurements.recognised;
     edges.push_back({index_of.at(edge.from), index_of.at(edge.to), edge});
   }
-  if (options.use_heading_bias) {
+  const bool is_reckoned =
+      std::any_of(measurements.driven.begin(), measurements.driven.end(),
+                  [](const auto& edge) { return !edge.measured.is_localized; });
+  if (options.use_heading_bias && is_reckoned) {
     remove_bias(measurements, estimate_heading_bias(measurements, options));
   }
   return measurements;
@@ -37,6 +41,9 @@ Measurements measurements_of(const std::vector<Asr>& asrs, const RoomGraph& grap
 HeadingAndPosition sigmas_of(const PassageEdge& edge, const CorrectOptions& options) {
   if (edge.source == EdgeSource::recognised) {
     return {radians(options.doorway_heading_deg), options.doorway_position_m};
+  }
+  if (edge.is_localized) {
+    return {radians(options.localized_heading_deg), options.localized_position_m};
   }
   const double heading_rad =
       std::hypot(radians(options.odometry_heading_deg),

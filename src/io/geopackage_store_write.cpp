@@ -35,11 +35,11 @@ void delete_asr(Database& db, AsrId id) {
 
 void insert_asr(Database& db, const Asr& asr) {
   const AsrCounters& n = asr.counters;
-  db.run("INSERT INTO asr VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+  db.run("INSERT INTO asr VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
          asr.id, asr.room, asr.start_s, asr.end_s, asr.odom_from_asr, asr.reference_point_asr,
          wkb_of_polygon(asr.outline_asr), walls_wkb(asr.walls), edges_text(asr.walls), n.grid_cells,
          n.grid_bytes, n.occupied_cells, n.cleaned_cells, n.extracted_points, n.vertices,
-         n.geometry_bytes, n.ignored_ranges);
+         n.geometry_bytes, n.ignored_ranges, asr.is_localized);
 }
 
 void insert_exits(Database& db, const Asr& asr) {

@@ -79,7 +79,8 @@ CREATE TABLE asr (
   extracted_points INTEGER NOT NULL,
   vertices INTEGER NOT NULL,
   geometry_bytes INTEGER NOT NULL,
-  ignored_ranges INTEGER NOT NULL);
+  ignored_ranges INTEGER NOT NULL,
+  is_localized BOOLEAN NOT NULL);
 
 CREATE TABLE exits (
   id INTEGER PRIMARY KEY,

@@ -24,6 +24,9 @@ struct CorrectOptions {
   double odometry_heading_deg = 1.0;        ///< the same for its heading ...
   double odometry_heading_deg_per_m = 0.6;  ///< ... a metre; smaller resists the walls' direction
   double odometry_heading_per_turn = 0.03;  ///< ... and this share of the turns made
+  double localized_position_m = 0.03;       ///< of a passage where the robot was found in the
+                                            ///< room's map on both sides of it ...
+  double localized_heading_deg = 0.6;       ///< ... and of its heading
   double doorway_position_m = 0.08;         ///< of a doorway seen twice
   double doorway_heading_deg = 5.0;         ///< two jambs a metre apart, each half a cell off
   double wall_heading_deg = 2.0;            ///< of a room's walls against the building's direction,

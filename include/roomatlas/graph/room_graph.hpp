@@ -33,6 +33,7 @@ struct PassageEdge {
   EdgeSource source = EdgeSource::driven;
   double path_length_m = 0.0;  ///< driven inside `from`; 0 for a recognised edge
   Turning turning;             ///< inside `from`; none for a recognised edge
+  bool is_localized = false;   ///< the pose was found in the map of `from`, not by odometry
 };
 
 /// Paper Fig. 8: rooms as vertices, passages as edges. Vertex i is the i-th ASR, ascending by id.

@@ -23,6 +23,7 @@ namespace roomatlas {
 
 struct MapOptions {
   DeadReckonerOptions reckon;
+  LocalizeOptions localize;
   RecorderOptions record;
 };
 
