@@ -134,6 +134,8 @@ void add_map(CLI::App& app, MapOptions& options) {
 void add_correction(CLI::App& app, AssembleOptions& assemble) {
   Stage stage(app, "Correction (offline stage)");
   CorrectOptions& correct = assemble.correct;
+  stage.flag("match-rooms", assemble.match_rooms,
+             "find rooms again by their walls (laser); off: by their doorways alone");
   stage.choice("model", correct.model,
                "se2, or rotation: the paper's, rooms turn about their entry pivots",
                std::map<std::string, CorrectionModel>{

@@ -43,6 +43,8 @@ const char* to_string(FactorKind kind) {
       return "odometry";
     case FactorKind::doorway:
       return "doorway";
+    case FactorKind::closure:
+      return "closure";
     case FactorKind::wall_direction:
       return "wall_direction";
   }
@@ -60,7 +62,7 @@ Correction uncorrected(const std::vector<Asr>& asrs) {
 }
 
 Correction correct(const std::vector<Asr>& asrs, const RoomGraph& graph,
-                   const CorrectOptions& options) {
+                   const CorrectOptions& options, const Placement& known) {
   Correction correction;
   const bool is_se2 = options.model == CorrectionModel::se2;
   correction.model = is_se2 ? "se2" : "rotation_only";
@@ -70,7 +72,7 @@ Correction correct(const std::vector<Asr>& asrs, const RoomGraph& graph,
     return correction;
   }
   const Measurements measurements = measurements_of(asrs, graph, options);
-  const State start = initial_guess(measurements, options);
+  const State start = initial_guess(measurements, options, known);
   const ModelResult solved = is_se2 ? solve_se2(measurements, start, options)
                                     : solve_rotation_only(measurements, start, options);
   correction.converged = solved.converged;

@@ -42,6 +42,9 @@ HeadingAndPosition sigmas_of(const PassageEdge& edge, const CorrectOptions& opti
   if (edge.source == EdgeSource::recognised) {
     return {radians(options.doorway_heading_deg), options.doorway_position_m};
   }
+  if (edge.source == EdgeSource::matched) {
+    return {std::sqrt(1.0 / edge.information(2, 2)), std::sqrt(1.0 / edge.information(0, 0))};
+  }
   if (edge.is_localized) {
     return {radians(options.localized_heading_deg), options.localized_position_m};
   }
@@ -69,7 +72,20 @@ double wall_sigma_rad(const WallDirection& wall, const CorrectOptions& options) 
   return radians(std::hypot(options.wall_heading_deg, options.wall_heading_deg_m / wall.aligned_m));
 }
 
-State initial_guess(const Measurements& measurements, const CorrectOptions& options) {
+FactorKind kind_of(const PassageEdge& edge) {
+  return edge.source == EdgeSource::matched ? FactorKind::closure : FactorKind::doorway;
+}
+
+Eigen::Matrix3d information_of(const PassageEdge& edge, const CorrectOptions& options) {
+  if (edge.source == EdgeSource::matched) return edge.information;
+  const HeadingAndPosition sigma = sigmas_of(edge, options);
+  const double position = 1.0 / (sigma.position_m * sigma.position_m);
+  const double heading = 1.0 / (sigma.heading_rad * sigma.heading_rad);
+  return Eigen::Vector3d(position, position, heading).asDiagonal();
+}
+
+State initial_guess(const Measurements& measurements, const CorrectOptions& options,
+                    const Placement& known) {
   std::vector<const Measurements::Edge*> driven_into(measurements.ids.size(), nullptr);
   for (const Measurements::Edge& edge : measurements.driven) driven_into[edge.to] = &edge;
   const std::vector<double> turn =
@@ -86,6 +102,7 @@ State initial_guess(const Measurements& measurements, const CorrectOptions& opti
       pose = state.building_from_asr[from] * driven_into[i]->measured.from_from_to;
       pose.theta_rad = wrap_angle(pose.theta_rad + turn[i] - turn[from]);
     }
+    if (const auto at = known.find(measurements.ids[i]); at != known.end()) pose = at->second;
     if (!measurements.walls[i]) continue;
     const WallDirection& wall = *measurements.walls[i];
     direction_votes[component] +=

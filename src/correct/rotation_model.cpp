@@ -72,7 +72,7 @@ ModelResult solve_rotation_only(const Measurements& measurements, const State& s
   };
   for (const auto& edge : measurements.driven) add_heading(edge, FactorKind::odometry, false);
   for (const auto& edge : measurements.recognised) {
-    add_heading(edge, FactorKind::doorway, true);
+    add_heading(edge, kind_of(edge.measured), true);
     const auto chain = chain_between(into, edge.from, edge.to);
     if (chain.empty()) continue;
     std::vector<Point2> steps_m;
@@ -84,9 +84,10 @@ ModelResult solve_rotation_only(const Measurements& measurements, const State& s
       const double sigma_m = sigmas_of(step->measured, options).position_m;
       variance_m2 += sigma_m * sigma_m;
     }
+    steps_m.front() -= edge.measured.from_from_to.position();
     const auto block = problem.AddResidualBlock(
         new PivotLoopFactor(std::move(steps_m), std::sqrt(variance_m2)), robust(), along);
-    factors.push_back({block, report_of(measurements, edge, FactorKind::doorway), true});
+    factors.push_back({block, report_of(measurements, edge, kind_of(edge.measured)), true});
   }
   for (std::size_t i = 0; i < headings.size(); ++i) {
     const auto offset = wall_offset(measurements, start, i, options);

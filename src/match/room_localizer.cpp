@@ -22,19 +22,19 @@ bool can_be_matched(const RangeReading& reading) {
   return reading.sensor->kind == SensorKind::laser;
 }
 
+bool is_new_view(const Pose2& from, const Pose2& to, const LocalizeOptions& options) {
+  const Pose2 moved = inverse(from) * to;
+  return moved.position().norm() > options.insert_every_m ||
+         std::abs(moved.theta_rad) > radians(options.insert_every_deg);
+}
+
 void RoomLocalizer::clear() {
   map_ = LocalMap(options_.cell_m);
   last_added_.reset();
 }
 
 void RoomLocalizer::insert(const Scan& scan, const Pose2& map_from_robot) {
-  if (last_added_) {
-    const Pose2 moved = inverse(*last_added_) * map_from_robot;
-    if (moved.position().norm() <= options_.insert_every_m &&
-        std::abs(moved.theta_rad) <= radians(options_.insert_every_deg)) {
-      return;
-    }
-  }
+  if (last_added_ && !is_new_view(*last_added_, map_from_robot, options_)) return;
   last_added_ = map_from_robot;
   map_.add(scan, map_from_robot);
 }

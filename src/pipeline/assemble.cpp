@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "close_loops.hpp"
 #include "load.hpp"
 #include "roomatlas/pipeline/pipeline.hpp"
 
@@ -26,13 +27,58 @@ std::set<EdgeKey> keys_of(const std::vector<PassageEdge>& edges) {
 struct CorrectedGraph {
   RoomGraph graph;
   Correction correction;
+  std::vector<Closure> closures;
 };
+
+bool can_match_rooms(const std::vector<Asr>& asrs) {
+  return std::all_of(asrs.begin(), asrs.end(), [](const Asr& asr) { return asr.is_localized; });
+}
+
+/// The maps of all ASRs, from readings that are loaded for one ASR at a time.
+std::vector<AsrShape> shapes_of(const AsrSource& source, const std::vector<Asr>& asrs,
+                                const ClosureOptions& options) {
+  std::vector<AsrShape> shapes;
+  for (const Asr& asr : asrs) {
+    shapes.push_back(shape_of(source.get(asr.id, AsrDetail::readings), options));
+  }
+  return shapes;
+}
+
+PassageEdge edge_of(const Closure& closure) {
+  PassageEdge edge;
+  edge.from = closure.from;
+  edge.to = closure.to;
+  edge.from_from_to = closure.match.first_from_second;
+  edge.kind = PassageKind::open_passage;
+  edge.source = EdgeSource::matched;
+  edge.information = closure.match.information;
+  return edge;
+}
+
+/// Rooms found again by their walls, then doorways where these put them.
+CorrectedGraph correct_by_matching(const AsrSource& source, const std::vector<Asr>& asrs,
+                                   const AssembleOptions& options) {
+  CorrectedGraph result;
+  result.graph = build_graph(asrs);
+  ClosedLoops loops = close_loops(asrs, shapes_of(source, asrs, options.closures), result.graph,
+                                  options.correct, options.closures);
+  for (const Closure& closure : loops.closures) {
+    if (closure.accepted) add_edge(result.graph, edge_of(closure));
+  }
+  result.closures = std::move(loops.closures);
+  result.correction = correct(asrs, result.graph, options.correct, loops.placement);
+  for (const PassageEdge& edge :
+       recognise_doorways(asrs, placement_of(result.correction), options.recognise)) {
+    add_edge(result.graph, edge);
+  }
+  return result;
+}
 
 /// Recognising doorways needs good poses, and good poses need recognised doorways: both in turn,
 /// until nothing new is recognised.
 CorrectedGraph correct_in_rounds(const std::vector<Asr>& asrs, const AssembleOptions& options) {
   const RoomGraph driven = build_graph(asrs);
-  CorrectedGraph result{driven, correct(asrs, driven, options.correct)};
+  CorrectedGraph result{driven, correct(asrs, driven, options.correct), {}};
   std::set<EdgeKey> known;
   for (int round = 0; round < options.max_rounds; ++round) {
     const std::vector<PassageEdge> recognised =
@@ -121,7 +167,10 @@ Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
 
   Assembly assembly;
   report(progress, "correct", 0.0);
-  CorrectedGraph corrected = correct_in_rounds(asrs, options);
+  CorrectedGraph corrected = options.match_rooms && can_match_rooms(asrs)
+                                 ? correct_by_matching(source, asrs, options)
+                                 : correct_in_rounds(asrs, options);
+  assembly.closures = std::move(corrected.closures);
   assembly.graph = std::move(corrected.graph);
   assembly.correction = std::move(corrected.correction);
   const Placement placement = placement_of(assembly.correction);

@@ -43,10 +43,16 @@ struct CorrectOptions {
 /// component, its first, keeps its odometry pose; then each component is turned as a whole, by at
 /// most 45 degrees, so that its walls' direction is the x axis.
 /// @param asrs ascending by id, vertices of `graph` in this order
+/// @param start where the ASRs are already known to be, or empty: then along odometry, each turned
+///   as the walls' directions say
 /// @returns one entry an ASR; `converged` is false where the solver stopped early. An empty input
 ///   gives an empty, converged correction.
 [[nodiscard]] Correction correct(const std::vector<Asr>& asrs, const RoomGraph& graph,
-                                 const CorrectOptions& options);
+                                 const CorrectOptions& options, const Placement& start = {});
+
+/// How much a measurement of the graph is trusted: inverse covariance of x, y, theta in the frame
+/// of `to`, 1/m^2 and 1/rad^2.
+[[nodiscard]] Eigen::Matrix3d information_of(const PassageEdge& edge, const CorrectOptions& options);
 
 [[nodiscard]] Placement placement_of(const Correction& correction);
 

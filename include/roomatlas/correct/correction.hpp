@@ -12,6 +12,7 @@ namespace roomatlas {
 enum class FactorKind {
   odometry,        ///< the robot drove from one into the next
   doorway,         ///< the same doorway seen again: a pivot shared by two visits
+  closure,         ///< two visits saw the same walls
   wall_direction,  ///< the walls of a rectilinear room follow the building's direction
 };
 

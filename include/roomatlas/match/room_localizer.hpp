@@ -64,6 +64,9 @@ class RoomLocalizer : public Localizer {
   double recent_turn_rad_ = 0.0;  ///< fading: odometry that lags reports a turn too late
 };
 
+/// True when a sweep at `to` shows the room from elsewhere than one at `from`.
+[[nodiscard]] bool is_new_view(const Pose2& from, const Pose2& to, const LocalizeOptions& options);
+
 /// True for a sensor whose single sweeps can be matched.
 [[nodiscard]] bool can_be_matched(const RangeReading& reading);
 

@@ -13,6 +13,7 @@
 #include "roomatlas/evaluate/self_consistency.hpp"
 #include "roomatlas/evaluate/spans.hpp"
 #include "roomatlas/evaluate/wall_errors.hpp"
+#include "roomatlas/graph/closures.hpp"
 #include "roomatlas/graph/doors.hpp"
 #include "roomatlas/graph/recognise.hpp"
 #include "roomatlas/match/dead_reckoner.hpp"
@@ -42,6 +43,8 @@ struct MapSummary {
                                      const MapOptions& options, const Progress& progress = {});
 
 struct AssembleOptions {
+  bool match_rooms = true;  ///< match localized rooms by their walls; off: doorways alone
+  ClosureOptions closures;
   RecogniseOptions recognise;
   RoomOptions rooms;
   CorrectOptions correct;
@@ -57,6 +60,7 @@ struct Assembly {
   Correction correction;
   std::map<AsrId, RoomId> room_of_asr;
   std::vector<BuildingDoor> doors;
+  std::vector<Closure> closures;  ///< matches of rooms by their walls, accepted or not
   FloorPlan plan;
 };
 
