@@ -32,7 +32,7 @@ void warn(OptimizeResult& result, std::string field, std::string message) {
 void judge_worst_edge(const PoseGraph& graph, double noise, OptimizeResult& result) {
   std::size_t worst = graph.edges.size();
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-    if (!result.edges[e].accepted) continue;
+    if (!result.edges[e].accepted || graph.edges[e].cauchy_sigmas > 0.0) continue;
     if (worst == graph.edges.size() ||
         result.edges[e].chi_square > result.edges[worst].chi_square) {
       worst = e;
@@ -63,8 +63,9 @@ ChiSquareRange expected_chi_square(const SolverGraph& graph, std::span<const dou
   std::int64_t used = std::ssize(graph.edges);
   for (const double weight : weights) used -= weight == 0.0 ? 1 : 0;
   ChiSquareRange range;
-  range.degrees_of_freedom =
-      std::max<std::int64_t>(0, 3 * used - 3 * std::int64_t{graph.variable_count});
+  range.degrees_of_freedom = std::max<std::int64_t>(0, 3 * used + std::ssize(graph.headings) +
+                                                           2 * std::ssize(graph.anchors) -
+                                                           3 * std::int64_t{graph.variable_count});
   range.low = chi_square_quantile(range.degrees_of_freedom, -kNormalQuantile);
   range.high = chi_square_quantile(range.degrees_of_freedom, kNormalQuantile);
   return range;

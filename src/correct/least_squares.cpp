@@ -6,6 +6,7 @@
 
 #include "ceres_solver.hpp"
 #include "chordal.hpp"
+#include "headings.hpp"
 
 namespace roomatlas {
 namespace {
@@ -35,6 +36,18 @@ LeastSquares::LeastSquares(const PoseGraph& poses, const OptimizeOptions& option
       graph_(solver_graph_of(poses)),
       incidence_(incidence_of(graph_)) {
   block_.emplace(graph_);
+  const auto has_loss = [](const auto& measured) { return measured.cauchy_sigmas > 0.0; };
+  has_losses_ =
+      std::ranges::any_of(graph_.edges, has_loss) || std::ranges::any_of(graph_.headings, has_loss);
+  if (graph_.headings.empty()) return;
+  if (!poses.guess.empty()) {
+    settle_quarters(poses, state_of(poses.guess), graph_);
+    return;
+  }
+  State start = options.robust ? State() : chordal_headings(graph_, {}, false);
+  if (start.empty()) start = poses_along(graph_, odometry_tree());
+  turn_to_quarters(poses, graph_, start);
+  settle_quarters(poses, start, graph_);
 }
 
 Solved LeastSquares::by_block(const State& start, std::span<const double> weights,
@@ -54,8 +67,9 @@ Solved LeastSquares::by_block(const State& start, std::span<const double> weight
 /// From the best state so far; kept when it is better.
 void LeastSquares::continue_with_ceres(Solved& solved, const State& start,
                                        std::span<const double> weights) {
-  const TrustRegion region =
-      options_.solver == PoseGraphSolver::ceres ? TrustRegion::none : TrustRegion::damped;
+  const TrustRegion region = options_.solver == PoseGraphSolver::ceres && !has_losses_
+                                 ? TrustRegion::none
+                                 : TrustRegion::damped;
   CeresResult ceres = solve_with_ceres(graph_, poses_, solved.state.empty() ? start : solved.state,
                                        weights, region, options_.max_iterations);
   solved.iterations += ceres.iterations;
@@ -80,24 +94,41 @@ Solved LeastSquares::local(const State& start, std::span<const double> weights, 
 }
 
 /// A guess that fits this well needs no global start. Whether it winds right is checked after.
-bool LeastSquares::is_good(const State& guess, std::span<const double> weights) const {
+bool LeastSquares::is_good(double chi_square, std::span<const double> weights) const {
   const double freedom =
       3.0 * (static_cast<double>(graph_.edges.size()) - static_cast<double>(graph_.variable_count));
-  return freedom > 0.0 && weights.empty() && chi_square(graph_, guess, weights) < kGood * freedom;
+  return freedom > 0.0 && weights.empty() && chi_square < kGood * freedom;
+}
+
+/// Losses leave many minima. The guess's own valley is that of one who knows more than the edges
+/// say; the global start finds the one in which most closures hold.
+Solved LeastSquares::solve_with_losses(std::span<const double> weights) {
+  const State start = poses_.guess.empty() ? odometry() : state_of(poses_.guess);
+  Solved best = solve_from(start, weights);
+  const SpanningTree tree = spanning_tree(graph_, incidence_, {}, weights);
+  if (best.converged && is_good(best.chi_square, weights) &&
+      winds_right(graph_, tree, best.state, weights)) {
+    return best;
+  }
+  const State global = chordal_headings(graph_, weights);
+  if (!global.empty()) keep_better(best, local(global, weights, StepSource::measured));
+  return best;
 }
 
 Solved LeastSquares::solve(std::span<const double> weights) {
+  if (has_losses_) return solve_with_losses(weights);
   const State guess = poses_.guess.empty() ? State() : state_of(poses_.guess);
-  const bool from_guess = !guess.empty() && is_good(guess, weights);
+  const bool from_guess = !guess.empty() && is_good(chi_square(graph_, guess, weights), weights);
   const State start = from_guess ? guess : chordal_headings(graph_, weights);
   if (start.empty()) return solve_from(odometry(), weights);
   Solved best = local(start, weights, from_guess ? StepSource::state : StepSource::measured);
   const SpanningTree tree = spanning_tree(graph_, incidence_, {}, weights);
   if (best.converged && winds_right(graph_, tree, best.state, weights)) return best;
 
-  const State by_winding = headings_by_winding(graph_, tree, weights);
+  State by_winding = headings_by_winding(graph_, tree, weights);
   const State other = from_guess ? chordal_headings(graph_, weights) : guess;
   if (!by_winding.empty()) {
+    turn_to_headings(graph_, by_winding);
     keep_better(best, local(by_winding, weights, StepSource::measured));
   }
   if (!other.empty()) {
@@ -119,7 +150,11 @@ SpanningTree LeastSquares::odometry_tree() const {
   return spanning_tree(graph_, incidence_, costly, {});
 }
 
-State LeastSquares::odometry() const { return poses_along(graph_, odometry_tree()); }
+State LeastSquares::odometry() const {
+  State state = poses_along(graph_, odometry_tree());
+  turn_to_headings(graph_, state);
+  return state;
+}
 
 std::vector<std::int32_t> LeastSquares::bridges() const {
   std::vector<std::int32_t> loops;
@@ -130,11 +165,20 @@ std::vector<std::int32_t> LeastSquares::bridges() const {
   return loops;
 }
 
+/// Where the frame of a state lies in that of the poses: at the component's fixed node, turned with
+/// it unless measured headings turn the component.
+Pose2 LeastSquares::frame_of(std::size_t node) const {
+  if (poses_.guess.empty()) return {};
+  const auto component = at(graph_.components.component[node]);
+  Pose2 frame = poses_.guess[at(graph_.components.fixed[component])];
+  if (graph_.roots[component] < graph_.variable_count) frame.theta_rad = 0.0;
+  return frame;
+}
+
 State LeastSquares::state_of(const std::vector<Pose2>& poses) const {
   State state(poses.size() * 3);
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const std::int32_t fixed = graph_.components.fixed[at(graph_.components.component[i])];
-    const Pose2 pose = inverse(poses[at(fixed)]) * poses[i];
+    const Pose2 pose = inverse(frame_of(i)) * poses[i];
     double* const p = state.data() + std::ptrdiff_t{graph_.slot[i]} * 3;
     p[0] = pose.x_m;
     p[1] = pose.y_m;
@@ -146,10 +190,9 @@ State LeastSquares::state_of(const std::vector<Pose2>& poses) const {
 std::vector<Pose2> LeastSquares::poses_of(const State& state) const {
   std::vector<Pose2> poses(graph_.slot.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const std::int32_t fixed = graph_.components.fixed[at(graph_.components.component[i])];
     const double* const p = state.data() + std::ptrdiff_t{graph_.slot[i]} * 3;
     const Pose2 pose{p[0], p[1], p[2]};
-    poses[i] = poses_.guess.empty() ? pose : poses_.guess[at(fixed)] * pose;
+    poses[i] = poses_.guess.empty() ? pose : frame_of(i) * pose;
   }
   return poses;
 }

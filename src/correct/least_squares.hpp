@@ -48,8 +48,10 @@ class LeastSquares {
   Solved by_block(const State& start, std::span<const double> weights, StepSource source,
                   int max_iterations);
   Solved local(const State& start, std::span<const double> weights, StepSource source);
+  Solved solve_with_losses(std::span<const double> weights);
   [[nodiscard]] SpanningTree odometry_tree() const;
-  [[nodiscard]] bool is_good(const State& guess, std::span<const double> weights) const;
+  [[nodiscard]] bool is_good(double chi_square, std::span<const double> weights) const;
+  [[nodiscard]] Pose2 frame_of(std::size_t node) const;
   void continue_with_ceres(Solved& solved, const State& start, std::span<const double> weights);
 
   const PoseGraph& poses_;
@@ -57,6 +59,7 @@ class LeastSquares {
   SolverGraph graph_;
   Incidence incidence_;
   std::optional<GaussNewton> block_;
+  bool has_losses_ = false;
 };
 
 }  // namespace roomatlas

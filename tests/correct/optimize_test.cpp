@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "correct/numeric_derivative.hpp"
+#include "correct/shuffled.hpp"
 #include "support/generated_pose_graph.hpp"
 
 namespace roomatlas {
@@ -20,31 +20,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-/// Nodes and edges in another order.
-PoseGraph shuffled(const PoseGraph& graph, std::uint64_t seed) {
-  test::Dice dice(seed);
-  std::vector<std::size_t> order(graph.ids.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto shuffle = [&](auto& items) {
-    for (std::size_t k = items.size(); k-- > 1;) {
-      std::swap(items[k], items[static_cast<std::size_t>(dice.below(static_cast<int>(k) + 1))]);
-    }
-  };
-  shuffle(order);
-  PoseGraph result;
-  std::vector<std::int32_t> place(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    result.ids.push_back(graph.ids[order[k]]);
-    place[order[k]] = static_cast<std::int32_t>(k);
-  }
-  result.edges = graph.edges;
-  for (PoseEdge& edge : result.edges) {
-    edge.from = place[static_cast<std::size_t>(edge.from)];
-    edge.to = place[static_cast<std::size_t>(edge.to)];
-  }
-  shuffle(result.edges);
-  return result;
-}
+using test::shuffled;
 
 TEST(Optimize, FindsTheTruthWhereThereIsNoNoise) {
   const test::GeneratedGraph g = test::walk_graph(300, 1e-9, 1e-9, 1);
