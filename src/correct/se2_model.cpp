@@ -29,8 +29,8 @@ ModelResult solve_se2(const Measurements& measurements, const State& start,
 
   for (PoseBlock& pose : poses) problem.AddParameterBlock(pose.data(), 3);
   const auto add_edge = [&](const Measurements::Edge& edge, FactorKind kind, bool is_robust) {
-    auto* cost = new RelativePoseFactor(edge.measured.from_from_to,
-                                        information_of(edge.measured, options));
+    auto* cost =
+        new RelativePoseFactor(edge.measured.from_from_to, information_of(edge.measured, options));
     auto* loss = is_robust ? new ceres::CauchyLoss(options.robust_sigmas) : nullptr;
     const auto block =
         problem.AddResidualBlock(cost, loss, poses[edge.from].data(), poses[edge.to].data());

@@ -21,7 +21,8 @@ AsrShape shape_of(const Asr& asr, const ClosureOptions& options) {
     if (shape.path.empty() || (shape.path.back() - pose.position()).norm() > kPathStepM) {
       shape.path.push_back(pose.position());
     }
-    if (!can_be_matched(asr.readings[i]) || (last_added && !is_new_view(*last_added, pose, options.map))) {
+    if (!can_be_matched(asr.readings[i]) ||
+        (last_added && !is_new_view(*last_added, pose, options.map))) {
       continue;
     }
     last_added = pose;

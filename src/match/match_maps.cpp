@@ -145,8 +145,8 @@ Pose2 SearchableMap::search(const std::vector<ScanPoint>& points, const Pose2& g
       stack.pop_back();
       if (level == 0) {
         const double off_m = std::hypot(candidate.shift.x, candidate.shift.y) * cell_m;
-        const double value = candidate.score - penalty(off_m, window.reach_m) -
-                             penalty(turn, window.reach_rad);
+        const double value =
+            candidate.score - penalty(off_m, window.reach_m) - penalty(turn, window.reach_rad);
         if (value > best_score) {
           best_score = value;
           best = {turned.x_m + candidate.shift.x * cell_m, turned.y_m + candidate.shift.y * cell_m,

@@ -132,8 +132,8 @@ class LoopCloser {
   /// Adds an ASR to the graph and matches it with the earlier ones that lie near.
   void enter(std::size_t i) {
     const auto& into = into_[i];
-    placed_.add_node(asrs_[i].id, into ? placed_.pose(into->from) * into->from_from_to
-                                       : asrs_[i].odom_from_asr);
+    placed_.add_node(asrs_[i].id,
+                     into ? placed_.pose(into->from) * into->from_from_to : asrs_[i].odom_from_asr);
     if (into) placed_.add_driven(into->from, i, into->from_from_to, into->information);
     std::vector<Pair> pairs;
     const double reach_m = options_.near_m + options_.max_near_growth_m;
@@ -143,7 +143,8 @@ class LoopCloser {
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       const double growth_m =
           std::min(options_.max_near_growth_m, 2.0 * uncertainties[k].position_m);
-      if (pairs[k].apart_m <= options_.near_m + growth_m) near.push_back({pairs[k], uncertainties[k]});
+      if (pairs[k].apart_m <= options_.near_m + growth_m)
+        near.push_back({pairs[k], uncertainties[k]});
     }
     std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) {
       return a.first.apart_m < b.first.apart_m;
@@ -154,8 +155,8 @@ class LoopCloser {
     bool any = false;
     for (const auto& [pair, between] : near) {
       const MapMatch match = SearchableMap(shapes_[pair.first].map, options_.match)
-                                 .find(shapes_[pair.second].points,
-                                       placed_.first_from_second(pair), window_of(between, options_));
+                                 .find(shapes_[pair.second].points, placed_.first_from_second(pair),
+                                       window_of(between, options_));
       if (!is_good(match, options_.min_agreeing)) continue;
       placed_.add(pair.first, pair.second, match);
       any = true;
@@ -183,8 +184,8 @@ class LoopCloser {
         map_of = pairs[k].first;
       }
       const SearchWindow window = window_of(uncertainties[k], options_);
-      const MapMatch match = map->find(shapes_[pairs[k].second].points,
-                                       placed_.first_from_second(pairs[k]), window);
+      const MapMatch match =
+          map->find(shapes_[pairs[k].second].points, placed_.first_from_second(pairs[k]), window);
       closures_.push_back({asrs_[pairs[k].first].id, asrs_[pairs[k].second].id, match, window,
                            is_good(match, options_.again_min_agreeing)});
     }

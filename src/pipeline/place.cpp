@@ -31,8 +31,7 @@ RoomGraph graph_of(const AsrSource& source, const Correction& correction) {
   const Placement placement = placement_of(correction);
   std::set<std::pair<AsrId, AsrId>> added;
   for (const FactorReport& factor : correction.factors) {
-    const bool is_found =
-        factor.kind == FactorKind::doorway || factor.kind == FactorKind::closure;
+    const bool is_found = factor.kind == FactorKind::doorway || factor.kind == FactorKind::closure;
     if (!is_found || !added.insert({factor.from, factor.to}).second) continue;
     const bool is_doorway = factor.kind == FactorKind::doorway;
     add_edge(graph, {factor.from,

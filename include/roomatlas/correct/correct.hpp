@@ -52,7 +52,8 @@ struct CorrectOptions {
 
 /// How much a measurement of the graph is trusted: inverse covariance of x, y, theta in the frame
 /// of `to`, 1/m^2 and 1/rad^2.
-[[nodiscard]] Eigen::Matrix3d information_of(const PassageEdge& edge, const CorrectOptions& options);
+[[nodiscard]] Eigen::Matrix3d information_of(const PassageEdge& edge,
+                                             const CorrectOptions& options);
 
 [[nodiscard]] Placement placement_of(const Correction& correction);
 

@@ -13,18 +13,18 @@ namespace roomatlas {
 struct ClosureOptions {
   LocalizeOptions map;  ///< how readings become the maps that are matched
   MatchMapsOptions match;
-  double near_m = 3.0;           ///< paths that come this near may have seen the same walls ...
+  double near_m = 3.0;             ///< paths that come this near may have seen the same walls ...
   double max_near_growth_m = 3.0;  ///< ... plus twice the uncertainty between them, at most this
-  int max_candidates = 8;        ///< the nearest of these are tried when a room is new
-  double window_sigmas = 4.0;    ///< how far is searched, of the uncertainty between two rooms,
-  SearchWindow min_window{0.3, radians(2.0)};  ///< but no less ...
+  int max_candidates = 8;          ///< the nearest of these are tried when a room is new
+  double window_sigmas = 4.0;      ///< how far is searched, of the uncertainty between two rooms,
+  SearchWindow min_window{0.3, radians(2.0)};   ///< but no less ...
   SearchWindow max_window{8.0, radians(20.0)};  ///< ... and no more than this
-  int min_agreeing = 80;         ///< points on common walls; fewer prove nothing
-  double min_agreement = 0.65;   ///< of the points that can tell
-  double again_near_m = 4.0;     ///< rooms this near are matched again once all are placed ...
-  int again_min_agreeing = 60;   ///< ... and fewer points suffice then
-  int rounds = 3;                ///< of matching again
-  double robust_sigmas = 2.0;    ///< closures off by more lose weight (Cauchy)
+  int min_agreeing = 80;                        ///< points on common walls; fewer prove nothing
+  double min_agreement = 0.65;                  ///< of the points that can tell
+  double again_near_m = 4.0;    ///< rooms this near are matched again once all are placed ...
+  int again_min_agreeing = 60;  ///< ... and fewer points suffice then
+  int rounds = 3;               ///< of matching again
+  double robust_sigmas = 2.0;   ///< closures off by more lose weight (Cauchy)
 };
 
 /// What is needed of an ASR to match it with others.

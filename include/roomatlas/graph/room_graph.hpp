@@ -36,7 +36,7 @@ struct PassageEdge {
   Turning turning;             ///< inside `from`; none for a recognised edge
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of a matched edge, else zero: in the
                                                           ///< frame of `to`, 1/m^2, 1/rad^2
-  bool is_localized = false;   ///< the pose was found in the map of `from`, not by odometry
+  bool is_localized = false;  ///< the pose was found in the map of `from`, not by odometry
 };
 
 /// Paper Fig. 8: rooms as vertices, passages as edges. Vertex i is the i-th ASR, ascending by id.

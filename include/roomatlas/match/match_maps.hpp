@@ -69,6 +69,7 @@ class SearchableMap {
 };
 
 /// The faces of a map as points to be matched.
-[[nodiscard]] std::vector<ScanPoint> points_of(const LocalMap& map, const MatchMapsOptions& options);
+[[nodiscard]] std::vector<ScanPoint> points_of(const LocalMap& map,
+                                               const MatchMapsOptions& options);
 
 }  // namespace roomatlas
