@@ -18,11 +18,10 @@ constexpr double kSettled = 1e-5;      // m and rad; smaller steps end the itera
 /// The nearest face within the gate that looks the way the point does.
 const Face* partner_of(const LocalMap& map, const Point2& at, const Point2& normal, double gate_m,
                        const AlignOptions& options) {
-  const int reach = static_cast<int>(std::ceil(gate_m / map.frame().cell_m));
   const bool has_normal = normal.squaredNorm() > 0.0;
   const Face* best = nullptr;
   double best_square = gate_m * gate_m;
-  map.for_each_face_near(map.frame().cell_of(at), std::min(reach, 2), [&](const Face& face) {
+  map.for_each_face_near(at, gate_m, [&](const Face& face) {
     const double square = (face.position - at).squaredNorm();
     if (square >= best_square) return;
     const bool is_turned = has_normal && face.normal.squaredNorm() > 0.0 &&

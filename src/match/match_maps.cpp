@@ -177,7 +177,7 @@ void SearchableMap::judge(const std::vector<ScanPoint>& points, MapMatch& match)
     const Point2 normal = turn * point.normal;
     const Cell cell = map_.frame().cell_of(at);
     bool agrees = false;
-    map_.for_each_face_near(cell, 1, [&](const Face& face) {
+    map_.for_each_face_near(at, options_.agree_m, [&](const Face& face) {
       const bool is_turned = normal.squaredNorm() > 0.0 && face.normal.squaredNorm() > 0.0 &&
                              face.normal.dot(normal) < options_.align.min_normal_cosine;
       agrees = agrees || (!is_turned && (face.position - at).norm() <= options_.agree_m);

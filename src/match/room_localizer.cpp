@@ -28,6 +28,15 @@ bool is_new_view(const Pose2& from, const Pose2& to, const LocalizeOptions& opti
          std::abs(moved.theta_rad) > radians(options.insert_every_deg);
 }
 
+/// True when nearly every point found its wall, and near to where odometry had it.
+bool RoomLocalizer::is_at_ease(const ScanAlignment& aligned, const PosePrior& prior) const {
+  const Pose2 moved = inverse(prior.mean) * aligned.map_from_points;
+  return aligned.matched > options_.min_matched &&
+         aligned.matched > options_.ease_share * aligned.points &&
+         moved.position().norm() < options_.ease_sigmas * prior.position_sigma_m &&
+         std::abs(moved.theta_rad) < options_.ease_sigmas * prior.heading_sigma_rad;
+}
+
 void RoomLocalizer::clear() {
   map_ = LocalMap(options_.cell_m);
   last_added_.reset();
@@ -56,13 +65,16 @@ Pose2 RoomLocalizer::locate(const RangeReading& reading, const Pose2& predicted,
         predicted, options_.step_sigma_m + options_.step_sigma_per_m * step.position().norm(),
         options_.turn_sigma_rad + options_.turn_sigma_per_rad * turned_rad};
     const std::vector<ScanPoint> points = thinned(scan.points, options_.max_points);
-    PosePrior wide = prior;
-    wide.position_sigma_m *= 2.0;
-    wide.heading_sigma_rad *= 2.0;
-    CorrelateOptions window = options_.correlate;
-    window.reach_rad += options_.search_per_turn * turned_rad;
-    const Pose2 start = correlate(map_, points, wide, window);
-    const ScanAlignment aligned = align(map_, points, start, prior, options_.align);
+    ScanAlignment aligned = align(map_, points, predicted, prior, options_.align);
+    if (!is_at_ease(aligned, prior)) {  // odometry may have jumped: search around it
+      PosePrior wide = prior;
+      wide.position_sigma_m *= 2.0;
+      wide.heading_sigma_rad *= 2.0;
+      CorrelateOptions window = options_.correlate;
+      window.reach_rad += options_.search_per_turn * turned_rad;
+      const Pose2 start = correlate(map_, points, wide, window);
+      aligned = align(map_, points, start, prior, options_.align);
+    }
     if (aligned.matched > options_.min_matched &&
         aligned.matched > options_.min_matched_share * aligned.points) {
       pose = aligned.map_from_points;

@@ -29,11 +29,13 @@ class LocalMap {
   [[nodiscard]] int certainty(const Cell& cell) const { return cells_.at(cell).certainty; }
   [[nodiscard]] bool is_seen_free(const Cell& cell) const { return certainty(cell) <= kSeenFree; }
 
-  /// Visits the faces in the cells within `reach` cells of a cell.
+  /// Visits all faces within `radius_m` of a point, and some farther ones.
   template <typename Visit>
-  void for_each_face_near(const Cell& at, int reach, Visit visit) const {
-    for (int y = at.y - reach; y <= at.y + reach; ++y) {
-      for (int x = at.x - reach; x <= at.x + reach; ++x) {
+  void for_each_face_near(const Point2& at, double radius_m, Visit visit) const {
+    const Cell low = frame_.cell_of({at.x() - radius_m, at.y() - radius_m});
+    const Cell high = frame_.cell_of({at.x() + radius_m, at.y() + radius_m});
+    for (int y = low.y; y <= high.y; ++y) {
+      for (int x = low.x; x <= high.x; ++x) {
         for (std::uint16_t i = cells_.at({x, y}).face; i != 0; i = faces_[i - 1U].other) {
           visit(faces_[i - 1U].mean);
         }

@@ -22,6 +22,8 @@ struct LocalizeOptions {
   int max_points = 180;             ///< of a sweep that are aligned
   int min_matched = 20;             ///< fewer partners: odometry is believed
   double min_matched_share = 0.3;   ///< so is it below this share of the sweep
+  double ease_share = 0.8;          ///< of the points on walls, with the pose this near to ...
+  double ease_sigmas = 1.5;         ///< ... odometry's: no need to search. Smaller searches more
   double insert_every_m = 0.10;     ///< a sweep enters the map after this much motion ...
   double insert_every_deg = 4.0;    ///< ... or turn
 };
@@ -57,6 +59,8 @@ class RoomLocalizer : public Localizer {
  private:
   /// Adds a sweep if the robot has moved since the last one added.
   void insert(const Scan& scan, const Pose2& map_from_robot);
+
+  [[nodiscard]] bool is_at_ease(const ScanAlignment& aligned, const PosePrior& prior) const;
 
   LocalizeOptions options_;
   LocalMap map_;
