@@ -72,6 +72,14 @@ void add_mission(CLI::App& app, MissionOptions& mission) {
   stage.add("sonar-max-range", mission.sonar_max_range_m,
             "m; sonar readings at or beyond it are no echo: free space", 0.5, 100.0);
   stage.add("sonar-cone", mission.sonar_cone_deg, "deg; full opening angle of a sonar", 0.0, 90.0);
+  AsSonarOptions& as_sonar = mission.as_sonar;
+  stage.flag("as-sonar", as_sonar.enabled,
+             "thin lasers to a ring of sonars: the least range in cones of 20 degrees");
+  stage.add("as-sonar-noise", as_sonar.range_noise_m, "m; noise of the thinned ranges", 0.0, 1.0);
+  stage.add("as-sonar-specular", as_sonar.specular_limit_deg,
+            "deg; walls at a larger angle of incidence give the thinned ring no echo", 1.0, 90.0);
+  stage.add("as-sonar-dropout", as_sonar.dropout_share, "share of thinned readings lost", 0.0, 1.0);
+  stage.add("as-sonar-seed", as_sonar.seed, "of noise and losses of the thinned ring", 0.0, 1e15);
   stage.add("robot-length", mission.footprint.length_m, "m; marks the robot's path", 0.05, 5.0);
   stage.add("robot-width", mission.footprint.width_m, "m; marks the robot's path", 0.05, 5.0);
 }

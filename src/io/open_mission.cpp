@@ -2,18 +2,29 @@
 #include "carmen_source.hpp"
 #include "small_logs.hpp"
 
+#include "roomatlas/io/as_sonar.hpp"
 #include "roomatlas/io/formats.hpp"
 
 #include <system_error>
+#include <utility>
 
 namespace roomatlas {
+namespace {
 
-std::unique_ptr<MissionSource> open_mission(const Path& file, const MissionOptions& options) {
+std::unique_ptr<MissionSource> open_log(const Path& file, const MissionOptions& options) {
   std::error_code ignored;
   if (std::filesystem::is_regular_file(file, ignored)) {  // a pipe can be read once only
     if (const io::OpenLog open = io::find_small_log(file)) return open(file, options);
   }
   return std::make_unique<io::CarmenSource>(file, options);
+}
+
+}  // namespace
+
+std::unique_ptr<MissionSource> open_mission(const Path& file, const MissionOptions& options) {
+  auto log = open_log(file, options);
+  if (!options.as_sonar.enabled) return log;
+  return as_sonar(std::move(log), options.as_sonar, options.sonar_max_range_m);
 }
 
 }  // namespace roomatlas

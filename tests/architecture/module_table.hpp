@@ -17,7 +17,7 @@ inline const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"match", {"core", "mission", "grid", "polyline"}},
     {"asr", {"core", "mission", "grid", "polyline", "match"}},
     {"graph", {"core", "mission", "grid", "polyline", "match", "asr"}},
-    {"correct", {"core", "asr", "graph"}},
+    {"correct", {"core", "mission", "match", "asr", "graph"}},
     {"merge", {"core", "asr", "graph", "correct"}},
     {"evaluate", {"core", "mission", "polyline", "asr", "graph", "correct", "merge"}},
     {"draw", {"core", "asr", "graph", "correct", "merge", "evaluate"}},

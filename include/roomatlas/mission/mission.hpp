@@ -45,12 +45,22 @@ struct RobotFootprint {
   double width_m = 0.40;
 };
 
+/// A laser read as if it were a ring of sonars, and how much worse than exact that ring is.
+struct AsSonarOptions {
+  bool enabled = false;
+  double range_noise_m = 0.0;        ///< standard deviation
+  double specular_limit_deg = 90.0;  ///< beyond this angle of incidence a wall gives no echo
+  double dropout_share = 0.0;        ///< cones that lose their reading at random, [0, 1]
+  std::uint64_t seed = 1;            ///< decides noise and losses
+};
+
 /// What the log does not say. Where it does, the log wins.
 struct MissionOptions {
   double laser_max_range_m = 50.0;  ///< at or beyond: no echo. Lower drops far walls
   double sonar_max_range_m = 5.0;   ///< at or beyond: no echo
   double sonar_cone_deg = 30.0;     ///< full opening angle; wider trusts bearings less
   RobotFootprint footprint;         ///< cells under it are marked as robot path
+  AsSonarOptions as_sonar;          ///< thins lasers to what a sonar robot would have heard
 };
 
 /// Summary of what has been read so far.

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sonar_batch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "block_cholesky.hpp"
+#include "roomatlas/correct/wall_direction.hpp"
+#include "sonar_factors.hpp"
+
+namespace roomatlas {
+namespace {
+
+/// How far each round's scale has gone from the start's to the end's, on a logarithmic scale.
+constexpr std::array kShrunk = {0.0,  0.0,  0.0,  0.1,  0.1,  0.22, 0.22, 0.3,  0.3, 0.4,
+                                0.4,  0.52, 0.52, 0.7,  0.7,  0.82, 0.92, 1.0,  1.0};
+constexpr int kStepsARound = 3;
+constexpr double kFineScaleM = 0.15;  // below it walls count in full
+
+/// Normal equations of the nodes for one set of pairs.
+class Equations {
+ public:
+  Equations(std::size_t nodes, const std::vector<NodePair>& pairs)
+      : supernodes_(find_supernodes(nodes, pairs)), matrix_(supernodes_), nodes_(nodes) {}
+
+  void clear() {
+    matrix_.clear();
+    right_side_.assign(3 * nodes_, 0.0);
+  }
+
+  /// Adds weight times the square of a residual of one node's heading.
+  void add_heading(std::size_t node, double residual, double weight) {
+    add_block(node, node, {0.0, 0.0, 1.0}, {0.0, 0.0, 1.0}, weight);
+    right_side_[3 * position(node) + 2] -= weight * residual;
+  }
+  void add(std::size_t first, std::size_t second, const PairResidual& residual, double weight) {
+    add_block(first, first, residual.by_first, residual.by_first, weight);
+    add_block(second, second, residual.by_second, residual.by_second, weight);
+    if (position(first) > position(second)) {
+      add_block(first, second, residual.by_first, residual.by_second, weight);
+    } else {
+      add_block(second, first, residual.by_second, residual.by_first, weight);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      right_side_[3 * position(first) + i] -= weight * residual.value * residual.by_first[i];
+      right_side_[3 * position(second) + i] -= weight * residual.value * residual.by_second[i];
+    }
+  }
+  /// Holds a node where it is.
+  void hold(std::size_t node, double weight) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::array<double, 3> unit{};
+      unit[i] = 1.0;
+      add_block(node, node, unit, unit, weight);
+    }
+  }
+
+  /// Moves the poses. @return root mean square of the moves; negative when the system is singular
+  double solve(std::vector<Pose2>& poses) {
+    if (matrix_.factorize() != -1) return -1.0;
+    matrix_.solve(right_side_.data());
+    double squares = 0.0;
+    for (std::size_t k = 0; k < nodes_; ++k) {
+      const double* const step = right_side_.data() + 3 * position(k);
+      poses[k] = {poses[k].x_m + step[0], poses[k].y_m + step[1],
+                  wrap_angle(poses[k].theta_rad + step[2])};
+      squares += step[0] * step[0] + step[1] * step[1] + step[2] * step[2];
+    }
+    return std::isfinite(squares) ? std::sqrt(squares / static_cast<double>(nodes_)) : -1.0;
+  }
+
+ private:
+  [[nodiscard]] std::size_t position(std::size_t node) const {
+    return static_cast<std::size_t>(supernodes_.position[node]);
+  }
+  void add_block(std::size_t row, std::size_t column, const std::array<double, 3>& by_row,
+                 const std::array<double, 3>& by_column, double weight) {
+    const BlockPlace place = matrix_.place(supernodes_.position[row], supernodes_.position[column]);
+    double* const block = matrix_.values() + place.offset;
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        block[i + j * static_cast<std::size_t>(place.stride)] += weight * by_row[i] * by_column[j];
+      }
+    }
+  }
+
+  Supernodes supernodes_;
+  BlockCholesky<3> matrix_;
+  std::size_t nodes_;
+  std::vector<double> right_side_;
+};
+
+/// Geman and McClure's weight: 1 at 0, and 0 for what is far off.
+double geman_mcclure(double squared, double scale_squared) {
+  const double share = scale_squared / (scale_squared + squared);
+  return share * share;
+}
+
+void add_steps(const SonarBatch& batch, const SonarBatchOptions& options,
+               const std::vector<Pose2>& poses, Equations& equations) {
+  const double robust = options.step_robust_sigmas * options.step_robust_sigmas;
+  for (std::size_t k = 1; k < poses.size(); ++k) {
+    const DrivenStep& step = batch.steps[k];
+    const auto residuals = step_residuals(poses[k - 1], poses[k], step.before_from_here);
+    const std::array sigmas = {step.along_sigma_m, step.across_sigma_m, step.turn_sigma_rad};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double variance = sigmas[i] * sigmas[i];
+      const double chi = residuals[i].value * residuals[i].value / variance;
+      equations.add(k - 1, k, residuals[i], 1.0 / (variance * (1.0 + chi / robust)));
+    }
+  }
+}
+
+void add_headings(const SonarBatch& batch, const SonarBatchOptions& options,
+                  const std::vector<Pose2>& poses, Equations& equations) {
+  for (std::size_t i = 0; i < batch.walls.size(); ++i) {
+    const SeenWall& wall = batch.walls[i];
+    const double off = wrap_quarter(poses[wall.node].theta_rad + wall.normal_rad -
+                                    batch.direction_rad[i]);
+    const double sigma = std::hypot(options.wall_heading_rad, radians(1.0) / wall.length_m);
+    const double variance = sigma * sigma;
+    equations.add_heading(wall.node, off,
+                          options.heading_weight * std::min(1.0, wall.length_m) / variance *
+                              geman_mcclure(off * off, 4.0 * variance));
+  }
+}
+
+void add_pairs(const SonarBatch& batch, const SonarBatchOptions& options,
+               const std::vector<WallPair>& pairs, const std::vector<int>& partners, double scale_m,
+               const std::vector<Pose2>& poses, Equations& equations) {
+  const double coarse = std::max(1.0, (scale_m / kFineScaleM) * (scale_m / kFineScaleM));
+  const double variance = options.wall_sigma_m * options.wall_sigma_m * coarse;
+  for (const WallPair& pair : pairs) {
+    const SeenWall& a = batch.walls[pair.first];
+    const SeenWall& b = batch.walls[pair.second];
+    if (a.node == b.node) continue;
+    const PairResidual across =
+        across_residual(poses[a.node], a, poses[b.node], b, pair.along_m);
+    const double one_wall = geman_mcclure(across.value * across.value, scale_m * scale_m);
+    const double share =
+        options.wall_weight * 2.0 / (partners[pair.first] + partners[pair.second]) * one_wall;
+    equations.add(a.node, b.node, across,
+                  share * std::min({1.0, a.length_m, b.length_m}) / variance);
+    const double turn = wrap_angle(poses[a.node].theta_rad + a.normal_rad -
+                                   poses[b.node].theta_rad - b.normal_rad);
+    const double ends = std::hypot(radians(1.0) / a.length_m, radians(1.0) / b.length_m);
+    const double sigma = std::hypot(options.wall_heading_rad, ends);
+    const double parallel = options.parallel_weight * share / (sigma * sigma) *
+                            geman_mcclure(turn * turn, 4.0 * sigma * sigma);
+    equations.add(a.node, b.node, {turn, {0.0, 0.0, 1.0}, {0.0, 0.0, -1.0}}, parallel);
+  }
+}
+
+/// A few Gauss-Newton steps with the pairs as they are. False when a system was singular.
+bool settle(const SonarBatch& batch, const SonarBatchOptions& options,
+            const std::vector<WallPair>& pairs, double scale_m, std::vector<Pose2>& poses) {
+  std::vector<int> partners(batch.walls.size(), 0);
+  std::vector<NodePair> coupled;
+  for (std::size_t k = 1; k < poses.size(); ++k) {
+    coupled.emplace_back(static_cast<std::int32_t>(k - 1), static_cast<std::int32_t>(k));
+  }
+  for (const WallPair& pair : pairs) {
+    ++partners[pair.first];
+    ++partners[pair.second];
+    coupled.emplace_back(static_cast<std::int32_t>(batch.walls[pair.first].node),
+                         static_cast<std::int32_t>(batch.walls[pair.second].node));
+  }
+  Equations equations(poses.size(), coupled);
+  constexpr double kFirmly = 1e6;
+  constexpr double kStillM = 1e-4;
+  for (int step = 0; step < kStepsARound; ++step) {
+    equations.clear();
+    equations.hold(0, kFirmly);
+    add_steps(batch, options, poses, equations);
+    add_headings(batch, options, poses, equations);
+    add_pairs(batch, options, pairs, partners, scale_m, poses, equations);
+    std::vector<Pose2> moved = poses;
+    const double move = equations.solve(moved);
+    if (move < 0.0) return false;
+    poses = std::move(moved);
+    if (move < kStillM) break;
+  }
+  return true;
+}
+
+}  // namespace
+
+SonarBatchResult solve_sonar_batch(const SonarBatch& batch, const SonarBatchOptions& options) {
+  SonarBatchResult result;
+  result.map_from_node = batch.map_from_node;
+  result.solved = true;
+  for (const double shrunk : kShrunk) {
+    const double scale_m =
+        options.start_scale_m * std::pow(options.end_scale_m / options.start_scale_m, shrunk);
+    const auto pairs = find_wall_pairs(batch.walls, result.map_from_node, scale_m, options.pairs);
+    result.pairs = pairs.size();
+    if (!settle(batch, options, pairs, scale_m, result.map_from_node)) {
+      result.solved = false;
+      break;
+    }
+  }
+  return result;
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Poses of a mission and the walls seen from them, in one least-squares problem.
+#pragma once
+
+#include <vector>
+
+#include "roomatlas/core/pose2.hpp"
+#include "wall_pairs.hpp"
+
+namespace roomatlas {
+
+/// From the node before to a node, as driven, with standard deviations.
+struct DrivenStep {
+  Pose2 before_from_here;
+  double along_sigma_m = 0.0;
+  double across_sigma_m = 0.0;
+  double turn_sigma_rad = 0.0;
+};
+
+struct SonarBatch {
+  std::vector<Pose2> map_from_node;  ///< where to start
+  std::vector<DrivenStep> steps;     ///< one a node; the first is not used
+  std::vector<SeenWall> walls;
+  std::vector<double> direction_rad;  ///< of each wall: the building's direction that it follows,
+                                      ///< modulo 90 degrees
+};
+
+struct SonarBatchOptions {
+  WallPairOptions pairs;
+  double start_scale_m = 1.0;      ///< smaller misses loops that are farther apart
+  double end_scale_m = 0.1;        ///< smaller lets noise decide which walls are one
+  double wall_sigma_m = 0.05;      ///< of one wall against all its partners
+  double wall_weight = 3.0;        ///< of a wall's partners together
+  double step_robust_sigmas = 3.0;  ///< Cauchy's loss of odometry
+  double heading_weight = 0.5;     ///< of a wall that follows the building
+  double parallel_weight = 0.3;    ///< of the partners' headings
+  double wall_heading_rad = 0.035;  ///< sigma of a wall's direction, and one over its length more
+};
+
+struct SonarBatchResult {
+  std::vector<Pose2> map_from_node;
+  std::size_t pairs = 0;  ///< in the last round
+  bool solved = false;    ///< false: a system was singular, and the poses are those before it
+};
+
+[[nodiscard]] SonarBatchResult solve_sonar_batch(const SonarBatch& batch,
+                                                 const SonarBatchOptions& options);
+
+}  // namespace roomatlas

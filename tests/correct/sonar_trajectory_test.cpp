@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whole missions of a sonar ring in small worlds.
+#include "roomatlas/correct/sonar_trajectory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/sonar_world.hpp"
+
+namespace roomatlas {
+namespace {
+
+struct Mission {
+  std::vector<Pose2> truth;
+  std::vector<RangeReading> readings;
+};
+
+Mission drive(const std::vector<test::WallLine>& walls, const std::vector<Point2>& points,
+              double drift_deg_per_m) {
+  Mission mission;
+  mission.truth = test::drive_along(points);
+  mission.readings = test::sonar_readings(walls, mission.truth, drift_deg_per_m);
+  return mission;
+}
+
+/// Three times round a square corridor, 1.8 m wide.
+Mission square_corridor(double drift_deg_per_m) {
+  auto walls = test::walls_along({{0, 0}, {14, 0}, {14, 11}, {0, 11}}, true);
+  const auto inner = test::walls_along({{1.8, 1.8}, {12.2, 1.8}, {12.2, 9.2}, {1.8, 9.2}}, true);
+  walls.insert(walls.end(), inner.begin(), inner.end());
+  std::vector<Point2> points = {{0.9, 0.9}};
+  for (int lap = 0; lap < 3; ++lap) {
+    points.insert(points.end(), {{13.1, 0.9}, {13.1, 10.1}, {0.9, 10.1}, {0.9, 0.9}});
+  }
+  return drive(walls, points, drift_deg_per_m);
+}
+
+struct Error {
+  double position_m = 0.0;
+  double heading_deg = 0.0;
+};
+
+/// The largest error; both trajectories begin at the same pose.
+Error largest_error(const Mission& mission, const std::vector<Pose2>& poses) {
+  Error error;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Pose2 off = inverse(mission.truth[i]) * poses[i];
+    error.position_m = std::max(error.position_m, off.position().norm());
+    error.heading_deg = std::max(error.heading_deg, std::abs(degrees(off.theta_rad)));
+  }
+  return error;
+}
+
+std::vector<Pose2> odometry_of(const Mission& mission) {
+  std::vector<Pose2> poses;
+  for (const RangeReading& reading : mission.readings) poses.push_back(reading.odom_from_robot);
+  return poses;
+}
+
+TEST(SonarTrajectory, TakesADriftOutOfASquareMission) {
+  for (const double drift : {-2.5, 0.6}) {
+    const Mission mission = square_corridor(drift);
+    EXPECT_GT(largest_error(mission, odometry_of(mission)).position_m, 2.0);
+    const SonarTrajectory result = correct_sonar_trajectory(mission.readings, {});
+    ASSERT_EQ(result.map_from_robot.size(), mission.truth.size());
+    const Error error = largest_error(mission, result.map_from_robot);
+    EXPECT_LT(error.position_m, 0.25) << drift;
+    EXPECT_LT(error.heading_deg, 3.0) << drift;
+    EXPECT_NEAR(degrees(result.habits.bias_rad_per_m), -drift, 0.4);
+    EXPECT_TRUE(result.loops_verified);
+    EXPECT_EQ(result.slips_repaired, 0);
+  }
+}
+
+TEST(SonarTrajectory, LeavesTrueOdometryAlone) {
+  const Mission mission = square_corridor(0.0);
+  const SonarTrajectory result = correct_sonar_trajectory(mission.readings, {});
+  const Error error = largest_error(mission, result.map_from_robot);
+  EXPECT_LT(error.position_m, 0.15);
+  EXPECT_LT(error.heading_deg, 2.0);
+}
+
+/// A corridor that goes on at another angle: twice there and back.
+Mission bent_corridor(double angle_deg) {
+  const Point2 along = direction(radians(angle_deg));
+  const Point2 left(-along.y(), along.x());
+  const Point2 bend(9.0, 0.0);
+  const double shift = 0.9 * std::tan(radians(angle_deg) / 2.0);
+  const Point2 outer = bend + Point2(shift, -0.9);
+  const Point2 inner = bend + Point2(-shift, 0.9);
+  const auto walls = test::walls_along({{-1.0, -0.9},
+                                        outer,
+                                        bend + 10.0 * along - 0.9 * left,
+                                        bend + 10.0 * along + 0.9 * left,
+                                        inner,
+                                        {-1.0, 0.9}},
+                                       true);
+  const Point2 end = bend + 9.0 * along;
+  return drive(walls, {{0, 0}, bend, end, bend, {0, 0}, bend, end, bend, {0, 0}}, 0.1);
+}
+
+TEST(SonarTrajectory, DoesNotBendABuildingWithWingsAtAnAngle) {
+  for (const double angle_deg : {30.0, 45.0}) {
+    const Mission mission = bent_corridor(angle_deg);
+    const SonarTrajectory result = correct_sonar_trajectory(mission.readings, {});
+    const Error error = largest_error(mission, result.map_from_robot);
+    EXPECT_LT(error.heading_deg, 5.0) << angle_deg;
+    EXPECT_LT(error.position_m, 0.6) << angle_deg;
+  }
+}
+
+TEST(SonarTrajectory, DoesNotMakeARoundHallSquare) {
+  std::vector<Point2> rim;
+  std::vector<Point2> way;
+  for (int k = 0; k < 72; ++k) rim.push_back(8.0 * direction(radians(5.0 * k)));
+  for (int k = 0; k <= 72; ++k) way.push_back(6.5 * direction(radians(10.0 * k)));
+  const Mission mission = drive(test::walls_along(rim, true), way, 0.05);
+  const SonarTrajectory result = correct_sonar_trajectory(mission.readings, {});
+  const Error odometry = largest_error(mission, odometry_of(mission));
+  const Error error = largest_error(mission, result.map_from_robot);
+  EXPECT_LT(error.heading_deg, odometry.heading_deg + 4.0);
+  EXPECT_LT(error.position_m, odometry.position_m + 0.5);
+}
+
+TEST(SonarTrajectory, IsTheSameEachTime) {
+  const Mission mission = square_corridor(0.6);
+  const SonarTrajectory once = correct_sonar_trajectory(mission.readings, {});
+  const SonarTrajectory again = correct_sonar_trajectory(mission.readings, {});
+  EXPECT_EQ(once.map_from_robot, again.map_from_robot);
+  EXPECT_EQ(once.habits, again.habits);
+}
+
+TEST(SonarTrajectory, OfAnEmptyMissionIsEmpty) {
+  const SonarTrajectory result = correct_sonar_trajectory({}, {});
+  EXPECT_TRUE(result.map_from_robot.empty());
+  EXPECT_FALSE(result.loops_verified);
+}
+
+TEST(SonarTrajectory, WithoutReturnsIsOdometry) {
+  Mission mission = square_corridor(0.0);
+  for (RangeReading& reading : mission.readings) {
+    std::fill(reading.ranges_m.begin(), reading.ranges_m.end(), 5.0F);
+  }
+  const SonarTrajectory result = correct_sonar_trajectory(mission.readings, {});
+  EXPECT_LT(largest_error(mission, result.map_from_robot).position_m, 1e-3);
+  EXPECT_FALSE(result.loops_verified);
+}
+
+}  // namespace
+}  // namespace roomatlas
