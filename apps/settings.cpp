@@ -142,6 +142,8 @@ void add_map(CLI::App& app, MapOptions& options) {
 void add_correction(CLI::App& app, AssembleOptions& assemble) {
   Stage stage(app, "Correction (offline stage)");
   CorrectOptions& correct = assemble.correct;
+  stage.flag("correct-sonars", assemble.correct_sonars,
+             "correct a mission with sonars as a whole, by its walls, before its rooms are mapped");
   stage.flag("match-rooms", assemble.match_rooms,
              "find rooms again by their walls (laser); off: by their doorways alone");
   stage.choice("model", correct.model,
@@ -256,7 +258,7 @@ void add_parameters(CLI::App& app, Settings& settings) {
 }
 
 void complete(Settings& settings, const CLI::App& app) {
-  settings.assemble.map = settings.map.record.map;
+  settings.assemble.record = settings.map.record;
   settings.simulation.footprint = settings.mission.footprint;
   settings.simulation.sonar_max_range_m = settings.mission.sonar_max_range_m;
   settings.as_toml = app.config_to_str(true, false);

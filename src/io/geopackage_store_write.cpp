@@ -91,6 +91,20 @@ void GeoPackageStore::put(const Asr& asr) {
   state_->pending_truth.clear();
 }
 
+void GeoPackageStore::replace_asrs(const std::vector<Asr>& asrs) {
+  state_->transaction([&](Database& db) {
+    for (const char* table : {"exits", "path_samples", "readings", "asr"}) {
+      db.execute("DELETE FROM " + std::string(table));
+    }
+    for (const Asr& asr : asrs) {
+      insert_asr(db, asr);
+      insert_exits(db, asr);
+      insert_path(db, asr);
+      insert_readings(db, state_->sensors, asr);
+    }
+  });
+}
+
 void GeoPackageStore::put(const TruePose& truth) {
   state_->writing([&](Database&) { state_->pending_truth.push_back(truth); });
 }

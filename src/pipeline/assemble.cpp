@@ -5,6 +5,7 @@
 
 #include "close_loops.hpp"
 #include "load.hpp"
+#include "record_again.hpp"
 #include "roomatlas/pipeline/pipeline.hpp"
 
 namespace roomatlas {
@@ -92,6 +93,18 @@ CorrectedGraph correct_in_rounds(const std::vector<Asr>& asrs, const AssembleOpt
   return result;
 }
 
+/// Rooms that are known to lie right: doorways are recognised where they are.
+CorrectedGraph correct_from(const std::vector<Asr>& asrs, const Placement& known,
+                            const AssembleOptions& options) {
+  CorrectedGraph result;
+  result.graph = build_graph(asrs);
+  for (const PassageEdge& edge : recognise_doorways(asrs, known, options.recognise)) {
+    add_edge(result.graph, edge);
+  }
+  result.correction = correct(asrs, result.graph, options.correct, known);
+  return result;
+}
+
 /// A door of the building as an exit of an ASR: theta points away from the ASR's path.
 Exit as_exit_of(const Asr& asr, const Pose2& asr_from_door, double width_m) {
   const auto nearest = std::min_element(
@@ -154,20 +167,21 @@ Polygon outline_cut_at_doors(const AsrSource& source, const Asr& asr, RoomId roo
   if (whole.readings.empty()) return asr.outline_asr;
   std::vector<Exit> exits = asr.exits;
   exits.insert(exits.end(), others.begin(), others.end());
-  return map_room(whole.path, whole.readings, exits, footprint, options.map).outline;
+  return map_room(whole.path, whole.readings, exits, footprint, options.record.map).outline;
 }
 
-}  // namespace
-
-Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
-                  const AssembleOptions& options, const Progress& progress) {
-  report(progress, "load", 0.0);
+/// Everything after the rooms are as true as they will be.
+/// @param known where the ASRs are known to be already; may be empty
+Assembly assemble_rooms(const AsrSource& source, const Placement& known,
+                        const RobotFootprint& footprint, const AssembleOptions& options,
+                        const Progress& progress) {
   const std::vector<Asr> asrs = load(source, AsrDetail::path);
   if (asrs.empty()) throw NotEnoughError("the store holds no ASR: run `roomatlas map` first");
 
   Assembly assembly;
   report(progress, "correct", 0.0);
-  CorrectedGraph corrected = options.match_rooms && can_match_rooms(asrs)
+  CorrectedGraph corrected = !known.empty() ? correct_from(asrs, known, options)
+                             : options.match_rooms && can_match_rooms(asrs)
                                  ? correct_by_matching(source, asrs, options)
                                  : correct_in_rounds(asrs, options);
   assembly.closures = std::move(corrected.closures);
@@ -196,6 +210,28 @@ Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
   }
   report(progress, "merge", 0.0);
   assembly.plan = merge(outlines, doors, options.merge);
+  return assembly;
+}
+
+}  // namespace
+
+Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
+                  const AssembleOptions& options, const Progress& progress) {
+  report(progress, "load", 0.0);
+  const std::vector<RangeReading> sonars =
+      options.correct_sonars ? sonar_readings_of(source) : std::vector<RangeReading>{};
+  if (sonars.empty()) return assemble_rooms(source, {}, footprint, options, progress);
+
+  report(progress, "correct sonars", 0.0);
+  SonarTrajectory trajectory = correct_sonar_trajectory(sonars, options.sonars);
+  RecordedAgain again =
+      record_again(sonars, trajectory.map_from_robot, footprint, options.record);
+  Assembly assembly =
+      assemble_rooms(again.asrs, again.placement, footprint, options, progress);
+  assembly.mapped_again = std::move(again.asrs.asrs);
+  trajectory.map_from_robot.clear();
+  trajectory.heading_sigma_rad.clear();
+  assembly.sonars = std::move(trajectory);
   return assembly;
 }
 

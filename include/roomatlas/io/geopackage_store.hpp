@@ -37,6 +37,8 @@ class GeoPackageStore : public AsrSink, public AsrSource {
   void put_metadata(const std::map<std::string, std::string>& values);
   [[nodiscard]] std::map<std::string, std::string> metadata() const;
 
+  /// Puts other ASRs in the place of all that are there, in one transaction.
+  void replace_asrs(const std::vector<Asr>& asrs);
   /// What `assemble` found: replaces what an earlier run left, in one transaction. Also writes
   /// each ASR's room and the corrected path as a feature layer.
   void put_assembly(const Correction& correction, const FloorPlan& plan,
