@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "dense_kernels.hpp"
+#include "dense_product.hpp"
 
 namespace roomatlas {
 namespace {
@@ -104,7 +105,8 @@ ROOMATLAS_INLINE std::ptrdiff_t eliminate_panel(const Front& front, const double
       double* const block = front.panel + k + k * stride;
       const double* const before = front.panel + k + begin * stride;
       if (k > begin) {
-        dense::subtract_strip<Size>(block, stride, before, before, stride, stride - k, k - begin);
+        dense::subtract_strip<Size>(block, stride, before, stride, before, stride, stride - k,
+                                    k - begin);
       }
       if (!dense::factor_block<Size>(block, stride, smallest + k, inverse)) return k;
       dense::solve_rows<Size>(block, inverse, block + Size, stride, stride - k - Size);
@@ -240,14 +242,6 @@ template <int Size>
   solve_both<Size>(nodes, values, x);
 }
 #endif
-
-bool has_avx2() {
-#if defined(__x86_64__)
-  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-#else
-  return false;
-#endif
-}
 
 }  // namespace
 
