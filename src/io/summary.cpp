@@ -127,7 +127,11 @@ Json json_of(const Correction& correction) {
     asrs.push_back({{"asr", asr.asr},
                     {"component", asr.component},
                     {"moved_m", asr.moved_m},
-                    {"turned_deg", degrees(asr.turned_rad)}});
+                    {"turned_deg", degrees(asr.turned_rad)},
+                    {"chi_square_before", asr.chi_square_before},
+                    {"chi_square_after", asr.chi_square_after},
+                    {"cause", asr.cause ? Json(to_string(*asr.cause)) : Json(nullptr)},
+                    {"cause_asr", asr.cause_asr}});
   }
   Json factors = Json::array();
   for (const FactorReport& factor : correction.factors) {
