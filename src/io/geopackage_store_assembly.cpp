@@ -132,7 +132,7 @@ void GeoPackageStore::put_closures(const std::vector<Closure>& closures) {
     db.execute("DELETE FROM closures");
     for (const Closure& closure : closures) {
       const MapMatch& match = closure.match;
-      db.run("INSERT INTO closures VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", closure.from,
+      db.run("INSERT INTO closures VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", closure.from,
              closure.to, match.first_from_second, match.agreeing, match.contradicting, match.unseen,
              closure.score(), to_string(closure.verdict), closure.was_given);
     }
