@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "models.hpp"
+#include "roomatlas/correct/pose_graph.hpp"
 
 namespace roomatlas {
 namespace {
@@ -111,6 +112,43 @@ Correction correct(const std::vector<Asr>& asrs, const RoomGraph& graph,
                                0.0, 0.0, 0.0, 0.0});
   }
   align_with_walls(measurements, solved.state, correction.asrs);
+  fill_moves(correction.asrs);
+  fill_causes(correction.factors, correction.asrs);
+  return correction;
+}
+
+Correction correct_to(const std::vector<Asr>& asrs, const RoomGraph& graph,
+                      const Placement& placement, const CorrectOptions& options) {
+  Correction correction;
+  correction.model = "trajectory";
+  correction.message = "placed by the corrected trajectory";
+  correction.converged = true;
+  CorrectOptions as_measured = options;
+  as_measured.use_heading_bias = false;
+  const Measurements measurements = measurements_of(asrs, graph, as_measured);
+  const State state = initial_guess(measurements, as_measured, placement);
+  correction.initial_cost = correction.final_cost = 0.0;
+  const auto report = [&](const Measurements::Edge& edge, FactorKind kind) {
+    PoseEdge measured;
+    measured.from_from_to = edge.measured.from_from_to;
+    measured.information = information_of(edge.measured, options);
+    const auto chi_square_at = [&](const std::vector<Pose2>& poses) {
+      return chi_square(measured, poses[edge.from], poses[edge.to]);
+    };
+    correction.factors.push_back({kind, measurements.ids[edge.from], measurements.ids[edge.to],
+                                  chi_square_at(measurements.odom_from_asr),
+                                  chi_square_at(state.building_from_asr), 1.0});
+    correction.initial_cost += correction.factors.back().chi_square_before / 2.0;
+    correction.final_cost += correction.factors.back().chi_square_after / 2.0;
+  };
+  for (const auto& edge : measurements.driven) report(edge, FactorKind::odometry);
+  for (const auto& edge : measurements.recognised) report(edge, kind_of(edge.measured));
+  for (std::size_t i = 0; i < measurements.ids.size(); ++i) {
+    correction.asrs.push_back({measurements.ids[i], measurements.component[i],
+                               measurements.odom_from_asr[i], state.building_from_asr[i], 0.0, 0.0,
+                               0.0, 0.0});
+  }
+  align_with_walls(measurements, state, correction.asrs);
   fill_moves(correction.asrs);
   fill_causes(correction.factors, correction.asrs);
   return correction;

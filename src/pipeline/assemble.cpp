@@ -101,7 +101,7 @@ CorrectedGraph correct_from(const std::vector<Asr>& asrs, const Placement& known
   for (const PassageEdge& edge : recognise_doorways(asrs, known, options.recognise)) {
     add_edge(result.graph, edge);
   }
-  result.correction = correct(asrs, result.graph, options.correct, known);
+  result.correction = correct_to(asrs, result.graph, known, options.correct);
   return result;
 }
 
