@@ -10,10 +10,11 @@
 #include <thread>
 #include <vector>
 
-#include "pipeline/memory_mission.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/pipeline/pipeline.hpp"
 #include "roomatlas/simulate/explore.hpp"
+#include "support/memory_mission.hpp"
+#include "support/memory_store.hpp"
 
 namespace {
 
