@@ -24,9 +24,10 @@ constexpr double kProgressM = 0.1;
 constexpr double kProgressDeg = 15.0;
 constexpr double kPatienceS = 4.0;
 constexpr double kShuffleS = 1.0;
-constexpr double kCaughtM = 0.5;    // so far away it is free again
-constexpr int kCalmShuffles = 4;    // caught oftener in one place, it takes noisy echoes ...
-constexpr double kRelaxedM = 0.02;  // ... for so much farther than they seem
+constexpr double kCaughtM = 0.5;  // so far away it is free again
+constexpr int kCalmShuffles = 4;  // caught oftener in one place, it goes back
+constexpr double kLeastRetreatM = 0.15;
+constexpr double kRetreatM = 1.0;  // at most
 constexpr double kStuckM = 0.15;
 constexpr int kStuckGoals = 10;
 
@@ -50,45 +51,69 @@ Explorer::Explorer(const SimulationOptions& options)
 std::optional<Steering> Explorer::decide(const RangeReading& reading, const Pose2& map_from_robot,
                                          bool bumped) {
   const Point2 position = map_from_robot.position();
+  time_s_ += 1.0 / options_.rate_hz;
+  if (last_step_ && !bumped) trace_.add(*last_step_);
+  last_step_.reset();
   sense(reading, map_from_robot);
+  echoes_.add(reading, map_from_robot);
   follow_rooms(map_from_robot);
+  if (bumped || is_caught(map_from_robot)) get_away(bumped, position);
+  if (const auto back = step_back(position)) return back;
   if (goal_ && !renew(*goal_, position)) goal_.reset();
   if (!goal_) goal_ = next_goal(position);
   if (!goal_ || is_stuck_) return std::nullopt;
-  time_s_ += 1.0 / options_.rate_hz;
-  echoes_.add(reading, map_from_robot);
-  if (bumped) {
-    give_up(*goal_, position);
-    goal_.reset();
-    last_step_ = {-last_step_.turn_rad, -last_step_.length_m};
-  } else if (is_shuffling(map_from_robot)) {
-    last_step_ = shuffle(map_, echoes_.points_map(), map_from_robot, options_.footprint,
-                         shuffles_ % 2 == 1, limits_);
-  } else {
-    last_step_ =
-        steer(map_, echoes_.points_map(), map_from_robot, options_.footprint, goal_->way, limits_);
-  }
+  last_step_ = next_step(map_from_robot);
   return last_step_;
 }
 
-/// A robot that neither moves nor turns for a while is caught between its steps and what it
-/// avoids: it then goes a little way straight back, the next time straight ahead.
-bool Explorer::is_shuffling(const Pose2& map_from_robot) {
-  if (time_s_ < shuffle_end_s_) return true;
-  if ((map_from_robot.position() - caught_at_).norm() > kCaughtM) limits_.relaxed_m = 0.0;
+/// While it retreats: the next step of the way it came.
+std::optional<Steering> Explorer::step_back(const Point2& position) {
+  const double away_m = (position - caught_at_).norm();
+  const bool can_turn = !map_.is_tight(map_.frame().cell_of(position));
+  if (away_m > kRetreatM || (away_m > kLeastRetreatM && can_turn)) is_retreating_ = false;
+  const auto back = is_retreating_ ? trace_.take_back() : std::nullopt;
+  is_retreating_ = back.has_value();
+  return back;
+}
+
+Steering Explorer::next_step(const Pose2& map_from_robot) {
+  const std::vector<Point2> echoes_map = echoes_.points_map();
+  if (time_s_ < shuffle_end_s_) {
+    return shuffle(map_, echoes_map, map_from_robot, options_.footprint, shuffles_ % 2 == 1,
+                   limits_);
+  }
+  return steer(map_, echoes_map, map_from_robot, options_.footprint, goal_->way, limits_);
+}
+
+/// Whether the robot has neither moved nor turned for a while: it is caught between its steps and
+/// what it avoids.
+bool Explorer::is_caught(const Pose2& map_from_robot) {
   const Pose2 moved = inverse(last_progress_) * map_from_robot;
-  if (moved.position().norm() > kProgressM || std::abs(moved.theta_rad) > radians(kProgressDeg)) {
+  const bool is_getting_away = is_retreating_ || time_s_ < shuffle_end_s_;
+  if (is_getting_away || moved.position().norm() > kProgressM ||
+      std::abs(moved.theta_rad) > radians(kProgressDeg)) {
     last_progress_ = map_from_robot;
     progress_s_ = time_s_;
   }
-  if (time_s_ - progress_s_ < kPatienceS) return false;
-  if ((map_from_robot.position() - caught_at_).norm() > kCaughtM) caught_ = 0;
-  caught_at_ = map_from_robot.position();
-  limits_.relaxed_m = ++caught_ > kCalmShuffles ? kRelaxedM : 0.0;
+  return time_s_ - progress_s_ >= kPatienceS;
+}
+
+/// A robot that is caught goes a little way straight back, the next time straight ahead. Caught
+/// again and again in one place, or in contact, it goes back the way it came to where it can turn,
+/// and leaves its goal.
+void Explorer::get_away(bool bumped, const Point2& position) {
   progress_s_ = time_s_;
-  shuffle_end_s_ = time_s_ + kShuffleS;
-  ++shuffles_;
-  return true;
+  if ((position - caught_at_).norm() > kCaughtM) caught_ = 0;
+  caught_at_ = position;
+  if (!bumped && ++caught_ <= kCalmShuffles) {
+    shuffle_end_s_ = time_s_ + kShuffleS;
+    ++shuffles_;
+    return;
+  }
+  is_retreating_ = true;
+  if (!goal_) return;
+  if (bumped || !goal_->door || caught_ % kCalmShuffles == 0) give_up(*goal_, position);
+  goal_.reset();
 }
 
 void Explorer::sense(const RangeReading& reading, const Pose2& map_from_robot) {

@@ -42,7 +42,10 @@ class Explorer {
   void look_behind(const Pose2& map_from_robot);
   [[nodiscard]] std::optional<ExplorerRooms::Room> known_room_here(const Point2& position);
 
-  [[nodiscard]] bool is_shuffling(const Pose2& map_from_robot);
+  [[nodiscard]] std::optional<Steering> step_back(const Point2& position);
+  [[nodiscard]] Steering next_step(const Pose2& map_from_robot);
+  [[nodiscard]] bool is_caught(const Pose2& map_from_robot);
+  void get_away(bool bumped, const Point2& position);
   [[nodiscard]] std::optional<Goal> next_goal(const Point2& position);
   [[nodiscard]] std::optional<Goal> frontier_goal(const Point2& position);
   [[nodiscard]] std::optional<Goal> door_goal(ExplorerRooms::Door door, const Point2& position);
@@ -70,7 +73,9 @@ class Explorer {
   Polyline track_;  ///< where the robot has been lately
   Point2 last_moved_ = Point2::Zero();
   CloseEchoes echoes_;
-  Steering last_step_;
+  Trace trace_;
+  std::optional<Steering> last_step_;  ///< to be added to the trace, once made
+  bool is_retreating_ = false;
   Pose2 last_progress_;      ///< where the robot was when it last got on ...
   double progress_s_ = 0.0;  ///< ... and when
   double shuffle_end_s_ = 0.0;
