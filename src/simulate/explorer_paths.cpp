@@ -65,9 +65,9 @@ std::optional<Polyline> PathFinder::way(const ExplorerMap& map, const Point2& st
       return way;
     }
     for_each_cell({{x - 1, y - 1}, {x + 2, y + 2}}, [&, cost = cost_m](const Cell& next) {
-      if (next == cell || !box_.contains(next) || is_closed(next)) return;
+      if (next == cell || !box_.contains(next) || reached(next)) return;
       const float share = price(next);
-      if (share == 0.0F) return;
+      if (share == 0.0F || is_closed(next)) return;
       const double step_m = frame.cell_m * distance_cells(cell, next);
       open(next, cost + share * static_cast<float>(step_m), cell);
     });
