@@ -2,6 +2,7 @@
 #include "explorer_paths.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <queue>
 #include <tuple>
 
@@ -68,7 +69,8 @@ std::optional<Polyline> PathFinder::way(const ExplorerMap& map, const Point2& st
       if (next == cell || !box_.contains(next) || reached(next)) return;
       const float share = price(next);
       if (share == 0.0F || is_closed(next)) return;
-      const double step_m = frame.cell_m * distance_cells(cell, next);
+      const bool is_straight = next.x == cell.x || next.y == cell.y;
+      const double step_m = frame.cell_m * (is_straight ? 1.0 : std::numbers::sqrt2);
       open(next, cost + share * static_cast<float>(step_m), cell);
     });
   }
