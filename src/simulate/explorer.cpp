@@ -19,6 +19,7 @@ constexpr double kTrackEveryM = 0.05;
 constexpr std::size_t kAnchorEvery = 10;  // of the track's points
 constexpr double kLookBehindM = 0.6;      // both jambs have been seen by then
 constexpr double kDoorSkipM = 0.2;        // of the way ahead, beside the robot itself
+const Point2 kBefore{-1.0, 0.0};          // a point on this side of a door, seen from its line
 constexpr double kBeyondDoorM = 0.45;     // how far behind a door its way ends
 constexpr double kProgressM = 0.1;
 constexpr double kProgressDeg = 15.0;
@@ -157,9 +158,8 @@ void Explorer::look_behind(const Pose2& map_from_robot) {
   const auto doorway = seen_doorway(map_, at);
   if (!doorway) return;
   // The robot is beyond it already: the door belongs to the room where it was seen from.
-  const Point2 before = at * Point2(-1.0, 0.0);
   const auto doors = rooms_.doors().size();
-  if (!rooms_.add(*doorway, before)) return;
+  if (!rooms_.add(*doorway, at * kBefore)) return;
   const Point2 position = map_from_robot.position();
   rooms_.leave(doors, position, [&] { return known_room_here(position); });
   goal_.reset();
@@ -188,7 +188,17 @@ double Explorer::deadline_s(const Polyline& way) const {
   return time_s_ + 15.0 + 4.0 * length(way) / options_.speed_m_per_s;
 }
 
+/// When nothing is left, what was given up is tried once more: it may be clearer now.
 std::optional<Explorer::Goal> Explorer::next_goal(const Point2& position) {
+  auto goal = next_new_goal(position);
+  if (goal || has_tried_again_) return goal;
+  has_tried_again_ = true;
+  given_up_.clear();
+  rooms_.forget_failures();
+  return next_new_goal(position);
+}
+
+std::optional<Explorer::Goal> Explorer::next_new_goal(const Point2& position) {
   if (auto goal = frontier_goal(position)) return goal;
   for (const ExplorerRooms::Door door : rooms_.untaken()) {
     if (auto goal = door_goal(door, position)) return goal;
@@ -213,11 +223,15 @@ std::optional<Explorer::Goal> Explorer::frontier_goal(const Point2& position) {
 }
 
 /// A way that leaves through a doorway is no frontier of this room: the door is noted instead.
+/// Doorways behind a known door of this room are another room's.
 bool Explorer::find_doorway_on(const Polyline& way, const Point2& position) {
   for (std::size_t i = 0; i < way.size(); i += 2) {
-    if ((way[i] - position).norm() < kDoorSkipM || rooms_.door_at(way[i])) continue;
-    const auto doorway = seen_doorway(map_, pose_on(way, i));
-    if (doorway && rooms_.add(*doorway, position)) return true;
+    const auto known = rooms_.door_at(way[i]);
+    if (known && rooms_.is_here(*known) && rooms_.beyond_m(*known, way[i]) > 0.0) return false;
+    if (known || (way[i] - position).norm() < kDoorSkipM) continue;
+    const Pose2 at = pose_on(way, i);
+    const auto doorway = seen_doorway(map_, at);
+    if (doorway && rooms_.add(*doorway, at * kBefore)) return true;
   }
   return false;
 }
@@ -275,12 +289,22 @@ bool Explorer::is_done(const Goal& goal) const {
   return !is_wanted_frontier(map_.frame().cell_of(goal.way.back()));
 }
 
+/// A robot that came to behind a door without passing it has found a way around: it stands in the
+/// room on that side.
+bool Explorer::is_around(const Goal& goal, const Point2& position) {
+  if (!goal.door || zone_ || rooms_.beyond_m(*goal.door, position) < kBeyondDoorM / 2.0) {
+    return false;
+  }
+  rooms_.leave(*goal.door, position, [&] { return known_room_here(position); });
+  return true;
+}
+
 /// Finds the way anew now and then; false when the goal is given up.
 bool Explorer::renew(Goal& goal, const Point2& position) {
   const bool arrived = (goal.way.back() - position).norm() <= kAtGoalM;
   if (time_s_ < renew_s_ && !arrived) return true;
   renew_s_ = time_s_ + kRenewEveryS + kRenewShare * length(goal.way) / options_.speed_m_per_s;
-  if (is_done(goal)) return false;
+  if (is_done(goal) || (arrived && is_around(goal, position))) return false;
   if (time_s_ > goal.deadline_s || (arrived && !goal.door)) {
     give_up(goal, position);
     return false;

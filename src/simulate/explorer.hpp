@@ -47,6 +47,7 @@ class Explorer {
   [[nodiscard]] bool is_caught(const Pose2& map_from_robot);
   void get_away(bool bumped, const Point2& position);
   [[nodiscard]] std::optional<Goal> next_goal(const Point2& position);
+  [[nodiscard]] std::optional<Goal> next_new_goal(const Point2& position);
   [[nodiscard]] std::optional<Goal> frontier_goal(const Point2& position);
   [[nodiscard]] std::optional<Goal> door_goal(ExplorerRooms::Door door, const Point2& position);
   [[nodiscard]] std::optional<Polyline> way_through(ExplorerRooms::Door door,
@@ -56,6 +57,7 @@ class Explorer {
   [[nodiscard]] std::optional<Goal> leftover_goal(const Point2& position);
   bool find_doorway_on(const Polyline& way, const Point2& position);
   [[nodiscard]] bool is_done(const Goal& goal) const;
+  [[nodiscard]] bool is_around(const Goal& goal, const Point2& position);
   [[nodiscard]] bool renew(Goal& goal, const Point2& position);
   void give_up(const Goal& goal, const Point2& position);
   [[nodiscard]] bool is_wanted_frontier(const Cell& cell) const;
@@ -86,6 +88,7 @@ class Explorer {
   double renew_s_ = 0.0;
   std::int64_t goals_given_up_ = 0;
   int given_up_here_ = 0;  ///< without moving
+  bool has_tried_again_ = false;
   bool is_stuck_ = false;
 };
 
