@@ -63,6 +63,8 @@ class Explorer {
   [[nodiscard]] bool is_wanted_frontier(const Cell& cell) const;
   [[nodiscard]] double deadline_s(const Polyline& way) const;
 
+  static constexpr double kStuckM = 0.15;  ///< a robot that moved less is where it was
+
   SimulationOptions options_;
   SteeringLimits limits_;
   ExplorerMap map_;

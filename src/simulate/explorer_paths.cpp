@@ -2,6 +2,7 @@
 #include "explorer_paths.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <queue>
 #include <tuple>
@@ -14,6 +15,15 @@ constexpr float kImpassablePrice = 20.0F;
 constexpr float kTightPrice = 8.0F;
 
 }  // namespace
+
+Pose2 pose_on_way(const Polyline& way, std::size_t i) {
+  constexpr std::size_t kReach = 5;
+  const Point2& from = way[i - std::min(i, kReach)];
+  const Point2& to = way[std::min(i + kReach, way.size() - 1)];
+  return {way[i].x(), way[i].y(), std::atan2(to.y() - from.y(), to.x() - from.x())};
+}
+
+Point2 a_metre_before(const Pose2& map_from_way) { return map_from_way * Point2(-1.0, 0.0); }
 
 void PathFinder::follow(const CellBox& box) {
   if (box.min == box_.min && box.max == box_.max) return;
