@@ -42,7 +42,6 @@ class PlacedGraph {
                   const Eigen::Matrix3d& information) {
     graph_.edges.push_back({static_cast<std::int32_t>(from), static_cast<std::int32_t>(to),
                             EdgeKind::odometry, pose, information, 0.0});
-    ++driven_;
   }
   void add(std::size_t from, std::size_t to, const MapMatch& match) {
     graph_.edges.push_back({static_cast<std::int32_t>(from), static_cast<std::int32_t>(to),
@@ -78,12 +77,10 @@ class PlacedGraph {
     return inverse(graph_.guess[pair.first]) * graph_.guess[pair.second];
   }
   [[nodiscard]] const Pose2& pose(std::size_t i) const { return graph_.guess[i]; }
-  [[nodiscard]] std::size_t size() const { return graph_.ids.size(); }
 
  private:
   double robust_sigmas_;
   PoseGraph graph_;
-  std::size_t driven_ = 0;
 };
 
 SearchWindow window_of(const Uncertainty& between, const ClosureOptions& options) {
