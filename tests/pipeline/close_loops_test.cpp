@@ -82,7 +82,7 @@ TEST(CloseLoops, AcceptsClosuresThatAreTrue) {
   int wrong = 0;
   for (const Closure& closure : mission.assembly.closures) {
     EXPECT_LT(closure.from, closure.to);
-    if (!closure.accepted) continue;
+    if (closure.verdict != ClosureVerdict::accepted) continue;
     ++accepted;
     const Pose2 off = inverse(closure.match.first_from_second) *
                       inverse(world_from_asr.at(closure.from)) * world_from_asr.at(closure.to);
@@ -101,7 +101,7 @@ TEST(CloseLoops, EachAcceptedClosureIsAnEdgeOfTheGraphAndAFactor) {
   }
   std::size_t accepted = 0;
   for (const Closure& closure : assembly.closures) {
-    if (!closure.accepted) continue;
+    if (closure.verdict != ClosureVerdict::accepted) continue;
     ++accepted;
     const auto edge = matched.find({closure.from, closure.to});
     ASSERT_NE(edge, matched.end());
@@ -127,7 +127,7 @@ TEST(CloseLoops, GivesTheSameBitsTwice) {
     const Closure& b = mission.assembly.closures[i];
     EXPECT_EQ(a.match.first_from_second, b.match.first_from_second);
     EXPECT_EQ(a.match.information, b.match.information);
-    EXPECT_EQ(a.accepted, b.accepted);
+    EXPECT_EQ(a.verdict, b.verdict);
   }
   EXPECT_EQ(placement_of(again.correction), placement_of(mission.assembly.correction));
 }
