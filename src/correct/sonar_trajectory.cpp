@@ -222,6 +222,17 @@ SonarTrajectory correct_sonar_trajectory(Readings readings, const SonarTrajector
     idea.attempt = std::move(attempt);
     best = std::move(idea);
   }
+  {  // where walls have no common direction, odometry's own headings are better than any found
+    Idea plain = idea_of(readings, directions, {}, 1.0, options);
+    plain.chain.correction_rad.assign(plain.chain.correction_rad.size(), 0.0);
+    plain.attempt = solve(readings, directions, plain.problem, "odometry's headings",
+                          plain.chain.correction_rad, options);
+    result.variants.push_back(plain.attempt.variant);
+    if (is_better(plain.attempt, best->attempt)) {
+      result.chosen = result.variants.size() - 1;
+      best = std::move(plain);
+    }
+  }
   if (options.repair_slips) repair_slips(readings, directions, options, *best, result);
   result.habits = best->habits;
   result.log_evidence = best->chain.log_evidence;
