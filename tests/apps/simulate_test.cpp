@@ -131,7 +131,7 @@ TEST(Simulate, ARandomBuildingIsAStoreThatAssembleTakes) {
   const Outcome judged = run("-q --json evaluate " + (folder / "a" / "building.gpkg").string() +
                              " --truth " + (folder / "a" / "truth.geojson").string());
   ASSERT_EQ(judged.exit_code, 0) << judged.err;
-  EXPECT_EQ(Json::parse(judged.out)["plan"]["true_rooms"], 12);
+  EXPECT_EQ(Json::parse(judged.out)["plans"][0]["plan"]["true_rooms"], 12);
 }
 
 TEST(Simulate, ARandomBuildingOfTheSameSeedHasTheSameBytes) {
