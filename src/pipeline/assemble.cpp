@@ -5,6 +5,7 @@
 
 #include "close_loops.hpp"
 #include "load.hpp"
+#include "map_building.hpp"
 #include "record_again.hpp"
 #include "roomatlas/pipeline/pipeline.hpp"
 
@@ -170,6 +171,27 @@ Polygon outline_cut_at_doors(const AsrSource& source, const Asr& asr, RoomId roo
   return map_room(whole.path, whole.readings, exits, footprint, options.record.map).outline;
 }
 
+/// Rooms where the readings were not kept, or are not where the robot was: from the ASRs' outlines.
+MappedBuilding rooms_by_outlines(const AsrSource& source, const std::vector<Asr>& asrs,
+                                 const RoomGraph& graph, const Placement& placement,
+                                 const RobotFootprint& footprint, const AssembleOptions& options,
+                                 const Progress& progress) {
+  MappedBuilding building;
+  building.room_of_asr = assign_rooms(asrs, graph, placement, options.rooms);
+  building.doors = doors_of(asrs, graph, placement, building.room_of_asr);
+  const DoorsOfRooms doors_of_rooms = by_room(building.doors);
+  for (const Asr& asr : asrs) {
+    report(progress, "outline",
+           static_cast<double>(building.outlines.size()) / static_cast<double>(asrs.size()));
+    const RoomId room = building.room_of_asr.at(asr.id);
+    const Pose2& building_from_asr = placement.at(asr.id);
+    const Polygon outline = outline_cut_at_doors(source, asr, room, building_from_asr,
+                                                 doors_of_rooms, footprint, options);
+    building.outlines.push_back({asr.id, room, transformed(building_from_asr, outline)});
+  }
+  return building;
+}
+
 /// Everything after the rooms are as true as they will be.
 /// @param known where the ASRs are known to be already; may be empty
 Assembly assemble_rooms(const AsrSource& source, const Placement& known,
@@ -189,27 +211,19 @@ Assembly assemble_rooms(const AsrSource& source, const Placement& known,
   assembly.correction = std::move(corrected.correction);
   const Placement placement = placement_of(assembly.correction);
 
-  assembly.room_of_asr = assign_rooms(asrs, assembly.graph, placement, options.rooms);
+  MappedBuilding building = can_map_building(source, asrs)
+                                ? map_building(source, placement, footprint, options, progress)
+                                : rooms_by_outlines(source, asrs, assembly.graph, placement,
+                                                    footprint, options, progress);
+  assembly.room_of_asr = std::move(building.room_of_asr);
   set_rooms(assembly.graph, assembly.room_of_asr);
-  assembly.doors = doors_of(asrs, assembly.graph, placement, assembly.room_of_asr);
-
-  const DoorsOfRooms doors_of_rooms = by_room(assembly.doors);
-  std::vector<PlacedOutline> outlines;
-  for (const Asr& asr : asrs) {
-    report(progress, "outline",
-           static_cast<double>(outlines.size()) / static_cast<double>(asrs.size()));
-    const RoomId room = assembly.room_of_asr.at(asr.id);
-    const Pose2& building_from_asr = placement.at(asr.id);
-    const Polygon outline = outline_cut_at_doors(source, asr, room, building_from_asr,
-                                                 doors_of_rooms, footprint, options);
-    outlines.push_back({asr.id, room, transformed(building_from_asr, outline)});
-  }
+  assembly.doors = std::move(building.doors);
   std::vector<PlacedDoor> doors;
   for (const BuildingDoor& door : assembly.doors) {
     doors.push_back({jambs_of(door), door.room_a, door.room_b});
   }
   report(progress, "merge", 0.0);
-  assembly.plan = merge(outlines, doors, options.merge);
+  assembly.plan = merge(building.outlines, doors, options.merge);
   return assembly;
 }
 

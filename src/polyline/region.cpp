@@ -67,6 +67,16 @@ CellEdge next_edge(const CellMask& mask, const CellEdge& edge) {
 
 std::int64_t CellMask::count() const { return std::count(bits.begin(), bits.end(), 1); }
 
+CellMask both(CellMask first, const CellMask& second) {
+  for (std::size_t i = 0; i < first.bits.size(); ++i) first.bits[i] &= second.bits[i];
+  return first;
+}
+
+CellMask either(CellMask first, const CellMask& second) {
+  for (std::size_t i = 0; i < first.bits.size(); ++i) first.bits[i] |= second.bits[i];
+  return first;
+}
+
 CellMask dilated(const CellMask& mask, int radius) {
   return dilated_along(dilated_along(mask, {1, 0}, radius), {0, 1}, radius);
 }

@@ -17,6 +17,7 @@
 #include "roomatlas/graph/closures.hpp"
 #include "roomatlas/graph/doors.hpp"
 #include "roomatlas/graph/recognise.hpp"
+#include "roomatlas/graph/segment_rooms.hpp"
 #include "roomatlas/match/dead_reckoner.hpp"
 #include "roomatlas/merge/merge.hpp"
 #include "roomatlas/mission/mission.hpp"
@@ -50,7 +51,8 @@ struct AssembleOptions {
   bool match_rooms = true;  ///< match localized rooms by their walls; off: doorways alone
   ClosureOptions closures;
   RecogniseOptions recognise;
-  RoomOptions rooms;
+  RoomOptions rooms;       ///< where rooms are decided by the ASRs' outlines
+  SegmentOptions segment;  ///< where they are decided by everything that the mission saw
   CorrectOptions correct;
   MergeOptions merge;
   RecorderOptions record;  ///< for mapping rooms again once more is known

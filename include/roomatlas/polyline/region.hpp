@@ -24,6 +24,9 @@ struct CellMask {
   [[nodiscard]] std::int64_t count() const;
 };
 
+/// Cells of both, or of either, of two masks of one box.
+[[nodiscard]] CellMask both(CellMask first, const CellMask& second);
+[[nodiscard]] CellMask either(CellMask first, const CellMask& second);
 /// Cells within `radius` cells (a square) of the mask; the box stays.
 [[nodiscard]] CellMask dilated(const CellMask& mask, int radius);
 /// Cells whose square of `radius` lies in the mask; outside of the box counts as outside.

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/graph/openings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "place_index.hpp"
+
+namespace roomatlas {
+namespace {
+
+constexpr int kHeadings = 24;            // chord directions in a half turn
+constexpr double kMinChordM = 0.35;      // narrower does not let a robot through
+constexpr double kOffCenterM = 0.11;     // a chord is measured from near its mid-point
+constexpr double kPassableM = 0.45;      // each way across the chord
+constexpr double kSideReachM = 1.5;      // how wide the space beside a chord is measured
+constexpr double kJambSlackM = 0.2;      // beyond a jamb the space is wider by this ...
+constexpr double kJambSlope = 0.5;       // ... and this for each metre from the chord
+constexpr double kBesideM = 0.8;         // how far beyond a jamb wall is asked for
+constexpr double kBesideBandM = 0.2;     // a wall may be this far off the chord's line
+constexpr double kOneOpeningM = 0.7;     // chords this near are of one opening
+constexpr double kAsNarrowM = 0.1;       // the best chord of an opening is this near its narrowest
+
+struct Chord {
+  Opening opening;
+  double width_m = 0.0;
+  bool is_opening = false;
+};
+
+class Chords {
+ public:
+  Chords(const BuildingGrid& grid, const OpeningOptions& options)
+      : grid_(grid), options_(options), step_m_(grid.frame.cell_m / 2.0) {}
+
+  [[nodiscard]] std::optional<Chord> narrowest_at(const Point2& at) const {
+    std::optional<Chord> best;
+    const double reach_m = options_.max_width_m / 2.0 + kOffCenterM;
+    for (int i = 0; i < kHeadings; ++i) {
+      const double heading_rad = kPi * i / kHeadings;
+      const Point2 left = direction(heading_rad + kPi / 2.0);
+      const auto to_left_m = obstacle_along(at, left, reach_m);
+      if (!to_left_m) continue;
+      const auto to_right_m = obstacle_along(at, -left, reach_m);
+      if (!to_right_m || std::abs(*to_left_m - *to_right_m) > kOffCenterM) continue;
+      const double width_m = *to_left_m + *to_right_m;
+      if (best && width_m > best->width_m - 1e-9) continue;
+      best = Chord{{{at + *to_left_m * left, at - *to_right_m * left}, heading_rad}, width_m};
+    }
+    if (!best || best->width_m < kMinChordM || best->width_m > options_.max_width_m ||
+        !can_be_crossed(best->opening)) {
+      return std::nullopt;
+    }
+    best->is_opening = is_opening(best->opening);
+    return best;
+  }
+
+ private:
+  /// Distance along `along` to the first obstacle; nothing within `reach_m`.
+  [[nodiscard]] std::optional<double> obstacle_along(const Point2& from, const Point2& along,
+                                                     double reach_m) const {
+    for (double at_m = step_m_; at_m <= reach_m; at_m += step_m_) {
+      if (grid_.obstacle.at(grid_.frame.cell_of(from + at_m * along))) return at_m;
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] bool can_be_crossed(const Opening& opening) const {
+    const Point2 along = direction(opening.heading_rad);
+    for (double off_m = -kPassableM; off_m <= kPassableM; off_m += step_m_) {
+      if (!grid_.passable.at(grid_.frame.cell_of(opening.middle() + off_m * along))) return false;
+    }
+    return true;
+  }
+
+  /// The space on one side of a chord.
+  struct Side {
+    double width_m = 0.0;
+    bool wider_left = false;
+    bool wider_right = false;
+  };
+  [[nodiscard]] Side side_of(const Opening& opening, double sign) const {
+    const Point2 along = sign * direction(opening.heading_rad);
+    const Point2 left = direction(opening.heading_rad + kPi / 2.0);
+    Side side;
+    for (double off_m = 0.4; off_m < 0.85; off_m += 0.1) {
+      const Point2 at = opening.middle() + off_m * along;
+      if (!grid_.passable.at(grid_.frame.cell_of(at))) continue;
+      const double to_left_m = obstacle_along(at, left, kSideReachM).value_or(kSideReachM);
+      const double to_right_m = obstacle_along(at, -left, kSideReachM).value_or(kSideReachM);
+      const double wider_m = opening.width_m() / 2.0 + kJambSlackM + kJambSlope * off_m;
+      side.width_m = std::max(side.width_m, to_left_m + to_right_m);
+      side.wider_left |= to_left_m > wider_m;
+      side.wider_right |= to_right_m > wider_m;
+    }
+    return side;
+  }
+
+  /// Share of the chord's line beyond a jamb that is not free.
+  [[nodiscard]] double share_beside(const Opening& opening, const Point2& jamb) const {
+    const Point2 outward = (jamb - opening.middle()).normalized();
+    const Point2 across(-outward.y(), outward.x());
+    int asked = 0;
+    int open = 0;
+    for (double off_m = 0.1; off_m <= kBesideM; off_m += 0.1) {
+      bool all_free = true;
+      for (double band_m = -kBesideBandM; band_m <= kBesideBandM; band_m += step_m_) {
+        all_free &= grid_.free.at(grid_.frame.cell_of(jamb + off_m * outward + band_m * across));
+      }
+      ++asked;
+      open += all_free ? 1 : 0;
+    }
+    return 1.0 - static_cast<double>(open) / asked;
+  }
+
+  [[nodiscard]] bool is_opening(const Opening& opening) const {
+    const double width_m = opening.width_m();
+    if (width_m < options_.min_width_m) return false;
+    const Side ahead = side_of(opening, 1.0);
+    const Side behind = side_of(opening, -1.0);
+    const double needed_m = width_m + options_.widening_m;
+    if (ahead.width_m < needed_m || behind.width_m < needed_m) return false;
+    const bool has_both_jambs =
+        (ahead.wider_left && ahead.wider_right) || (behind.wider_left && behind.wider_right);
+    return has_both_jambs &&
+           share_beside(opening, opening.jambs.a) >= options_.min_beside_share &&
+           share_beside(opening, opening.jambs.b) >= options_.min_beside_share;
+  }
+
+  const BuildingGrid& grid_;
+  const OpeningOptions& options_;
+  const double step_m_;
+};
+
+/// Of chords that are near each other the narrowest decides: one opening or none.
+std::vector<Opening> one_a_place(std::vector<Chord> chords) {
+  std::stable_sort(chords.begin(), chords.end(),
+                   [](const Chord& a, const Chord& b) { return a.width_m < b.width_m; });
+  PlaceIndex places;
+  for (std::size_t i = 0; i < chords.size(); ++i) {
+    places.add(i, box_around(chords[i].opening.middle(), 0.0));
+  }
+  std::vector<Opening> openings;
+  std::vector<bool> is_taken(chords.size(), false);
+  for (std::size_t first = 0; first < chords.size(); ++first) {
+    if (is_taken[first]) continue;
+    const Point2 place = chords[first].opening.middle();
+    const Chord* best = nullptr;
+    for (const std::size_t i : places.near(box_around(place, kOneOpeningM))) {
+      const Chord& chord = chords[i];
+      if (is_taken[i] || (chord.opening.middle() - place).norm() > kOneOpeningM) continue;
+      is_taken[i] = true;
+      const bool is_narrow = chord.width_m <= chords[first].width_m + kAsNarrowM;
+      if (best == nullptr && chord.is_opening && is_narrow) best = &chord;
+    }
+    if (best != nullptr) openings.push_back(best->opening);
+  }
+  return openings;
+}
+
+}  // namespace
+
+std::vector<Opening> find_openings(const BuildingGrid& grid, const OpeningOptions& options) {
+  const Chords chords(grid, options);
+  const int reach_cells =
+      static_cast<int>(std::ceil((options.max_width_m / 2.0 + kOffCenterM) / grid.frame.cell_m));
+  const CellMask near_obstacle = dilated(grid.obstacle, reach_cells);
+  std::vector<Chord> found;
+  for_each_cell(grid.passable.box, [&](const Cell& cell) {
+    if (!grid.passable.at(cell) || !near_obstacle.at(cell)) return;
+    if (const auto chord = chords.narrowest_at(grid.frame.center_of(cell))) found.push_back(*chord);
+  });
+  return one_a_place(std::move(found));
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "map_building.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "roomatlas/asr/trace_outline.hpp"
+
+namespace roomatlas {
+namespace {
+
+constexpr double kHalfPassageM = 0.3;  // what is seen through narrower gaps is not the room's
+constexpr double kRegrowM = 0.3;       // gives back what the margin and the opening took
+
+/// The mission as one map and one path.
+struct PlacedReadings {
+  ReflectionMap map;
+  std::vector<Pose2> building_from_robot;
+  std::vector<AsrId> asr_of_pose;
+};
+
+PlacedReadings placed_readings(const AsrSource& source, const Placement& placement,
+                               const AssembleOptions& options, const Progress& progress) {
+  PlacedReadings placed{ReflectionMap(options.segment.grid.cell_m), {}, {}};
+  const RayOptions rays = ray_options(options.record.map);
+  std::int64_t ignored = 0;  // counted when each room was mapped
+  std::optional<Pose2> last;
+  const std::vector<AsrId> ids = source.ids();
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (progress && !progress("map building", static_cast<double>(i) / static_cast<double>(ids.size()))) {
+      throw Interrupted("interrupted while assembling");
+    }
+    const Asr asr = source.get(ids[i], AsrDetail::readings);
+    for (std::size_t k = 0; k < asr.path.size(); ++k) {
+      const Pose2 pose = placement.at(asr.id) * asr.path[k].asr_from_robot;
+      placed.building_from_robot.push_back(pose);
+      placed.asr_of_pose.push_back(asr.id);
+      if (last && !moved_enough(*last, pose, options.record.map)) continue;
+      last = pose;
+      placed.map.add_sweep(rays_of(asr.readings[k], pose, rays, ignored));
+    }
+  }
+  return placed;
+}
+
+std::map<AsrId, RoomId> rooms_of_asrs(const PlacedReadings& placed,
+                                      const std::vector<RoomId>& room_of_pose) {
+  std::map<AsrId, std::map<RoomId, int>> votes;
+  for (std::size_t i = 0; i < room_of_pose.size(); ++i) {
+    ++votes[placed.asr_of_pose[i]][room_of_pose[i]];
+  }
+  std::map<AsrId, RoomId> room_of;
+  for (const auto& [asr, rooms] : votes) {
+    room_of[asr] = std::max_element(rooms.begin(), rooms.end(), [](const auto& a, const auto& b) {
+                     return a.second < b.second;
+                   })->first;
+  }
+  return room_of;
+}
+
+/// The doors in the order in which the robot first went through them, then those it only saw.
+std::vector<BuildingDoor> doors_of(const PlacedReadings& placed, const RoomSegmentation& rooms) {
+  struct Found {
+    BuildingDoor door;
+    std::size_t first_pose = 0;
+  };
+  std::vector<Found> found;
+  for (const RoomOpening& opening : rooms.openings) {
+    if (!opening.is_door()) continue;
+    const Point2 middle = opening.opening.middle();
+    Found& next = found.emplace_back();
+    next.first_pose = placed.building_from_robot.size();
+    next.door.building_from_pivot = {middle.x(), middle.y(), opening.opening.heading_rad};
+    next.door.width_m = opening.opening.width_m();
+    next.door.room_a = opening.behind;
+    next.door.room_b = opening.ahead;
+  }
+  for (std::size_t i = 1; i < rooms.room_of_pose.size(); ++i) {
+    const RoomId from = rooms.room_of_pose[i - 1];
+    const RoomId to = rooms.room_of_pose[i];
+    if (from == to) continue;
+    const Segment2 step{placed.building_from_robot[i - 1].position(),
+                        placed.building_from_robot[i].position()};
+    for (Found& one : found) {
+      if (std::minmax(one.door.room_a, one.door.room_b) != std::minmax(from, to)) continue;
+      const Segment2 jambs = jambs_of(one.door);
+      if (!crossing_fraction(step, jambs)) continue;
+      one.first_pose = std::min(one.first_pose, i);
+      one.door.crossings.push_back(placed.asr_of_pose[i]);
+      break;
+    }
+  }
+  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+    return a.first_pose < b.first_pose;
+  });
+  std::vector<BuildingDoor> doors;
+  for (Found& one : found) doors.push_back(std::move(one.door));
+  return doors;
+}
+
+/// The cells of one room, without what is seen of other places through narrow gaps.
+CellMask region_of(RoomId room, const RoomSegmentation& rooms, const BuildingGrid& grid,
+                   const CellMask& on_path) {
+  const auto cells = [&](double length_m) {
+    return static_cast<int>(std::lround(length_m / grid.frame.cell_m));
+  };
+  CellBox box{rooms.box.max, rooms.box.min};
+  for_each_cell(rooms.box, [&](const Cell& cell) {
+    if (rooms.at(cell) != room) return;
+    box.min = {std::min(box.min.x, cell.x), std::min(box.min.y, cell.y)};
+    box.max = {std::max(box.max.x, cell.x + 1), std::max(box.max.y, cell.y + 1)};
+  });
+  const int border = cells(kRegrowM) + 1;
+  box = {{box.min.x - border, box.min.y - border}, {box.max.x + border, box.max.y + border}};
+  CellMask own(box);
+  CellMask may_grow(box);
+  CellMask around_path(box);
+  std::vector<Cell> seeds;
+  for_each_cell(box, [&](const Cell& cell) {
+    const RoomId here = rooms.at(cell);
+    own.set(cell, here == room);
+    may_grow.set(cell, here == room || (here == 0 && grid.free.at(cell)));
+    if (here != room || !on_path.at(cell)) return;
+    around_path.set(cell, true);
+    seeds.push_back(cell);
+  });
+  const int half = cells(kHalfPassageM);
+  const CellMask wide = both(dilated(eroded(own, half), half), own);
+  const CellMask region = connected_to(either(wide, both(dilated(around_path, half), own)), seeds);
+  return connected_to(both(dilated(region, cells(kRegrowM)), may_grow), seeds);
+}
+
+/// The outline of each room that has one.
+std::vector<PlacedOutline> outlines_of(const PlacedReadings& placed, const BuildingGrid& grid,
+                                       const RoomSegmentation& rooms,
+                                       const std::map<AsrId, RoomId>& room_of_asr,
+                                       const std::vector<BuildingDoor>& doors,
+                                       const AssembleOptions& options) {
+  CellMask on_path(rooms.box);
+  for (const Pose2& pose : placed.building_from_robot) {
+    on_path.set(grid.frame.cell_of(pose.position()), true);
+  }
+  const auto is_wall = [&](const Cell& cell) { return grid.obstacle.at(cell); };
+  const WallNear wall_near = [&](const Cell& outside) -> std::optional<Point2> {
+    const std::optional<Cell> wall = nearest_wall_cell(outside, is_wall);
+    return wall ? std::optional<Point2>(placed.map.mean_hit(*wall)) : std::nullopt;
+  };
+  const auto hole_cells = static_cast<std::int64_t>(
+      options.record.map.min_hole_m2 / (grid.frame.cell_m * grid.frame.cell_m));
+  std::vector<PlacedOutline> outlines;
+  for (RoomId room = 1; room <= rooms.rooms; ++room) {
+    std::vector<Point2> jambs;
+    for (const BuildingDoor& door : doors) {
+      if (door.room_a != room && door.room_b != room) continue;
+      const Segment2 ends = jambs_of(door);
+      jambs.insert(jambs.end(), {ends.a, ends.b});
+    }
+    const auto first = std::find_if(room_of_asr.begin(), room_of_asr.end(),
+                                    [&](const auto& entry) { return entry.second == room; });
+    const CellMask region = holes_filled(region_of(room, rooms, grid, on_path), hole_cells);
+    outlines.push_back({first != room_of_asr.end() ? first->first : 0, room,
+                        trace_outline(region, grid.frame, wall_near, jambs, options.record.map)});
+  }
+  return outlines;
+}
+
+}  // namespace
+
+bool can_map_building(const AsrSource& source, const std::vector<Asr>& asrs) {
+  return std::all_of(asrs.begin(), asrs.end(), [](const Asr& asr) { return asr.is_localized; }) &&
+         !source.get(asrs.front().id, AsrDetail::readings).readings.empty();
+}
+
+MappedBuilding map_building(const AsrSource& source, const Placement& placement,
+                            const RobotFootprint& footprint, const AssembleOptions& options,
+                            const Progress& progress) {
+  const PlacedReadings placed = placed_readings(source, placement, options, progress);
+  const BuildingGrid grid =
+      building_grid(placed.map, placed.building_from_robot, footprint, options.segment.grid);
+  const RoomSegmentation rooms = segment_rooms(grid, placed.building_from_robot, options.segment);
+  MappedBuilding building;
+  building.room_of_asr = rooms_of_asrs(placed, rooms.room_of_pose);
+  building.doors = doors_of(placed, rooms);
+  building.outlines =
+      outlines_of(placed, grid, rooms, building.room_of_asr, building.doors, options);
+  return building;
+}
+
+}  // namespace roomatlas
