@@ -16,6 +16,7 @@ constexpr double kNodeM = 0.3;          // path nearer than this to an earlier p
 constexpr double kSightMarginM = 0.25;  // a line of sight has this much free on both sides
 constexpr double kBeyondJambM = 0.15;   // an opening's line reaches this far into its jambs
 constexpr double kCutBeyondM = 0.2;     // the same for cells
+constexpr double kHalfPassageM = 0.3;   // what is seen through narrower gaps is not the room's
 constexpr int kMostRounds = 50;
 
 /// Sets of numbers that belong together.
@@ -162,6 +163,19 @@ class Places {
   std::ptrdiff_t driven_links_ = 0;  ///< of `links_`, the first so many
 };
 
+/// Free space that is wide enough to be part of a room, or that the robot drove through.
+CellMask roomy(const BuildingGrid& grid, const std::vector<Pose2>& path) {
+  CellMask on_path(grid.passable.box);
+  std::vector<Cell> seeds;
+  for (const Pose2& pose : path) {
+    seeds.push_back(grid.frame.cell_of(pose.position()));
+    on_path.set(seeds.back(), true);
+  }
+  const int half = static_cast<int>(std::lround(kHalfPassageM / grid.frame.cell_m));
+  const CellMask wide = dilated(eroded(grid.passable, half), half);
+  return connected_to(both(either(wide, dilated(on_path, half)), grid.passable), seeds);
+}
+
 /// The rooms while some openings are closed.
 class Rooms {
  public:
@@ -171,6 +185,7 @@ class Rooms {
         path_(path),
         openings_(openings),
         options_(options),
+        roomy_(roomy(grid, path)),
         places_(grid, path, openings, options.see_m),
         is_closed_(openings.size(), true) {
     for (std::size_t i = 0; i < openings.size(); ++i) {
@@ -209,10 +224,10 @@ class Rooms {
     return result;
   }
 
-  /// Free space that a robot could go to goes to the room from which it is reached first.
+  /// Roomy space goes to the room from which it is reached first.
   void fill(RoomSegmentation& result) const {
     result.room_of_cell.assign(result.box.count(), 0);
-    CellMask open = grid_.passable;
+    CellMask open = roomy_;
     for (std::size_t i = 0; i < openings_.size(); ++i) {
       if (is_closed_[i]) cut(open, openings_[i]);
     }
@@ -249,7 +264,7 @@ class Rooms {
   [[nodiscard]] RoomId beside(const RoomSegmentation& rooms, const Opening& opening,
                               double sign) const {
     const Point2 along = sign * direction(opening.heading_rad);
-    for (double off_m = 0.2; off_m < 0.5; off_m += grid_.frame.cell_m / 2.0) {
+    for (double off_m = 0.2; off_m < 0.6; off_m += grid_.frame.cell_m / 2.0) {
       const RoomId room = rooms.at(grid_.frame.cell_of(opening.middle() + off_m * along));
       if (room != 0) return room;
     }
@@ -286,6 +301,7 @@ class Rooms {
   const std::vector<Pose2>& path_;
   const std::vector<Opening>& openings_;
   const SegmentOptions& options_;
+  const CellMask roomy_;
   const Places places_;
   std::vector<bool> is_closed_;
 };

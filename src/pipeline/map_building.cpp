@@ -10,8 +10,7 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kHalfPassageM = 0.3;  // what is seen through narrower gaps is not the room's
-constexpr double kRegrowM = 0.3;       // gives back what the margin and the opening took
+constexpr double kRegrowM = 0.3;       // gives back what margins took
 
 /// The mission as one map and one path.
 struct PlacedReadings {
@@ -99,36 +98,26 @@ std::vector<BuildingDoor> doors_of(const PlacedReadings& placed, const RoomSegme
   return doors;
 }
 
-/// The cells of one room, without what is seen of other places through narrow gaps.
-CellMask region_of(RoomId room, const RoomSegmentation& rooms, const BuildingGrid& grid,
-                   const CellMask& on_path) {
-  const auto cells = [&](double length_m) {
-    return static_cast<int>(std::lround(length_m / grid.frame.cell_m));
-  };
+/// The cells of one room, grown to the walls around it.
+CellMask region_of(RoomId room, const RoomSegmentation& rooms, const BuildingGrid& grid) {
+  const int grow_cells = static_cast<int>(std::lround(kRegrowM / grid.frame.cell_m));
   CellBox box{rooms.box.max, rooms.box.min};
   for_each_cell(rooms.box, [&](const Cell& cell) {
     if (rooms.at(cell) != room) return;
     box.min = {std::min(box.min.x, cell.x), std::min(box.min.y, cell.y)};
     box.max = {std::max(box.max.x, cell.x + 1), std::max(box.max.y, cell.y + 1)};
   });
-  const int border = cells(kRegrowM) + 1;
-  box = {{box.min.x - border, box.min.y - border}, {box.max.x + border, box.max.y + border}};
-  CellMask own(box);
+  box.min = {box.min.x - grow_cells - 1, box.min.y - grow_cells - 1};
+  box.max = {box.max.x + grow_cells + 1, box.max.y + grow_cells + 1};
+  CellMask region(box);
   CellMask may_grow(box);
-  CellMask around_path(box);
-  std::vector<Cell> seeds;
   for_each_cell(box, [&](const Cell& cell) {
     const RoomId here = rooms.at(cell);
-    own.set(cell, here == room);
+    region.set(cell, here == room);
     may_grow.set(cell, here == room || (here == 0 && grid.free.at(cell)));
-    if (here != room || !on_path.at(cell)) return;
-    around_path.set(cell, true);
-    seeds.push_back(cell);
   });
-  const int half = cells(kHalfPassageM);
-  const CellMask wide = both(dilated(eroded(own, half), half), own);
-  const CellMask region = connected_to(either(wide, both(dilated(around_path, half), own)), seeds);
-  return connected_to(both(dilated(region, cells(kRegrowM)), may_grow), seeds);
+  for (int step = 0; step < grow_cells; ++step) region = both(dilated(region, 1), may_grow);
+  return region;
 }
 
 /// The outline of each room that has one.
@@ -137,10 +126,6 @@ std::vector<PlacedOutline> outlines_of(const PlacedReadings& placed, const Build
                                        const std::map<AsrId, RoomId>& room_of_asr,
                                        const std::vector<BuildingDoor>& doors,
                                        const AssembleOptions& options) {
-  CellMask on_path(rooms.box);
-  for (const Pose2& pose : placed.building_from_robot) {
-    on_path.set(grid.frame.cell_of(pose.position()), true);
-  }
   const auto is_wall = [&](const Cell& cell) { return grid.obstacle.at(cell); };
   const WallNear wall_near = [&](const Cell& outside) -> std::optional<Point2> {
     const std::optional<Cell> wall = nearest_wall_cell(outside, is_wall);
@@ -158,7 +143,7 @@ std::vector<PlacedOutline> outlines_of(const PlacedReadings& placed, const Build
     }
     const auto first = std::find_if(room_of_asr.begin(), room_of_asr.end(),
                                     [&](const auto& entry) { return entry.second == room; });
-    const CellMask region = holes_filled(region_of(room, rooms, grid, on_path), hole_cells);
+    const CellMask region = holes_filled(region_of(room, rooms, grid), hole_cells);
     outlines.push_back({first != room_of_asr.end() ? first->first : 0, room,
                         trace_outline(region, grid.frame, wall_near, jambs, options.record.map)});
   }
