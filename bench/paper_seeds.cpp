@@ -39,6 +39,7 @@ Outcome run(const FloorPlan& world, SimulationOptions simulation, std::uint64_t 
   test::MemoryStore store;
   (void)map_mission(mission, store, {});
   const Assembly assembly = assemble(store, simulation.footprint, {});
+  if (!assembly.mapped_again.empty()) store.asrs = assembly.mapped_again;
   const PlacedMission placed = place(store, assembly.correction);
   Truth truth;
   truth.plan = world;

@@ -20,6 +20,8 @@ constexpr double kJambSlope = 0.5;       // ... and this for each metre from the
 constexpr double kBesideM = 0.8;         // how far beyond a jamb wall is asked for
 constexpr double kBesideBandM = 0.2;     // a wall may be this far off the chord's line
 constexpr double kOneOpeningM = 0.7;     // chords this near are of one opening
+constexpr double kPeakReachM = 0.3;      // beyond the first obstacle the peak of hits is looked for
+constexpr double kPeakBandM = 0.15;      // hits this far off the chord's line count
 constexpr double kAsNarrowM = 0.1;       // the best chord of an opening is this near its narrowest
 
 struct Chord {
@@ -171,6 +173,41 @@ std::vector<Opening> find_openings(const BuildingGrid& grid, const OpeningOption
     if (const auto chord = chords.narrowest_at(grid.frame.center_of(cell))) found.push_back(*chord);
   });
   return one_a_place(std::move(found));
+}
+
+Opening with_jambs_at_peaks(const Opening& opening, const ReflectionMap& map) {
+  const Point2 middle = opening.middle();
+  const Point2 across = direction(opening.heading_rad);
+  const double step_m = map.frame().cell_m / 2.0;
+  const auto hits_at = [&](const Point2& at) {
+    double hits = 0.0;
+    for (double off_m = -kPeakBandM; off_m <= kPeakBandM; off_m += step_m) {
+      hits += map.at(map.frame().cell_of(at + off_m * across)).hits;
+    }
+    return hits;
+  };
+  const auto peak_beyond = [&](const Point2& jamb) {
+    const Point2 outward = (jamb - middle).normalized();
+    const double first_m = (jamb - middle).norm();
+    double best_m = first_m;
+    double most = -1.0;
+    for (double at_m = first_m; at_m <= first_m + kPeakReachM; at_m += step_m) {
+      const double hits = hits_at(middle + at_m * outward);
+      if (hits <= most) continue;
+      most = hits;
+      best_m = at_m;
+    }
+    double sum = 0.0;
+    double weight = 0.0;
+    for (int i = -2; i <= 2; ++i) {  // a cell and its neighbours, in half cells
+      const double at_m = best_m + i * step_m;
+      const double hits = hits_at(middle + at_m * outward);
+      sum += hits * at_m;
+      weight += hits;
+    }
+    return Point2(middle + (weight > 0.0 ? sum / weight : first_m) * outward);
+  };
+  return {{peak_beyond(opening.jambs.a), peak_beyond(opening.jambs.b)}, opening.heading_rad};
 }
 
 }  // namespace roomatlas

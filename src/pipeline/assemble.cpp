@@ -192,6 +192,14 @@ MappedBuilding rooms_by_outlines(const AsrSource& source, const std::vector<Asr>
   return building;
 }
 
+std::vector<AsrId> asrs_of(RoomId room, const std::map<AsrId, RoomId>& room_of_asr) {
+  std::vector<AsrId> asrs;
+  for (const auto& [asr, its_room] : room_of_asr) {
+    if (its_room == room) asrs.push_back(asr);
+  }
+  return asrs;
+}
+
 /// Everything after the rooms are as true as they will be.
 /// @param known where the ASRs are known to be already; may be empty
 Assembly assemble_rooms(const AsrSource& source, const Placement& known,
@@ -224,6 +232,7 @@ Assembly assemble_rooms(const AsrSource& source, const Placement& known,
   }
   report(progress, "merge", 0.0);
   assembly.plan = merge(building.outlines, doors, options.merge);
+  for (PlanRoom& room : assembly.plan.rooms) room.asrs = asrs_of(room.id, assembly.room_of_asr);
   return assembly;
 }
 

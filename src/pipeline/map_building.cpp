@@ -67,11 +67,12 @@ std::vector<BuildingDoor> doors_of(const PlacedReadings& placed, const RoomSegme
   std::vector<Found> found;
   for (const RoomOpening& opening : rooms.openings) {
     if (!opening.is_door()) continue;
-    const Point2 middle = opening.opening.middle();
+    const Opening exact = with_jambs_at_peaks(opening.opening, placed.map);
+    const Point2 middle = exact.middle();
     Found& next = found.emplace_back();
     next.first_pose = placed.building_from_robot.size();
-    next.door.building_from_pivot = {middle.x(), middle.y(), opening.opening.heading_rad};
-    next.door.width_m = opening.opening.width_m();
+    next.door.building_from_pivot = {middle.x(), middle.y(), exact.heading_rad};
+    next.door.width_m = exact.width_m();
     next.door.room_a = opening.behind;
     next.door.room_b = opening.ahead;
   }
