@@ -20,6 +20,7 @@ constexpr double kJambSlope = 0.5;       // ... and this for each metre from the
 constexpr double kBesideM = 0.8;         // how far beyond a jamb wall is asked for
 constexpr double kBesideBandM = 0.2;     // a wall may be this far off the chord's line
 constexpr double kOneOpeningM = 0.7;     // chords this near are of one opening
+constexpr double kMaxDepthM = 0.5;       // of a passage, from a chord in it
 constexpr double kPeakReachM = 0.3;      // beyond the first obstacle the peak of hits is looked for
 constexpr double kPeakBandM = 0.15;      // hits this far off the chord's line count
 constexpr double kAsNarrowM = 0.1;       // the best chord of an opening is this near its narrowest
@@ -34,6 +35,23 @@ class Chords {
  public:
   Chords(const BuildingGrid& grid, const OpeningOptions& options)
       : grid_(grid), options_(options), step_m_(grid.frame.cell_m / 2.0) {}
+
+  /// The opening in the middle of its passage: chords as narrow follow each other through a wall.
+  [[nodiscard]] Opening centered(const Opening& opening) const {
+    const Point2 along = direction(opening.heading_rad);
+    const double limit_m = opening.width_m() + kAsNarrowM;
+    const auto reach = [&](double sign) {
+      double reached_m = 0.0;
+      for (double off_m = step_m_; off_m <= kMaxDepthM; off_m += step_m_) {
+        const auto chord = chord_through(opening.middle() + sign * off_m * along, opening);
+        if (!chord || chord->width_m() > limit_m) break;
+        reached_m = off_m;
+      }
+      return reached_m;
+    };
+    const double off_m = (reach(1.0) - reach(-1.0)) / 2.0;
+    return chord_through(opening.middle() + off_m * along, opening).value_or(opening);
+  }
 
   [[nodiscard]] std::optional<Chord> narrowest_at(const Point2& at) const {
     std::optional<Chord> best;
@@ -65,6 +83,16 @@ class Chords {
       if (grid_.obstacle.at(grid_.frame.cell_of(from + at_m * along))) return at_m;
     }
     return std::nullopt;
+  }
+
+  /// The chord through a point, parallel to an opening.
+  [[nodiscard]] std::optional<Opening> chord_through(const Point2& at,
+                                                     const Opening& parallel) const {
+    const Point2 left = direction(parallel.heading_rad + kPi / 2.0);
+    const auto to_left_m = obstacle_along(at, left, kSideReachM);
+    const auto to_right_m = obstacle_along(at, -left, kSideReachM);
+    if (!to_left_m || !to_right_m) return std::nullopt;
+    return Opening{{at + *to_left_m * left, at - *to_right_m * left}, parallel.heading_rad};
   }
 
   [[nodiscard]] bool can_be_crossed(const Opening& opening) const {
@@ -172,7 +200,9 @@ std::vector<Opening> find_openings(const BuildingGrid& grid, const OpeningOption
     if (!grid.passable.at(cell) || !near_obstacle.at(cell)) return;
     if (const auto chord = chords.narrowest_at(grid.frame.center_of(cell))) found.push_back(*chord);
   });
-  return one_a_place(std::move(found));
+  std::vector<Opening> openings = one_a_place(std::move(found));
+  for (Opening& opening : openings) opening = chords.centered(opening);
+  return openings;
 }
 
 Opening with_jambs_at_peaks(const Opening& opening, const ReflectionMap& map) {

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kNodeM = 0.3;          // path nearer than this to an earlier place is that place
 constexpr double kSightMarginM = 0.25;  // a line of sight has this much free on both sides
+constexpr double kSeeThroughM = 4.0;    // through openings, places this near see each other
 constexpr double kBeyondJambM = 0.15;   // an opening's line reaches this far into its jambs
 constexpr double kCutBeyondM = 0.2;     // the same for cells
 constexpr double kHalfPassageM = 0.3;   // what is seen through narrower gaps is not the room's
@@ -130,13 +131,23 @@ class Places {
     driven_links_ = static_cast<std::ptrdiff_t>(links_.size());
   }
 
+  /// Links places that see each other. Places that belong together even with every opening closed
+  /// need no other link.
   void link_seen(double see_m) {
+    Sets known(points_.size());
+    for (const Link& link : links_) {
+      if (link.crossed.empty()) known.join(link.a, link.b);
+    }
     PlaceIndex index;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       for (const std::size_t j : index.near(box_around(points_[i], see_m))) {
-        if ((points_[i] - points_[j]).norm() <= see_m && can_see(points_[i], points_[j])) {
-          links_.push_back({i, j, crossings_.of(points_[i], points_[j])});
-        }
+        const double apart_m = (points_[i] - points_[j]).norm();
+        if (apart_m > see_m || known.find(i) == known.find(j)) continue;
+        Link link{i, j, crossings_.of(points_[i], points_[j])};
+        const bool is_parted = !link.crossed.empty();
+        if ((is_parted && apart_m > kSeeThroughM) || !can_see(points_[i], points_[j])) continue;
+        if (!is_parted) known.join(i, j);
+        links_.push_back(std::move(link));
       }
       index.add(i, box_around(points_[i], 0.0));
     }

@@ -12,7 +12,7 @@ struct SegmentOptions {
   BuildingGridOptions grid;
   OpeningOptions doors;
   double max_window_m = 2.5;    ///< a wider opening that the robot did not go through is none
-  double see_m = 4.0;           ///< two places this near that see each other are in one room
+  double see_m = 12.0;          ///< two places this near that see each other are in one room
   double min_room_m2 = 2.5;     ///< smaller rooms belong to the room next door
 };
 
