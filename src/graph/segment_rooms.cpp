@@ -6,6 +6,7 @@
 #include <deque>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "place_index.hpp"
 
@@ -131,15 +132,29 @@ class Places {
     driven_links_ = static_cast<std::ptrdiff_t>(links_.size());
   }
 
-  /// Links places that see each other. Places that belong together even with every opening closed
-  /// need no other link.
+  /// Links places that see each other: all that are near, and of the others one a square metre.
   void link_seen(double see_m) {
     Sets known(points_.size());
     for (const Link& link : links_) {
       if (link.crossed.empty()) known.join(link.a, link.b);
     }
+    std::vector<std::size_t> all(points_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    link_seen(all, kSeeThroughM, known);
+    std::set<std::pair<int, int>> squares;
+    std::vector<std::size_t> sparse;
+    for (const std::size_t i : all) {
+      const auto square = std::pair{static_cast<int>(std::floor(points_[i].x())),
+                                    static_cast<int>(std::floor(points_[i].y()))};
+      if (squares.insert(square).second) sparse.push_back(i);
+    }
+    link_seen(sparse, see_m, known);
+  }
+
+  /// @param known places that belong together even with every opening closed: they need no link
+  void link_seen(const std::vector<std::size_t>& among, double see_m, Sets& known) {
     PlaceIndex index;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
+    for (const std::size_t i : among) {
       for (const std::size_t j : index.near(box_around(points_[i], see_m))) {
         const double apart_m = (points_[i] - points_[j]).norm();
         if (apart_m > see_m || known.find(i) == known.find(j)) continue;

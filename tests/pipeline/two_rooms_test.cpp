@@ -63,9 +63,7 @@ TEST(Pipeline, DrawsTwoRoomsAndTheirDoorFromALaser) {
 
 TEST(Pipeline, DrawsTwoRoomsAndTheirDoorFromARingOfSonars) {
   const auto events = sonar_mission(kTwoRooms);
-  // A cone of 30 degrees blurs the jambs along the way through; and the map is laid on the world
-  // by the first pose alone.
-  expect_two_rooms_and_their_door(events, std::get<TruePose>(events[1]).world_from_robot, 0.4);
+  expect_two_rooms_and_their_door(events, std::get<TruePose>(events[1]).world_from_robot, 0.3);
 }
 
 TEST(Pipeline, GivesTheSamePlanTwice) {
