@@ -194,6 +194,13 @@ void add_correction(CLI::App& app, Settings& settings) {
 void add_plan(CLI::App& app, Settings& settings) {
   Stage stage(app, "Floor plan");
   AssembleOptions& assemble = settings.assemble;
+  stage.add("occupied-share", assemble.segment.grid.occupied_share,
+            "share of beams that a cell reflects from which it is an obstacle; higher loses glass",
+            0.01, 1.0);
+  stage.add("room-door-max-width", assemble.segment.doors.max_width_m,
+            "m; widest door between rooms; larger takes narrow corridors for doors", 0.3, 5.0);
+  stage.add("min-room", assemble.segment.min_room_m2, "m2; smaller rooms join the one next door",
+            0.0, 100.0);
   stage.add("room-overlap", assemble.rooms.min_overlap_share,
             "share of the smaller outline from which two visits are one room", 0.0, 1.0);
   stage.add("room-path", assemble.rooms.min_path_share,

@@ -183,7 +183,14 @@ std::vector<Opening> one_a_place(std::vector<Chord> chords) {
       const bool is_narrow = chord.width_m <= chords[first].width_m + kAsNarrowM;
       if (best == nullptr && chord.is_opening && is_narrow) best = &chord;
     }
-    if (best != nullptr) openings.push_back(best->opening);
+    if (best == nullptr) continue;
+    const auto near_best = places.near(box_around(best->opening.middle(), kOneOpeningM));
+    const bool is_beside_narrower = std::any_of(near_best.begin(), near_best.end(), [&](auto i) {
+      const Chord& chord = chords[i];
+      return chord.width_m < best->width_m - kAsNarrowM &&
+             (chord.opening.middle() - best->opening.middle()).norm() <= kOneOpeningM;
+    });
+    if (!is_beside_narrower) openings.push_back(best->opening);
   }
   return openings;
 }

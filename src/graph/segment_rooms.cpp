@@ -6,6 +6,7 @@
 #include <deque>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 
 #include "place_index.hpp"
@@ -14,6 +15,9 @@ namespace roomatlas {
 namespace {
 
 constexpr double kNodeM = 0.3;          // path nearer than this to an earlier place is that place
+constexpr double kFarNodeM = 0.5;       // far sight is tried from one place in each square of this
+constexpr double kSpotM = 1.0;          // spots that two places may both see lie on this lattice
+constexpr double kSpotSeenM = 3.0;      // and are seen from this near
 constexpr double kSightMarginM = 0.25;  // a line of sight has this much free on both sides
 constexpr double kSeeThroughM = 4.0;    // through openings, places this near see each other
 constexpr double kBeyondJambM = 0.15;   // an opening's line reaches this far into its jambs
@@ -132,7 +136,7 @@ class Places {
     driven_links_ = static_cast<std::ptrdiff_t>(links_.size());
   }
 
-  /// Links places that see each other: all that are near, and of the others one a square metre.
+  /// Links places that see each other: all that are near, and of the others one in a square.
   void link_seen(double see_m) {
     Sets known(points_.size());
     for (const Link& link : links_) {
@@ -144,11 +148,34 @@ class Places {
     std::set<std::pair<int, int>> squares;
     std::vector<std::size_t> sparse;
     for (const std::size_t i : all) {
-      const auto square = std::pair{static_cast<int>(std::floor(points_[i].x())),
-                                    static_cast<int>(std::floor(points_[i].y()))};
+      const auto square = std::pair{static_cast<int>(std::floor(points_[i].x() / kFarNodeM)),
+                                    static_cast<int>(std::floor(points_[i].y() / kFarNodeM))};
       if (squares.insert(square).second) sparse.push_back(i);
     }
     link_seen(sparse, see_m, known);
+    link_by_common_sight(all, known);
+  }
+
+  /// Links places that see one and the same spot of roomy space: two ways past a pillar.
+  void link_by_common_sight(const std::vector<std::size_t>& places, Sets& known) {
+    PlaceIndex index;
+    for (const std::size_t i : places) index.add(i, box_around(points_[i], 0.0));
+    const int stride = std::max(1, static_cast<int>(std::lround(kSpotM / grid_.frame.cell_m)));
+    for_each_cell(grid_.passable.box, [&](const Cell& cell) {
+      if (cell.x % stride != 0 || cell.y % stride != 0 || !grid_.passable.at(cell)) return;
+      const Point2 spot = grid_.frame.center_of(cell);
+      std::optional<std::size_t> first;
+      for (const std::size_t i : index.near(box_around(spot, kSpotSeenM))) {
+        if ((points_[i] - spot).norm() > kSpotSeenM) continue;
+        if (first && known.find(*first) == known.find(i)) continue;
+        if (!crossings_.of(points_[i], spot).empty() || !can_see(points_[i], spot)) continue;
+        if (first) {
+          links_.push_back({*first, i, {}});
+          known.join(*first, i);
+        }
+        first = i;
+      }
+    });
   }
 
   /// @param known places that belong together even with every opening closed: they need no link

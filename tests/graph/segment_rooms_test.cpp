@@ -71,6 +71,20 @@ TEST(SegmentRooms, AGapThatCanBeWalkedAroundIsNoDoor) {
   EXPECT_TRUE(rooms.openings.empty());
 }
 
+TEST(SegmentRooms, TwoWaysPastAPillarAreInOneRoom) {
+  SketchedBuilding building(6.0, 9.0);  // its doors lead to rooms above and below
+  building.box(0.0, 2.0, 2.5, 2.2);
+  building.box(3.4, 2.0, 6.0, 2.2);
+  building.box(0.0, 6.8, 2.5, 7.0);
+  building.box(3.4, 6.8, 6.0, 7.0);
+  building.box(2.0, 4.0, 4.0, 5.0);
+  building.drive({{2.9, 1.0}, {2.9, 2.9}, {2.9, 1.0}});
+  building.drive({{2.9, 8.0}, {2.9, 6.1}, {2.9, 8.0}});  // carried there
+  const RoomSegmentation rooms = rooms_of(building);
+  EXPECT_EQ(rooms.rooms, 3);
+  EXPECT_EQ(room_at(rooms, 2.9, 2.9), room_at(rooms, 2.9, 6.1));
+}
+
 TEST(SegmentRooms, ARoomTooSmallBelongsToTheNext) {
   SketchedBuilding building(5.4, 5.0);
   building.box(4.0, 0.0, 4.2, 2.0);

@@ -63,7 +63,8 @@ TEST(Pipeline, DrawsTwoRoomsAndTheirDoorFromALaser) {
 
 TEST(Pipeline, DrawsTwoRoomsAndTheirDoorFromARingOfSonars) {
   const auto events = sonar_mission(kTwoRooms);
-  expect_two_rooms_and_their_door(events, std::get<TruePose>(events[1]).world_from_robot, 0.3);
+  // the map is laid on the world by the first pose alone, whose heading sonars do not see well
+  expect_two_rooms_and_their_door(events, std::get<TruePose>(events[1]).world_from_robot, 0.4);
 }
 
 TEST(Pipeline, GivesTheSamePlanTwice) {

@@ -10,7 +10,7 @@ namespace roomatlas {
 
 struct BuildingGridOptions {
   double cell_m = 0.1;
-  double occupied_share = 0.25;  ///< reflected share from which a cell is an obstacle; higher
+  double occupied_share = 0.2;   ///< reflected share from which a cell is an obstacle; higher
                                  ///< loses glass and walls met at flat angles
   int min_hits = 2;              ///< fewer are noise
   int min_passes = 2;            ///< a cell passed less often is not known to be free

@@ -8,7 +8,7 @@
 namespace roomatlas {
 
 struct OpeningOptions {
-  double min_width_m = 0.5;   ///< sonars hear jambs early: a door of 0.9 m looks like 0.6 m
+  double min_width_m = 0.35;  ///< sonars hear jambs early: a door of 0.9 m looks like 0.6 m
   double max_width_m = 1.3;   ///< larger takes narrow corridors for doors
   double widening_m = 0.5;    ///< the space on both sides must be this much wider
   double min_beside_share = 0.4;  ///< of the line beyond each jamb (0.8 m) that is not free
