@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kNodeM = 0.3;          // path nearer than this to an earlier place is that place
 constexpr double kFarNodeM = 0.5;       // far sight is tried from one place in each square of this
-constexpr double kSpotM = 1.0;          // spots that two places may both see lie on this lattice
+constexpr double kSpotM = 0.5;          // spots that two places may both see lie on this lattice
 constexpr double kSpotSeenM = 3.0;      // and are seen from this near
 constexpr double kSightMarginM = 0.25;  // a line of sight has this much free on both sides
 constexpr double kSeeThroughM = 4.0;    // through openings, places this near see each other
