@@ -197,6 +197,8 @@ void add_plan(CLI::App& app, Settings& settings) {
   stage.add("occupied-share", assemble.segment.grid.occupied_share,
             "share of beams that a cell reflects from which it is an obstacle; higher loses glass",
             0.01, 1.0);
+  stage.add("sonar-occupied-share", assemble.segment.grid.sonar_occupied_share,
+            "the same for what sonars saw", 0.01, 1.0);
   stage.add("room-door-max-width", assemble.segment.doors.max_width_m,
             "m; widest door between rooms; larger takes narrow corridors for doors", 0.3, 5.0);
   stage.add("min-room", assemble.segment.min_room_m2, "m2; smaller rooms join the one next door",

@@ -15,8 +15,7 @@ constexpr double kJambReachM = 0.35;  // an outline point this near a jamb becom
 Ring boundary_points(const CellBoundary& boundary, const WallNear& wall_near) {
   Ring ring;
   for (std::size_t i = 0; i < boundary.edge_midpoints.size(); ++i) {
-    const Point2 point =
-        wall_near(boundary.outside_cells[i]).value_or(boundary.edge_midpoints[i]);
+    const Point2 point = wall_near(boundary.outside_cells[i]).value_or(boundary.edge_midpoints[i]);
     if (ring.empty() || (point - ring.back()).norm() > 1e-9) ring.push_back(point);
   }
   return ring;

@@ -49,16 +49,19 @@ void remove_specks(BuildingGrid& grid, int min_cells) {
 
 }  // namespace
 
-BuildingGrid building_grid(const ReflectionMap& map, const std::vector<Pose2>& building_from_robot,
+BuildingGrid building_grid(const ReflectionMap& map, SensorKind kind,
+                           const std::vector<Pose2>& building_from_robot,
                            const RobotFootprint& footprint, const BuildingGridOptions& options) {
+  const double occupied_share =
+      kind == SensorKind::sonar ? options.sonar_occupied_share : options.occupied_share;
   CellBox box = map.box();
   box.min = {box.min.x - kBorderCells, box.min.y - kBorderCells};
   box.max = {box.max.x + kBorderCells, box.max.y + kBorderCells};
   BuildingGrid grid{map.frame(), CellMask(box), CellMask(box), CellMask(box)};
   for_each_cell(box, [&](const Cell& cell) {
     const CellCounts counts = map.at(cell);
-    const bool is_obstacle = counts.hits >= options.min_hits &&
-                             counts.reflected_share() >= options.occupied_share;
+    const bool is_obstacle =
+        counts.hits >= options.min_hits && counts.reflected_share() >= occupied_share;
     grid.obstacle.set(cell, is_obstacle);
     grid.free.set(cell, !is_obstacle && counts.passes >= options.min_passes);
   });

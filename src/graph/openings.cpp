@@ -10,20 +10,21 @@
 namespace roomatlas {
 namespace {
 
-constexpr int kHeadings = 24;            // chord directions in a half turn
-constexpr double kMinChordM = 0.35;      // narrower does not let a robot through
-constexpr double kOffCenterM = 0.11;     // a chord is measured from near its mid-point
-constexpr double kPassableM = 0.45;      // each way across the chord
-constexpr double kSideReachM = 1.5;      // how wide the space beside a chord is measured
-constexpr double kJambSlackM = 0.2;      // beyond a jamb the space is wider by this ...
-constexpr double kJambSlope = 0.5;       // ... and this for each metre from the chord
-constexpr double kBesideM = 0.8;         // how far beyond a jamb wall is asked for
-constexpr double kBesideBandM = 0.2;     // a wall may be this far off the chord's line
-constexpr double kOneOpeningM = 0.7;     // chords this near are of one opening
-constexpr double kMaxDepthM = 0.5;       // of a passage, from a chord in it
-constexpr double kPeakReachM = 0.3;      // beyond the first obstacle the peak of hits is looked for
-constexpr double kPeakBandM = 0.15;      // hits this far off the chord's line count
-constexpr double kAsNarrowM = 0.1;       // the best chord of an opening is this near its narrowest
+constexpr int kHeadings = 24;           // chord directions in a half turn
+constexpr double kMinChordM = 0.35;     // narrower does not let a robot through
+constexpr double kOffCenterM = 0.11;    // a chord is measured from near its mid-point
+constexpr double kPassableM = 0.45;     // each way across the chord
+constexpr double kSideReachM = 1.5;     // how wide the space beside a chord is measured
+constexpr double kJambSlackM = 0.2;     // beyond a jamb the space is wider by this ...
+constexpr double kJambSlope = 0.5;      // ... and this for each metre from the chord
+constexpr double kBesideM = 0.8;        // how far beyond a jamb wall is asked for
+constexpr double kBesideBandM = 0.2;    // a wall may be this far off the chord's line
+constexpr double kOneOpeningM = 0.7;    // chords this near are of one opening
+constexpr double kSamePassageM = 0.45;  // a narrower chord this near is of the same passage
+constexpr double kMaxDepthM = 0.5;      // of a passage, from a chord in it
+constexpr double kPeakReachM = 0.3;     // beyond the first obstacle the peak of hits is looked for
+constexpr double kPeakBandM = 0.15;     // hits this far off the chord's line count
+constexpr double kAsNarrowM = 0.1;      // the best chord of an opening is this near its narrowest
 
 struct Chord {
   Opening opening;
@@ -152,8 +153,7 @@ class Chords {
     if (ahead.width_m < needed_m || behind.width_m < needed_m) return false;
     const bool has_both_jambs =
         (ahead.wider_left && ahead.wider_right) || (behind.wider_left && behind.wider_right);
-    return has_both_jambs &&
-           share_beside(opening, opening.jambs.a) >= options_.min_beside_share &&
+    return has_both_jambs && share_beside(opening, opening.jambs.a) >= options_.min_beside_share &&
            share_beside(opening, opening.jambs.b) >= options_.min_beside_share;
   }
 
@@ -184,11 +184,11 @@ std::vector<Opening> one_a_place(std::vector<Chord> chords) {
       if (best == nullptr && chord.is_opening && is_narrow) best = &chord;
     }
     if (best == nullptr) continue;
-    const auto near_best = places.near(box_around(best->opening.middle(), kOneOpeningM));
+    const auto near_best = places.near(box_around(best->opening.middle(), kSamePassageM));
     const bool is_beside_narrower = std::any_of(near_best.begin(), near_best.end(), [&](auto i) {
       const Chord& chord = chords[i];
       return chord.width_m < best->width_m - kAsNarrowM &&
-             (chord.opening.middle() - best->opening.middle()).norm() <= kOneOpeningM;
+             (chord.opening.middle() - best->opening.middle()).norm() <= kSamePassageM;
     });
     if (!is_beside_narrower) openings.push_back(best->opening);
   }

@@ -271,8 +271,8 @@ class Rooms {
     fill(result);
     for (std::size_t i = 0; i < openings_.size(); ++i) {
       if (!is_closed_[i]) continue;
-      result.openings.push_back({openings_[i], beside(result, openings_[i], -1.0),
-                                 beside(result, openings_[i], 1.0)});
+      result.openings.push_back(
+          {openings_[i], beside(result, openings_[i], -1.0), beside(result, openings_[i], 1.0)});
     }
     return result;
   }

@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint16_t kMost = std::numeric_limits<std::uint16_t>::max();
 
 /// One more; a full cell is halved, which keeps its share.
-void count(CellCounts& counts, std::uint16_t CellCounts::* which) {
+void count(CellCounts& counts, std::uint16_t CellCounts::*which) {
   if (counts.*which == kMost) {
     counts.hits /= 2;
     counts.passes /= 2;

@@ -10,24 +10,26 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kRegrowM = 0.3;       // gives back what margins took
+constexpr double kRegrowM = 0.3;  // gives back what margins took
 
 /// The mission as one map and one path.
 struct PlacedReadings {
   ReflectionMap map;
   std::vector<Pose2> building_from_robot;
   std::vector<AsrId> asr_of_pose;
+  SensorKind kind = SensorKind::laser;  ///< sonar where there were both
 };
 
 PlacedReadings placed_readings(const AsrSource& source, const Placement& placement,
                                const AssembleOptions& options, const Progress& progress) {
-  PlacedReadings placed{ReflectionMap(options.segment.grid.cell_m), {}, {}};
+  PlacedReadings placed{ReflectionMap(options.segment.grid.cell_m), {}, {}, SensorKind::laser};
   const RayOptions rays = ray_options(options.record.map);
   std::int64_t ignored = 0;  // counted when each room was mapped
   std::optional<Pose2> last;
   const std::vector<AsrId> ids = source.ids();
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (progress && !progress("map building", static_cast<double>(i) / static_cast<double>(ids.size()))) {
+    if (progress &&
+        !progress("map building", static_cast<double>(i) / static_cast<double>(ids.size()))) {
       throw Interrupted("interrupted while assembling");
     }
     const Asr asr = source.get(ids[i], AsrDetail::readings);
@@ -35,6 +37,7 @@ PlacedReadings placed_readings(const AsrSource& source, const Placement& placeme
       const Pose2 pose = placement.at(asr.id) * asr.path[k].asr_from_robot;
       placed.building_from_robot.push_back(pose);
       placed.asr_of_pose.push_back(asr.id);
+      if (asr.readings[k].sensor->kind == SensorKind::sonar) placed.kind = SensorKind::sonar;
       if (last && !moved_enough(*last, pose, options.record.map)) continue;
       last = pose;
       placed.map.add_sweep(rays_of(asr.readings[k], pose, rays, ignored));
@@ -91,9 +94,8 @@ std::vector<BuildingDoor> doors_of(const PlacedReadings& placed, const RoomSegme
       break;
     }
   }
-  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
-    return a.first_pose < b.first_pose;
-  });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Found& a, const Found& b) { return a.first_pose < b.first_pose; });
   std::vector<BuildingDoor> doors;
   for (Found& one : found) doors.push_back(std::move(one.door));
   return doors;
@@ -132,8 +134,8 @@ std::vector<PlacedOutline> outlines_of(const PlacedReadings& placed, const Build
     const std::optional<Cell> wall = nearest_wall_cell(outside, is_wall);
     return wall ? std::optional<Point2>(placed.map.mean_hit(*wall)) : std::nullopt;
   };
-  const auto hole_cells = static_cast<std::int64_t>(
-      options.record.map.min_hole_m2 / (grid.frame.cell_m * grid.frame.cell_m));
+  const auto hole_cells = static_cast<std::int64_t>(options.record.map.min_hole_m2 /
+                                                    (grid.frame.cell_m * grid.frame.cell_m));
   std::vector<PlacedOutline> outlines;
   for (RoomId room = 1; room <= rooms.rooms; ++room) {
     std::vector<Point2> jambs;
@@ -162,8 +164,8 @@ MappedBuilding map_building(const AsrSource& source, const Placement& placement,
                             const RobotFootprint& footprint, const AssembleOptions& options,
                             const Progress& progress) {
   const PlacedReadings placed = placed_readings(source, placement, options, progress);
-  const BuildingGrid grid =
-      building_grid(placed.map, placed.building_from_robot, footprint, options.segment.grid);
+  const BuildingGrid grid = building_grid(placed.map, placed.kind, placed.building_from_robot,
+                                          footprint, options.segment.grid);
   const RoomSegmentation rooms = segment_rooms(grid, placed.building_from_robot, options.segment);
   MappedBuilding building;
   building.room_of_asr = rooms_of_asrs(placed, rooms.room_of_pose);

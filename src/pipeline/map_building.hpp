@@ -25,7 +25,6 @@ struct MappedBuilding {
 /// Readings are loaded for one ASR at a time.
 [[nodiscard]] MappedBuilding map_building(const AsrSource& source, const Placement& placement,
                                           const RobotFootprint& footprint,
-                                          const AssembleOptions& options,
-                                          const Progress& progress);
+                                          const AssembleOptions& options, const Progress& progress);
 
 }  // namespace roomatlas

@@ -35,7 +35,8 @@ TEST(Openings, JambsLieAtThePeaksOfTheEchoes) {
   for (int i = 0; i < 8; ++i) {
     for (const double y : {2.05, 2.15, 2.75, 2.85}) map.add_sweep({{{{3.0, y}, {4.1, y}}, true}});
   }
-  const auto early = find_openings(building_grid(map, building.path(), {}, {}), {});
+  const auto early =
+      find_openings(building_grid(map, SensorKind::sonar, building.path(), {}, {}), {});
   ASSERT_EQ(early.size(), 1U);
   EXPECT_LT(early[0].width_m(), 0.75);
   const Opening exact = with_jambs_at_peaks(early[0], map);

@@ -39,19 +39,20 @@ class SketchedBuilding {
   [[nodiscard]] ReflectionMap map() const {
     ReflectionMap map(kCellM);
     const CellFrame& frame = map.frame();
-    for_each_cell({frame.cell_of({-0.15, -0.15}), frame.cell_of({width_m_ + 0.35, depth_m_ + 0.35})},
-                  [&](const Cell& cell) {
-                    const Point2 at = frame.center_of(cell);
-                    const bool is_hit = is_obstacle(at);
-                    const Point2 off(0.3, 0.0);  // a hit takes no pass from its neighbours
-                    for (int i = 0; i < 10; ++i) {
-                      map.add_sweep({{{is_hit ? at - off : at, at}, is_hit}});
-                    }
-                  });
+    for_each_cell(
+        {frame.cell_of({-0.15, -0.15}), frame.cell_of({width_m_ + 0.35, depth_m_ + 0.35})},
+        [&](const Cell& cell) {
+          const Point2 at = frame.center_of(cell);
+          const bool is_hit = is_obstacle(at);
+          const Point2 off(0.3, 0.0);  // a hit takes no pass from its neighbours
+          for (int i = 0; i < 10; ++i) {
+            map.add_sweep({{{is_hit ? at - off : at, at}, is_hit}});
+          }
+        });
     return map;
   }
   [[nodiscard]] BuildingGrid grid(const BuildingGridOptions& options = {}) const {
-    return building_grid(map(), path_, {}, options);
+    return building_grid(map(), SensorKind::laser, path_, {}, options);
   }
 
  private:

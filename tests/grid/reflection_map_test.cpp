@@ -16,8 +16,8 @@ std::vector<std::vector<Ray>> random_sweeps() {
   std::vector<std::vector<Ray>> sweeps(40);
   for (auto& sweep : sweeps) {
     for (int i = 0; i < 12; ++i) {
-      sweep.push_back({{{metres(random), metres(random)}, {metres(random), metres(random)}},
-                       i % 3 != 0});
+      sweep.push_back(
+          {{{metres(random), metres(random)}, {metres(random), metres(random)}}, i % 3 != 0});
     }
   }
   return sweeps;

@@ -21,7 +21,7 @@ using WallNear = std::function<std::optional<Point2>(const Cell& outside)>;
                                     const RoomMapOptions& options);
 
 /// The cell nearest to `outside`, at most two cells off, for which `is_wall` holds.
-[[nodiscard]] std::optional<Cell> nearest_wall_cell(const Cell& outside,
-                                                    const std::function<bool(const Cell&)>& is_wall);
+[[nodiscard]] std::optional<Cell> nearest_wall_cell(
+    const Cell& outside, const std::function<bool(const Cell&)>& is_wall);
 
 }  // namespace roomatlas

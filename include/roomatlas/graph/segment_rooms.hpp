@@ -11,9 +11,9 @@ namespace roomatlas {
 struct SegmentOptions {
   BuildingGridOptions grid;
   OpeningOptions doors;
-  double max_window_m = 2.5;    ///< a wider opening that the robot did not go through is none
-  double see_m = 12.0;          ///< two places this near that see each other are in one room
-  double min_room_m2 = 2.5;     ///< smaller rooms belong to the room next door
+  double max_window_m = 2.5;  ///< a wider opening that the robot did not go through is none
+  double see_m = 12.0;        ///< two places this near that see each other are in one room
+  double min_room_m2 = 2.5;   ///< smaller rooms belong to the room next door
 };
 
 /// A door between two rooms, or an opening into what was not entered.

@@ -56,8 +56,8 @@ struct AssembleOptions {
   CorrectOptions correct;
   MergeOptions merge;
   RecorderOptions record;  ///< for mapping rooms again once more is known
-  bool map_again = true;  ///< cut the rooms' outlines at doors that only later visits found
-  int max_rounds = 5;     ///< of recognising doorways and correcting
+  bool map_again = true;   ///< cut the rooms' outlines at doors that only later visits found
+  int max_rounds = 5;      ///< of recognising doorways and correcting
 };
 
 /// Everything that the offline stage finds.
