@@ -29,8 +29,8 @@ struct Case {
 
 inline const std::vector<Variant>& variants() {
   static const std::vector<Variant> all = {
-      {"SE(2)", {}},
-      {"rotation only", {"--model", "rotation"}},
+      {"full", {}},
+      {"paper's method", {"--no-localize", "--no-correct-sonars", "--model", "rotation"}},
   };
   return all;
 }
@@ -69,6 +69,12 @@ inline std::vector<Case> cases() {
       recorded("mines test_lab", "logs/mines-rover/test_lab.dat.gz"),
       {"eight_rooms, its drive", "", "eight_rooms", {"--drive", "eight_rooms.drive"}, {}, {}},
   };
+  for (std::size_t log = 0; log < 4; ++log) {  // the CARMEN logs, as a ring of sonars
+    Case thinned = all[log];
+    thinned.name += ", 8 sonars";
+    thinned.flags.push_back("--as-sonar");
+    all.push_back(std::move(thinned));
+  }
   for (const char* sensor : {"sonar", "laser"}) {
     for (const char* world : {"two_rooms", "eight_rooms", "nine_rooms", "identical_rooms",
                               "slanted_and_curved", "open_hall"}) {
