@@ -42,6 +42,9 @@ void report(const SonarTrajectory& result, double seconds) {
   std::printf("  %d reversed, %.1f m undecided, %zu segments, %d slips, verified %d, %.1f s\n",
               result.intervals_reversed, result.undecided_m, result.segments, result.slips_repaired,
               result.loops_verified, seconds);
+  for (const double direction : result.wall_directions_rad) {
+    std::printf("  walls at %.1f deg\n", degrees(direction));
+  }
   for (const SonarVariant& variant : result.variants) {
     std::printf("    %-24s %zu pairs, %.0f m compared, contradiction %.4f\n", variant.name.c_str(),
                 variant.pairs, variant.compared_m, variant.contradiction);

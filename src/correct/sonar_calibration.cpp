@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <optional>
 
 namespace roomatlas {
 namespace {
@@ -116,6 +117,32 @@ OdometryHabits calibrate_odometry(std::span<const RangeReading> readings,
   search.along(&OdometryHabits::lag_s, {-0.8, -0.6, -0.45, -0.3, -0.2, -0.1, 0.1, 0.2, 0.3});
   search.along(&OdometryHabits::bias_rad_per_m, {deg(-0.25), deg(-0.12), deg(0.12), deg(0.25)});
   return search.best();
+}
+
+std::vector<double> building_directions(const HeadingProblem& problem, HeadingChainOptions chain) {
+  chain.states = 90;  // enough for a comparison
+  constexpr std::size_t kMost = 3;
+  constexpr double kClearly = 10.0;  // log evidence that another direction must bring
+  constexpr double kFirstDeg = 10.0;
+  constexpr double kStepDeg = 5.0;
+  std::vector<double> directions_rad = {0.0};
+  double evidence = heading_evidence(problem.nodes, problem.sightings, directions_rad, chain);
+  while (directions_rad.size() < kMost) {
+    double best = evidence + kClearly;
+    std::optional<double> another_rad;
+    for (double deg = kFirstDeg; deg <= 90.0 - kFirstDeg; deg += kStepDeg) {
+      std::vector<double> candidate = directions_rad;
+      candidate.push_back(radians(deg));
+      const double now = heading_evidence(problem.nodes, problem.sightings, candidate, chain);
+      if (now <= best) continue;
+      best = now;
+      another_rad = radians(deg);
+    }
+    if (!another_rad) break;
+    directions_rad.push_back(*another_rad);
+    evidence = best;
+  }
+  return directions_rad;
 }
 
 }  // namespace roomatlas

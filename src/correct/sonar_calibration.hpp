@@ -30,4 +30,10 @@ struct HeadingProblem {
                                                 const WallSegmentOptions& segments,
                                                 const HeadingChainOptions& chain);
 
+/// The directions, modulo 90 degrees, that the building's walls follow: 0, and others as long as
+/// each makes the walls clearly more likely. A wing at an angle is one of them; without it, the
+/// heading would be bent to make the wing's walls follow the rest.
+[[nodiscard]] std::vector<double> building_directions(const HeadingProblem& problem,
+                                                      HeadingChainOptions chain);
+
 }  // namespace roomatlas

@@ -16,8 +16,6 @@
 namespace roomatlas {
 namespace {
 
-const std::vector<double> kOneDirection = {0.0};
-
 using Readings = std::span<const RangeReading>;
 
 /// The chain's values by node as values by reading, those between nodes by way and turn.
@@ -38,7 +36,9 @@ std::vector<double> by_reading(const HeadingProblem& problem, const std::vector<
 
 /// The posterior's mean given that the heading went the other way: smoothed about a heading that
 /// has gone there already.
-std::vector<double> slipped(const HeadingProblem& problem, const HeadingChainOptions& options,
+std::vector<double> slipped(const HeadingProblem& problem,
+                            const std::vector<double>& directions_rad,
+                            const HeadingChainOptions& options,
                             const std::vector<double>& correction_rad, const HeadingSlip& slip) {
   std::vector<double> prior_rad = correction_rad;
   for (std::size_t k = slip.first_node; k < prior_rad.size(); ++k) {
@@ -49,7 +49,7 @@ std::vector<double> slipped(const HeadingProblem& problem, const HeadingChainOpt
   for (WallSighting& wall : sightings) {
     wall.direction_rad = wrap_angle(wall.direction_rad + prior_rad[wall.node]);
   }
-  const HeadingChain chain = smooth_heading(problem.nodes, sightings, kOneDirection, options);
+  const HeadingChain chain = smooth_heading(problem.nodes, sightings, directions_rad, options);
   for (std::size_t k = 0; k < prior_rad.size(); ++k) {
     prior_rad[k] += chain.correction_rad[k];
   }
@@ -73,14 +73,16 @@ bool is_better(const Attempt& attempt, const Attempt& than) {
 
 /// Solves the mission with one heading. Wall that is contradicted counts three times.
 Attempt solve(Readings readings, const DriveDirections& directions, const HeadingProblem& heading,
-              std::string name, std::vector<double> correction_rad,
-              const SonarTrajectoryOptions& options) {
+              const std::vector<double>& directions_rad, std::string name,
+              std::vector<double> correction_rad, const SonarTrajectoryOptions& options,
+              const SonarBatchOptions& batch_options = {}) {
   constexpr double kContradictedCounts = 3.0;
   Attempt attempt;
   const DrivenPath& path = heading.path;
   const auto start = with_headings(path, by_reading(heading, correction_rad));
-  const SonarProblem problem = sonar_problem(readings, path, directions, start, options.segments);
-  const SonarBatchResult solved = solve_sonar_batch(problem.batch, {});
+  const SonarProblem problem =
+      sonar_problem(readings, path, directions, start, directions_rad, options.segments);
+  const SonarBatchResult solved = solve_sonar_batch(problem.batch, batch_options);
   attempt.map_from_robot = poses_of(path, problem, solved.map_from_node);
   const Contradiction contradiction =
       contradiction_of(readings, attempt.map_from_robot, path.path_m, problem.segments, {});
@@ -97,19 +99,22 @@ Attempt solve(Readings readings, const DriveDirections& directions, const Headin
 struct Idea {
   OdometryHabits habits;
   HeadingChainOptions chain_options;
+  std::vector<double> directions_rad;  ///< of the building's walls
   HeadingProblem problem;
   HeadingChain chain;
   Attempt attempt;
 };
 
 Idea idea_of(Readings readings, const DriveDirections& directions, const OdometryHabits& habits,
-             double drift, const SonarTrajectoryOptions& options) {
+             double drift, const std::vector<double>& directions_rad,
+             const SonarTrajectoryOptions& options) {
   Idea idea;
+  idea.directions_rad = directions_rad;
   idea.habits = habits;
   idea.chain_options.drift_rad_per_sqrt_m *= drift;
   idea.problem = heading_problem(readings, directions, habits, options.segments);
-  idea.chain =
-      smooth_heading(idea.problem.nodes, idea.problem.sightings, kOneDirection, idea.chain_options);
+  idea.chain = smooth_heading(idea.problem.nodes, idea.problem.sightings, idea.directions_rad,
+                              idea.chain_options);
   return idea;
 }
 
@@ -123,8 +128,8 @@ std::vector<HeadingSlip> possible_slips(const Idea& idea) {
   loose.drift_rad_per_sqrt_m *= kFreer;
   loose.drift_per_turn *= kFreer;
   std::vector<HeadingSlip> slips;
-  for (HeadingSlip& slip : find_slips(idea.problem.nodes, idea.problem.sightings, kOneDirection,
-                                      loose, idea.chain.correction_rad)) {
+  for (HeadingSlip& slip : find_slips(idea.problem.nodes, idea.problem.sightings,
+                                      idea.directions_rad, loose, idea.chain.correction_rad)) {
     if (slip.share >= kLeastShare && slips.size() < kMost) slips.push_back(std::move(slip));
   }
   return slips;
@@ -144,8 +149,9 @@ void repair_slips(Readings readings, const DriveDirections& directions,
       std::string name = "turned by " + std::to_string(std::lround(quarter)) + " deg from " +
                          std::to_string(at_m) + " m on";
       Attempt attempt =
-          solve(readings, directions, idea.problem, std::move(name),
-                slipped(idea.problem, idea.chain_options, idea.attempt.correction_rad, slips[i]),
+          solve(readings, directions, idea.problem, idea.directions_rad, std::move(name),
+                slipped(idea.problem, idea.directions_rad, idea.chain_options,
+                        idea.attempt.correction_rad, slips[i]),
                 options);
       attempt.variant.habits = idea.habits;
       result.variants.push_back(attempt.variant);
@@ -174,11 +180,22 @@ constexpr Change kChanges[] = {
     {"as likely", 0.0, 0.0, 1.0},
     {"bias +0.25 deg/m, gain -0.01", 0.25, -0.01, 1.0},
     {"bias -0.25 deg/m, gain +0.01", -0.25, 0.01, 1.0},
-    {"gain -0.02", 0.0, -0.02, 1.0},
-    {"gain +0.02", 0.0, 0.02, 1.0},
-    {"drift 0.6 of the usual", 0.0, 0.0, 0.6},
+    {"bias +0.25 deg/m, gain -0.03", 0.25, -0.03, 1.0},
+    {"bias -0.25 deg/m, gain +0.03", -0.25, 0.03, 1.0},
+    {"gain -0.03", 0.0, -0.03, 1.0},
+    {"gain +0.03", 0.0, 0.03, 1.0},
     {"drift 1.7 of the usual", 0.0, 0.0, 1.7},
 };
+
+/// Whether the walls make one heading clearly more likely than walls that lie anyhow would: in a
+/// round hall they do not.
+bool walls_follow_directions(const HeadingProblem& problem,
+                             const std::vector<double>& directions_rad) {
+  constexpr double kLeastASegment = 0.05;  // of log evidence
+  const double evidence = heading_evidence(problem.nodes, problem.sightings, directions_rad, {});
+  return !problem.sightings.empty() &&
+         evidence > kLeastASegment * static_cast<double>(problem.sightings.size());
+}
 
 OdometryHabits changed(OdometryHabits habits, const Change& change) {
   habits.bias_rad_per_m += radians(change.bias_deg_per_m);
@@ -209,21 +226,47 @@ SonarTrajectory correct_sonar_trajectory(Readings readings, const SonarTrajector
   result.undecided_m = directions.undecided_m.back();
   OdometryHabits likely;
   if (options.calibrate) likely = calibrate_odometry(readings, directions, options.segments, {});
+  const HeadingProblem likely_problem =
+      heading_problem(readings, directions, likely, options.segments);
+  const std::vector<double> directions_rad = building_directions(likely_problem, {});
   std::optional<Idea> best;
-  const std::size_t ideas = options.calibrate ? std::size(kChanges) : 1;
-  for (const Change& change : std::span(kChanges).first(ideas)) {
-    Idea idea = idea_of(readings, directions, changed(likely, change), change.drift, options);
-    Attempt attempt =
-        solve(readings, directions, idea.problem, change.name, idea.chain.correction_rad, options);
+  const auto offer = [&](Idea idea, Attempt attempt) {
     attempt.variant.habits = idea.habits;
     result.variants.push_back(attempt.variant);
-    if (best && !is_better(attempt, best->attempt)) continue;
+    if (best && !is_better(attempt, best->attempt)) return;
     result.chosen = result.variants.size() - 1;
     idea.attempt = std::move(attempt);
     best = std::move(idea);
-  }
-  if (options.repair_slips) repair_slips(readings, directions, options, *best, result);
+  };
+  const auto consider = [&](const Change& change, const std::vector<double>& walls_rad) {
+    Idea idea =
+        idea_of(readings, directions, changed(likely, change), change.drift, walls_rad, options);
+    std::string name = change.name;
+    if (walls_rad.size() > 1) {
+      name += ", walls in " + std::to_string(walls_rad.size()) + " directions";
+    }
+    Attempt attempt = solve(readings, directions, idea.problem, walls_rad, std::move(name),
+                            idea.chain.correction_rad, options);
+    offer(std::move(idea), std::move(attempt));
+  };
+  const auto consider_odometry = [&] {
+    Idea idea = idea_of(readings, directions, {}, 1.0, {0.0}, options);
+    std::fill(idea.chain.correction_rad.begin(), idea.chain.correction_rad.end(), 0.0);
+    SonarBatchOptions batch;
+    batch.heading_weight = 0.0;
+    Attempt attempt = solve(readings, directions, idea.problem, {0.0}, "odometry's own heading",
+                            idea.chain.correction_rad, options, batch);
+    offer(std::move(idea), std::move(attempt));
+  };
+  // the first stays unless another is clearly better: wings at an angle are believed
+  const bool follow = walls_follow_directions(likely_problem, directions_rad);
+  if (follow && directions_rad.size() > 1) consider(kChanges[0], directions_rad);
+  const std::size_t ideas = !follow ? 0 : options.calibrate ? std::size(kChanges) : 1;
+  for (const Change& change : std::span(kChanges).first(ideas)) consider(change, {0.0});
+  consider_odometry();
+  if (options.repair_slips && follow) repair_slips(readings, directions, options, *best, result);
   result.habits = best->habits;
+  result.wall_directions_rad = best->directions_rad;
   result.log_evidence = best->chain.log_evidence;
   result.heading_sigma_rad = by_reading(best->problem, best->chain.sigma_rad);
   result.segments = best->problem.segments.size();

@@ -48,6 +48,7 @@ struct SonarTrajectory {
   std::vector<Pose2> map_from_robot;      ///< one a reading; the first is odometry's first
   std::vector<double> heading_sigma_rad;  ///< one a reading: how unsure the heading's posterior is
   OdometryHabits habits;                  ///< as found
+  std::vector<double> wall_directions_rad;  ///< of the building, modulo 90 degrees, from the first
   double log_evidence = 0.0;              ///< of the headings, against "walls lie anyhow"
   int intervals_reversed = 0;             ///< drives that odometry reported the wrong way round
   double undecided_m = 0.0;               ///< of path that could have gone either way
