@@ -203,11 +203,31 @@ OdometryHabits changed(OdometryHabits habits, const Change& change) {
   return habits;
 }
 
-/// Whether enough wall was seen by several visits and they agree about it.
-bool is_verified(const Attempt& attempt, const SonarTrajectoryOptions& options) {
-  const SonarVariant& variant = attempt.variant;
-  return variant.compared_m >= options.verified_m &&
-         variant.contradiction <= options.verified_share;
+/// Whether two headings part for good: by more than odds and ends of a turn, for long.
+bool winds_otherwise(const std::vector<Pose2>& a, const std::vector<Pose2>& b) {
+  constexpr double kTurned = radians(30.0);
+  constexpr double kShare = 0.05;  // of the readings
+  const auto apart = [&](std::size_t i) { return wrap_angle(a[i].theta_rad - b[i].theta_rad); };
+  std::size_t turned = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::abs(wrap_angle(apart(i) - apart(a.size() / 2))) > kTurned) ++turned;
+  }
+  return static_cast<double>(turned) > kShare * static_cast<double>(a.size());
+}
+
+/// Whether enough wall was seen by several visits, they agree about it, and no attempt that winds
+/// otherwise does nearly as well.
+bool is_verified(const Attempt& kept, const std::vector<Attempt>& others,
+                 const SonarTrajectoryOptions& options) {
+  constexpr double kNearly = 0.8;
+  const SonarVariant& variant = kept.variant;
+  if (variant.compared_m < options.verified_m || variant.contradiction > options.verified_share) {
+    return false;
+  }
+  return std::none_of(others.begin(), others.end(), [&](const Attempt& other) {
+    return other.score_m > kNearly * kept.score_m &&
+           winds_otherwise(other.map_from_robot, kept.map_from_robot);
+  });
 }
 
 /// Moves a trajectory so that it begins where odometry does.
@@ -230,9 +250,11 @@ SonarTrajectory correct_sonar_trajectory(Readings readings, const SonarTrajector
       heading_problem(readings, directions, likely, options.segments);
   const std::vector<double> directions_rad = building_directions(likely_problem, {});
   std::optional<Idea> best;
+  std::vector<Attempt> attempts;
   const auto offer = [&](Idea idea, Attempt attempt) {
     attempt.variant.habits = idea.habits;
     result.variants.push_back(attempt.variant);
+    attempts.push_back(attempt);
     if (best && !is_better(attempt, best->attempt)) return;
     result.chosen = result.variants.size() - 1;
     idea.attempt = std::move(attempt);
@@ -270,7 +292,7 @@ SonarTrajectory correct_sonar_trajectory(Readings readings, const SonarTrajector
   result.log_evidence = best->chain.log_evidence;
   result.heading_sigma_rad = by_reading(best->problem, best->chain.sigma_rad);
   result.segments = best->problem.segments.size();
-  result.loops_verified = is_verified(best->attempt, options);
+  result.loops_verified = is_verified(best->attempt, attempts, options);
   result.map_from_robot = std::move(best->attempt.map_from_robot);
   begin_at(readings.front().odom_from_robot, result.map_from_robot);
   return result;
