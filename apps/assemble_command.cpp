@@ -3,21 +3,51 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "roomatlas/io/closures_file.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
 #include "store_metadata.hpp"
 
 namespace roomatlas::apps {
 
+namespace {
+
+void report(const SonarTrajectory& sonars) {
+  const OdometryHabits& habits = sonars.habits;
+  spdlog::info(
+      "odometry: {:.2f} s late, {:+.2f} deg a metre, turns x {:.3f}, lengths x {:.3f}; {} drives "
+      "reversed",
+      habits.lag_s, degrees(habits.bias_rad_per_m), habits.turn_gain, habits.length_scale,
+      sonars.intervals_reversed);
+  if (sonars.variants.empty()) return;
+  const SonarVariant& chosen = sonars.variants.at(sonars.chosen);
+  spdlog::info(
+      "sonars: {} stretches of wall in {} pairs, {:.0f} % of what could be compared "
+      "contradicts",
+      sonars.segments, chosen.pairs, 100.0 * std::max(0.0, chosen.contradiction));
+  if (!sonars.loops_verified) {
+    spdlog::warn(
+        "loops not verified: what one visit heard as wall, another looked through, or no "
+        "place was visited twice");
+  }
+}
+
+}  // namespace
+
 void assemble(const Settings& settings, const Path& store_file) {
   GeoPackageStore store(store_file, GeoPackageStore::Mode::update);
   const Metadata metadata = store.metadata();
-  Assembly assembly = roomatlas::assemble(store, footprint_of(metadata), settings.assemble,
-                                          console_progress(settings));
+  AssembleOptions options = settings.assemble;
+  if (!settings.add_closures.empty()) options.closures.given = read_closures(settings.add_closures);
+  Assembly assembly =
+      roomatlas::assemble(store, footprint_of(metadata), options, console_progress(settings));
   const auto mission = metadata.find("mission_file");
   assembly.plan.title = mission == metadata.end() ? "" : mission->second;
+  if (!assembly.mapped_again.empty()) store.replace_asrs(assembly.mapped_again);
   store.put_assembly(assembly.correction, assembly.plan, assembly.room_of_asr);
+  store.put_closures(assembly.closures);
   store.finish();
   show(assembly.plan.issues);
+  if (assembly.sonars) report(*assembly.sonars);
   if (!assembly.correction.converged) {
     spdlog::warn("the correction did not converge: {}", assembly.correction.message);
   }

@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kSearchEveryM = 0.1;   // doorways are looked for after this much path
 constexpr double kBestWithinM = 0.4;    // the narrowest chord within this much path is the doorway
+constexpr double kSonarLagM = 0.4;      // sonars hear a jamb well only from beside it: looked for
+                                        // this much later than with a laser
 constexpr double kSeedM = 1.0;          // the live grid of a new ASR starts with this much path
 constexpr double kHeadingSpanM = 0.15;  // motion direction is taken over this much path each way
 
@@ -52,7 +54,7 @@ Exit entry_from(const Exit& exit, AsrId from) {
 class AsrRecorder::State {
  public:
   State(const RecorderOptions& options, const RobotFootprint& footprint, AsrSink& sink,
-        Localizer localizer)
+        std::unique_ptr<Localizer> localizer)
       : options_(options),
         footprint_(footprint),
         sink_(sink),
@@ -61,10 +63,10 @@ class AsrRecorder::State {
 
   void add(const RangeReading& reading, const Pose2& reckoned_from_robot) {
     if (!last_) odom_from_asr_ = reading.odom_from_robot;
-    const Pose2 predicted =
-        last_ ? last_->asr_from_robot * (inverse(last_->reckoned_from_robot) * reckoned_from_robot)
-              : Pose2{};
-    const Pose2 asr_from_robot = localizer_ ? localizer_(reading, predicted, live_) : predicted;
+    const Pose2 step = last_ ? inverse(last_->reckoned_from_robot) * reckoned_from_robot : Pose2{};
+    const Pose2 predicted = last_ ? last_->asr_from_robot * step : Pose2{};
+    const Pose2 asr_from_robot =
+        localizer_ ? localizer_->locate(reading, predicted, step) : predicted;
     last_ = {asr_from_robot, reckoned_from_robot};
     append(reading, asr_from_robot);
     if (const auto found = search_doorway()) {
@@ -118,7 +120,7 @@ class AsrRecorder::State {
 
   /// Looks for a doorway some way behind the robot. Answers when the narrowest one is known.
   std::optional<DoorwayOnPath> search_doorway() {
-    const double at_m = along_m_.back() - options_.doorway_lag_m;
+    const double at_m = along_m_.back() - lag_m();
     if (at_m < searched_to_m_ + kSearchEveryM) return std::nullopt;
     searched_to_m_ = at_m;
     const auto lagged = std::lower_bound(along_m_.begin(), along_m_.end(), at_m);
@@ -157,11 +159,17 @@ class AsrRecorder::State {
   /// but not so early that a robot that hardly moves would be cut again at once.
   void leave_open() {
     if (path_.size() < 2) return;
-    const double cut_m = std::max(0.0, along_m_.back() - options_.doorway_lag_m - kBestWithinM);
+    const double cut_m = std::max(0.0, along_m_.back() - lag_m() - kBestWithinM);
     const auto cut = std::lower_bound(along_m_.begin(), along_m_.end(), cut_m);
     std::size_t split = std::max<std::size_t>(1, static_cast<std::size_t>(cut - along_m_.begin()));
     if (is_full()) split = std::max(split, path_.size() / 2);
     leave(open_passage_at(path_[split].asr_from_robot), split);
+  }
+
+  /// How far behind the robot doorways are looked for.
+  [[nodiscard]] double lag_m() const {
+    const bool is_sonar = readings_.back().sensor->kind == SensorKind::sonar;
+    return options_.doorway_lag_m + (is_sonar ? kSonarLagM : 0.0);
   }
 
   [[nodiscard]] bool is_full() const {
@@ -192,9 +200,12 @@ class AsrRecorder::State {
     const Pose2 new_from_old = inverse(old_from_new);
     last_->asr_from_robot = new_from_old * last_->asr_from_robot;
     for (std::size_t i = 0; i < seed_path.size(); ++i) {
-      draw(seed_readings[i], new_from_old * seed_path[i].asr_from_robot);
+      const Pose2 new_from_robot = new_from_old * seed_path[i].asr_from_robot;
+      if (localizer_) localizer_->add(seed_readings[i], new_from_robot);
+      draw(seed_readings[i], new_from_robot);
     }
     for (std::size_t i = 0; i < rest_path.size(); ++i) {
+      if (localizer_) localizer_->add(rest_readings[i], new_from_old * rest_path[i].asr_from_robot);
       append(rest_readings[i], new_from_old * rest_path[i].asr_from_robot);
     }
   }
@@ -215,6 +226,8 @@ class AsrRecorder::State {
     asr.counters = map.counters;
     asr.path = std::exchange(path_, {});
     asr.readings = std::exchange(readings_, {});
+    asr.is_localized = localizer_ && std::all_of(asr.readings.begin(), asr.readings.end(),
+                                                 [](const auto& r) { return can_be_matched(r); });
     if (!options_.keep_readings) asr.readings.clear();
     // Where odometry puts the frame *now*: the frame itself is exact, odometry has drifted.
     const Pose2 odom_from_asr =
@@ -223,6 +236,7 @@ class AsrRecorder::State {
 
     along_m_.clear();
     live_ = HimmGrid(options_.map.cell_m);
+    if (localizer_) localizer_->clear();
     last_drawn_.reset();
     candidate_.reset();
     searched_to_m_ = 0.0;
@@ -232,7 +246,7 @@ class AsrRecorder::State {
   const RecorderOptions options_;
   const RobotFootprint footprint_;
   AsrSink& sink_;
-  const Localizer localizer_;
+  const std::unique_ptr<Localizer> localizer_;
 
   /// Where the last reading was taken.
   struct LastReading {
@@ -255,7 +269,7 @@ class AsrRecorder::State {
 };
 
 AsrRecorder::AsrRecorder(const RecorderOptions& options, const RobotFootprint& footprint,
-                         AsrSink& sink, Localizer localizer)
+                         AsrSink& sink, std::unique_ptr<Localizer> localizer)
     : state_(std::make_unique<State>(options, footprint, sink, std::move(localizer))) {}
 AsrRecorder::~AsrRecorder() = default;
 

@@ -44,10 +44,26 @@ std::string wrong_with(const PoseGraph& graph, const PoseEdge& edge) {
   return problem_of(edge);
 }
 
+std::string wrong_with(const PoseGraph& graph, const HeadingPrior& prior) {
+  if (prior.node < 0 || prior.node >= static_cast<std::int32_t>(graph.ids.size())) {
+    return "its node is not there";
+  }
+  if (!std::isfinite(prior.theta_rad)) return "it is not finite";
+  if (!(prior.sigma_rad > 0.0) || !std::isfinite(prior.sigma_rad)) {
+    return "its standard deviation is not a positive number";
+  }
+  return prior.cauchy_sigmas >= 0.0 && std::isfinite(prior.cauchy_sigmas)
+             ? ""
+             : "the scale of its loss is negative or not finite";
+}
+
 }  // namespace
 
 std::string problem_of(const PoseEdge& edge) {
   if (!is_finite(edge.from_from_to)) return "the measured pose has a number that is not finite";
+  if (!(edge.cauchy_sigmas >= 0.0) || !std::isfinite(edge.cauchy_sigmas)) {
+    return "the scale of its loss is negative or not finite";
+  }
   return wrong_with(edge.information);
 }
 
@@ -66,6 +82,11 @@ void check(const PoseGraph& graph) {
       throw InputError("node " + std::to_string(graph.ids[i]) +
                        ": the guessed pose has a number that is not finite");
     }
+  }
+  for (std::size_t k = 0; k < graph.headings.size(); ++k) {
+    const std::string wrong = wrong_with(graph, graph.headings[k]);
+    if (wrong.empty()) continue;
+    throw InputError("measured heading number " + std::to_string(k + 1) + ": " + wrong);
   }
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     const PoseEdge& edge = graph.edges[e];

@@ -47,12 +47,30 @@ void fill(const SolverGraph& graph, std::span<const double> weights, BlockCholes
   }
 }
 
+/// The number of a node is said to be exp(i theta).
+void add_unary(std::int32_t slot, double theta_rad, double weight, BlockCholesky<2>& matrix,
+               std::vector<double>& z) {
+  const BlockPlace place = matrix.place(slot, slot);
+  matrix.values()[place.offset] += weight;
+  matrix.values()[place.offset + place.stride + 1] += weight;
+  z[at(slot) * 2] += weight * std::cos(theta_rad);
+  z[at(slot) * 2 + 1] += weight * std::sin(theta_rad);
+}
+
 }  // namespace
 
-State chordal_headings(const SolverGraph& graph, std::span<const double> weights) {
+State chordal_headings(const SolverGraph& graph, std::span<const double> weights, bool headings) {
   BlockCholesky<2> matrix(graph.supernodes);
+  matrix.clear();
   std::vector<double> z(at(graph.variable_count) * 2, 0.0);
   fill(graph, weights, matrix, z);
+  if (headings) {
+    for (const SolverHeading& heading : graph.headings) {
+      add_unary(heading.slot, heading.theta_rad, heading.information, matrix, z);
+    }
+  } else {
+    for (const Anchor& anchor : graph.anchors) add_unary(anchor.slot, 0.0, 1.0, matrix, z);
+  }
   if (matrix.factorize() != -1) return {};
   matrix.solve(z.data());
   State state(graph.slot.size() * 3, 0.0);

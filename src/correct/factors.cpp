@@ -66,6 +66,16 @@ bool RelativePoseFactor::Evaluate(double const* const* parameters, double* resid
   return true;
 }
 
+bool HeadingFactor::Evaluate(double const* const* parameters, double* residuals,
+                             double** jacobians) const {
+  residuals[0] = wrap_angle(parameters[0][2] - measured_rad_) / sigma_rad_;
+  if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+  jacobians[0][0] = 0.0;
+  jacobians[0][1] = 0.0;
+  jacobians[0][2] = 1.0 / sigma_rad_;
+  return true;
+}
+
 bool RelativeHeadingFactor::Evaluate(double const* const* parameters, double* residuals,
                                      double** jacobians) const {
   residuals[0] = wrap_angle(parameters[1][0] - parameters[0][0] - measured_rad_) / sigma_rad_;

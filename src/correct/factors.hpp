@@ -28,6 +28,19 @@ class RelativePoseFactor : public ceres::SizedCostFunction<3, 3, 3> {
   Eigen::Matrix3d whitening_;
 };
 
+/// A measured heading of a pose: r = wrap(theta - measured) / sigma.
+class HeadingFactor : public ceres::SizedCostFunction<1, 3> {
+ public:
+  HeadingFactor(double measured_rad, double sigma_rad)
+      : measured_rad_(measured_rad), sigma_rad_(sigma_rad) {}
+  bool Evaluate(double const* const* parameters, double* residuals,
+                double** jacobians) const override;
+
+ private:
+  double measured_rad_;
+  double sigma_rad_;
+};
+
 /// Heading of `to` relative to `from`: r = wrap(theta_to - theta_from - measured) / sigma.
 class RelativeHeadingFactor : public ceres::SizedCostFunction<1, 1, 1> {
  public:

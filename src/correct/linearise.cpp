@@ -25,7 +25,7 @@ std::vector<Point2> directions_of(const State& state) {
 }
 
 Terms terms_of(const SolverEdge& edge, const State& state, const std::vector<Point2>& directions,
-               double weight, StepSource source) {
+               StepSource source) {
   const double* const from = state.data() + std::ptrdiff_t{edge.from} * 3;
   const double* const to = state.data() + std::ptrdiff_t{edge.to} * 3;
   const double c = directions[at(edge.from)].x();
@@ -42,12 +42,12 @@ Terms terms_of(const SolverEdge& edge, const State& state, const std::vector<Poi
   const double* const o = edge.information;
   const double cross = c * s * (o[0] - o[2]) + (c * c - s * s) * o[1];
   const double twice = 2.0 * c * s * o[1];
-  t.w[0] = weight * (c * c * o[0] - twice + s * s * o[2]);
-  t.w[1] = weight * cross;
-  t.w[2] = weight * (s * s * o[0] + twice + c * c * o[2]);
-  t.w[3] = weight * (c * o[3] - s * o[4]);
-  t.w[4] = weight * (s * o[3] + c * o[4]);
-  t.w[5] = weight * o[5];
+  t.w[0] = c * c * o[0] - twice + s * s * o[2];
+  t.w[1] = cross;
+  t.w[2] = s * s * o[0] + twice + c * c * o[2];
+  t.w[3] = c * o[3] - s * o[4];
+  t.w[4] = s * o[3] + c * o[4];
+  t.w[5] = o[5];
   t.force[0] = t.w[0] * ex + t.w[1] * ey + t.w[3] * et;
   t.force[1] = t.w[1] * ex + t.w[2] * ey + t.w[4] * et;
   t.force[2] = t.w[3] * ex + t.w[4] * ey + t.w[5] * et;
@@ -56,6 +56,47 @@ Terms terms_of(const SolverEdge& edge, const State& state, const std::vector<Poi
   t.q[0] = measured ? -my : -dy;
   t.q[1] = measured ? mx : dx;
   return t;
+}
+
+/// Scales by the edge's weight and that of its loss.
+void weigh(const SolverEdge& edge, double weight, StepSource source, Terms& t) {
+  const double sigmas = source == StepSource::state ? edge.cauchy_sigmas : 0.0;
+  if (weight == 1.0 && sigmas == 0.0) return;
+  const double scale = weight * cauchy_weight(t.chi_square, sigmas);
+  t.chi_square = weight * cauchy_loss(t.chi_square, sigmas);
+  for (double& value : t.w) value *= scale;
+  for (double& value : t.force) value *= scale;
+}
+
+double error_of(const SolverHeading& heading, const State& state) {
+  return wrap_angle(state[at(heading.slot) * 3 + 2] - heading.theta_rad);
+}
+
+/// Headings and anchors act on a single node.
+double add_unary(const SolverGraph& graph, const State& state, std::vector<double>& right_side,
+                 NormalEquations* equations) {
+  const auto add_to_diagonal = [&](std::int32_t slot, std::ptrdiff_t row, double value) {
+    if (equations == nullptr) return;
+    const BlockPlace place = equations->places.diagonal[at(slot)];
+    equations->matrix.values()[place.offset + row * place.stride + row] += value;
+  };
+  double sum = 0.0;
+  for (const SolverHeading& heading : graph.headings) {
+    const double error = error_of(heading, state);
+    const double chi_square = error * error * heading.information;
+    const double weight = heading.information * cauchy_weight(chi_square, heading.cauchy_sigmas);
+    right_side[at(heading.slot) * 3 + 2] -= weight * error;
+    add_to_diagonal(heading.slot, 2, weight);
+    sum += cauchy_loss(chi_square, heading.cauchy_sigmas);
+  }
+  for (const Anchor& anchor : graph.anchors) {
+    for (std::ptrdiff_t row = 0; row < 2; ++row) {
+      const std::size_t place = at(anchor.slot) * 3 + at(row);
+      right_side[place] -= anchor.information * state[place];
+      add_to_diagonal(anchor.slot, row, anchor.information);
+    }
+  }
+  return sum;
 }
 
 /// The right side is minus the Jacobians' transposes times the force.
@@ -126,12 +167,13 @@ double linearise(const SolverGraph& graph, const State& state, std::span<const d
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     const double weight = weight_of(weights, e);
     if (weight == 0.0) continue;
-    const Terms terms = terms_of(graph.edges[e], state, directions, weight, source);
+    Terms terms = terms_of(graph.edges[e], state, directions, source);
+    weigh(graph.edges[e], weight, source, terms);
     add_forces(graph.edges[e], terms, graph.variable_count, equations.right_side);
     add_blocks(graph.edges[e], terms, equations.places.between[e], graph.variable_count, equations);
     sum += terms.chi_square;
   }
-  return sum;
+  return sum + add_unary(graph, state, equations.right_side, &equations);
 }
 
 double gradient(const SolverGraph& graph, const State& state, std::span<const double> weights,
@@ -142,11 +184,12 @@ double gradient(const SolverGraph& graph, const State& state, std::span<const do
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     const double weight = weight_of(weights, e);
     if (weight == 0.0) continue;
-    const Terms terms = terms_of(graph.edges[e], state, directions, weight, StepSource::state);
+    Terms terms = terms_of(graph.edges[e], state, directions, StepSource::state);
+    weigh(graph.edges[e], weight, StepSource::state, terms);
     add_forces(graph.edges[e], terms, graph.variable_count, right_side);
     sum += terms.chi_square;
   }
-  return sum;
+  return sum + add_unary(graph, state, right_side, nullptr);
 }
 
 double chi_square(const SolverGraph& graph, const State& state, std::span<const double> weights,
@@ -155,12 +198,19 @@ double chi_square(const SolverGraph& graph, const State& state, std::span<const 
   const std::vector<Point2> directions = directions_of(state);
   double sum = 0.0;
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-    const double value =
-        terms_of(graph.edges[e], state, directions, 1.0, StepSource::state).chi_square;
+    const double value = terms_of(graph.edges[e], state, directions, StepSource::state).chi_square;
     if (each != nullptr) (*each)[e] = value;
-    sum += weight_of(weights, e) * value;
+    sum += weight_of(weights, e) * cauchy_loss(value, graph.edges[e].cauchy_sigmas);
+  }
+  for (const SolverHeading& heading : graph.headings) {
+    sum += cauchy_loss(chi_square(heading, state), heading.cauchy_sigmas);
   }
   return sum;
+}
+
+double chi_square(const SolverHeading& heading, const State& state) {
+  const double error = error_of(heading, state);
+  return error * error * heading.information;
 }
 
 }  // namespace roomatlas

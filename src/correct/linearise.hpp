@@ -28,18 +28,24 @@ struct NormalEquations {
   std::vector<double>& right_side;  ///< minus half the gradient, 3 a position
 };
 
-/// Fills the equations of the weighted edges.
+/// Fills the equations of the weighted edges and of the headings. A loss weighs its measurement as
+/// its derivative at the state does, but not in steps from the measurements: those start without
+/// positions.
 /// @param weights one an edge of the SolverGraph, or empty: all 1. Edges of weight 0 are left out
-/// @return chi-square at the state
+/// @return chi-square at the state, under the losses
 double linearise(const SolverGraph& graph, const State& state, std::span<const double> weights,
                  StepSource source, NormalEquations& equations);
 
-/// The right side alone. @return chi-square
+/// The right side alone. @return chi-square, under the losses
 double gradient(const SolverGraph& graph, const State& state, std::span<const double> weights,
                 std::vector<double>& right_side);
 
-/// Sum of weight times chi-square. @param each where given, receives the unweighted chi-squares
+/// Sum of weight times chi-square, under the losses.
+/// @param each where given, receives the edges' chi-squares without weight or loss
 double chi_square(const SolverGraph& graph, const State& state, std::span<const double> weights,
                   std::vector<double>* each = nullptr);
+
+/// Of a measured heading, without its loss.
+double chi_square(const SolverHeading& heading, const State& state);
 
 }  // namespace roomatlas

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 
 #include "models.hpp"
@@ -28,7 +29,10 @@ Measurements measurements_of(const std::vector<Asr>& asrs, const RoomGraph& grap
     auto& edges = edge.source == EdgeSource::driven ? measurements.driven : measurements.recognised;
     edges.push_back({index_of.at(edge.from), index_of.at(edge.to), edge});
   }
-  if (options.use_heading_bias) {
+  const bool is_reckoned =
+      std::any_of(measurements.driven.begin(), measurements.driven.end(),
+                  [](const auto& edge) { return !edge.measured.is_localized; });
+  if (options.use_heading_bias && is_reckoned) {
     remove_bias(measurements, estimate_heading_bias(measurements, options));
   }
   return measurements;
@@ -37,6 +41,12 @@ Measurements measurements_of(const std::vector<Asr>& asrs, const RoomGraph& grap
 HeadingAndPosition sigmas_of(const PassageEdge& edge, const CorrectOptions& options) {
   if (edge.source == EdgeSource::recognised) {
     return {radians(options.doorway_heading_deg), options.doorway_position_m};
+  }
+  if (edge.source == EdgeSource::matched) {
+    return {std::sqrt(1.0 / edge.information(2, 2)), std::sqrt(1.0 / edge.information(0, 0))};
+  }
+  if (edge.is_localized) {
+    return {radians(options.localized_heading_deg), options.localized_position_m};
   }
   const double heading_rad =
       std::hypot(radians(options.odometry_heading_deg),
@@ -62,7 +72,20 @@ double wall_sigma_rad(const WallDirection& wall, const CorrectOptions& options) 
   return radians(std::hypot(options.wall_heading_deg, options.wall_heading_deg_m / wall.aligned_m));
 }
 
-State initial_guess(const Measurements& measurements, const CorrectOptions& options) {
+FactorKind kind_of(const PassageEdge& edge) {
+  return edge.source == EdgeSource::matched ? FactorKind::closure : FactorKind::doorway;
+}
+
+Eigen::Matrix3d information_of(const PassageEdge& edge, const CorrectOptions& options) {
+  if (edge.source == EdgeSource::matched) return edge.information;
+  const HeadingAndPosition sigma = sigmas_of(edge, options);
+  const double position = 1.0 / (sigma.position_m * sigma.position_m);
+  const double heading = 1.0 / (sigma.heading_rad * sigma.heading_rad);
+  return Eigen::Vector3d(position, position, heading).asDiagonal();
+}
+
+State initial_guess(const Measurements& measurements, const CorrectOptions& options,
+                    const Placement& known) {
   std::vector<const Measurements::Edge*> driven_into(measurements.ids.size(), nullptr);
   for (const Measurements::Edge& edge : measurements.driven) driven_into[edge.to] = &edge;
   const std::vector<double> turn =
@@ -79,6 +102,7 @@ State initial_guess(const Measurements& measurements, const CorrectOptions& opti
       pose = state.building_from_asr[from] * driven_into[i]->measured.from_from_to;
       pose.theta_rad = wrap_angle(pose.theta_rad + turn[i] - turn[from]);
     }
+    if (const auto at = known.find(measurements.ids[i]); at != known.end()) pose = at->second;
     if (!measurements.walls[i]) continue;
     const WallDirection& wall = *measurements.walls[i];
     direction_votes[component] +=

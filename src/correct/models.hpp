@@ -62,8 +62,9 @@ struct State {
 };
 
 /// Where to start: odometry from one ASR to the next, each turned as the smoothed headings say.
-/// Without walls this is odometry.
-[[nodiscard]] State initial_guess(const Measurements& measurements, const CorrectOptions& options);
+/// Without walls this is odometry. @param known where ASRs are known to be already; may be empty
+[[nodiscard]] State initial_guess(const Measurements& measurements, const CorrectOptions& options,
+                                  const Placement& known);
 
 /// The angle to add to an ASR's heading to compare it with the building's direction: its walls'
 /// direction plus as many quarter turns as lie between at `state`. Nothing where the ASR's walls
@@ -74,6 +75,9 @@ struct State {
 
 /// Standard deviation of a wall direction: long walls tell it well.
 [[nodiscard]] double wall_sigma_rad(const WallDirection& wall, const CorrectOptions& options);
+
+/// What an edge found offline came from.
+[[nodiscard]] FactorKind kind_of(const PassageEdge& edge);
 
 struct HeadingAndPosition {
   double heading_rad = 0.0;

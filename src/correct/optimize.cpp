@@ -28,16 +28,22 @@ void fill(const PoseGraph& graph, const LeastSquares& squares, const Solved& sol
   result.edges.resize(graph.edges.size());
   for (std::size_t e = 0; e < each.size(); ++e) {
     EdgeVerdict& verdict = result.edges[at(g.edge_index[e])];
-    verdict.weight = weights.empty() ? 1.0 : weights[e];
-    verdict.accepted = verdict.weight > 0.0;
+    const double weight = weights.empty() ? 1.0 : weights[e];
+    verdict.weight = weight * cauchy_weight(each[e], g.edges[e].cauchy_sigmas);
+    verdict.accepted = weight > 0.0;
     verdict.chi_square = each[e];
+  }
+  for (const SolverHeading& heading : g.headings) {
+    const double off = chi_square(heading, solved.state);
+    result.headings.push_back({cauchy_weight(off, heading.cauchy_sigmas), off, heading.theta_rad});
   }
 }
 
 void give_reasons(const PoseGraph& graph, bool robust, OptimizeResult& result) {
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     EdgeVerdict& verdict = result.edges[e];
-    verdict.reason = !robust                                 ? EdgeReason::least_squares
+    const bool has_loss = graph.edges[e].cauchy_sigmas > 0.0;
+    verdict.reason = !robust ? has_loss ? EdgeReason::reweighted : EdgeReason::least_squares
                      : graph.edges[e].kind != EdgeKind::loop ? EdgeReason::never_rejected
                      : verdict.accepted                      ? EdgeReason::fits
                                                              : EdgeReason::contradicts;
@@ -49,16 +55,16 @@ void give_reasons(const PoseGraph& graph, bool robust, OptimizeResult& result) {
 OptimizeResult optimize(const PoseGraph& graph, const OptimizeOptions& options) {
   check(graph);
   if (graph.edges.empty()) {
-    throw NotEnoughError("the pose graph has " + std::to_string(graph.ids.size()) +
-                         " nodes and no edge: there is nothing to solve");
+    const std::size_t count = graph.ids.size();
+    throw NotEnoughError("the pose graph has " + std::to_string(count) +
+                         (count == 1 ? " node" : " nodes") +
+                         " and no edge: there is nothing to solve");
   }
   LeastSquares squares(graph, options);
   OptimizeResult result;
   result.component = squares.graph().components.component;
   result.fixed = squares.graph().components.fixed;
-  result.initial_chi_square = graph.guess.empty()
-                                  ? chi_square(squares.graph(), squares.odometry(), {})
-                                  : chi_square(squares.graph(), squares.state_of(graph.guess), {});
+  result.initial_chi_square = squares.initial_chi_square();
   RobustSolution robust;
   if (options.robust) {
     robust = solve_robustly(graph, squares);

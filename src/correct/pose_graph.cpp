@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "roomatlas/correct/wall_direction.hpp"
+
 namespace roomatlas {
 
 Eigen::Vector3d edge_error(const PoseEdge& edge, const Pose2& from, const Pose2& to) {
@@ -17,11 +19,33 @@ double chi_square(const PoseEdge& edge, const Pose2& from, const Pose2& to) {
   return error.dot(edge.information * error);
 }
 
+double cauchy_loss(double chi_square, double cauchy_sigmas) {
+  if (cauchy_sigmas == 0.0) return chi_square;
+  const double squared = cauchy_sigmas * cauchy_sigmas;
+  return squared * std::log1p(chi_square / squared);
+}
+
+double cauchy_weight(double chi_square, double cauchy_sigmas) {
+  if (cauchy_sigmas == 0.0) return 1.0;
+  return 1.0 / (1.0 + chi_square / (cauchy_sigmas * cauchy_sigmas));
+}
+
+double chi_square(const HeadingPrior& prior, const Pose2& pose) {
+  const double off = pose.theta_rad - prior.theta_rad;
+  const double error = (prior.modulo_quarter ? wrap_quarter(off) : wrap_angle(off));
+  return error * error / (prior.sigma_rad * prior.sigma_rad);
+}
+
 double chi_square(const PoseGraph& graph, std::span<const Pose2> poses) {
   double sum = 0.0;
   for (const PoseEdge& edge : graph.edges) {
-    sum += chi_square(edge, poses[static_cast<std::size_t>(edge.from)],
-                      poses[static_cast<std::size_t>(edge.to)]);
+    sum += cauchy_loss(chi_square(edge, poses[static_cast<std::size_t>(edge.from)],
+                                  poses[static_cast<std::size_t>(edge.to)]),
+                       edge.cauchy_sigmas);
+  }
+  for (const HeadingPrior& prior : graph.headings) {
+    sum += cauchy_loss(chi_square(prior, poses[static_cast<std::size_t>(prior.node)]),
+                       prior.cauchy_sigmas);
   }
   return sum;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <ceres/loss_function.h>
 
+#include <Eigen/LU>
+
 #include <algorithm>
 
 #include "factors.hpp"
@@ -28,6 +30,13 @@ std::vector<const Measurements::Edge*> chain_between(
   }
   std::reverse(chain.begin(), chain.end());
   return chain;
+}
+
+/// Variance of a coordinate of where a matched edge puts `to`, in the mean over all directions;
+/// none for a doorway, whose two sides are one place.
+double position_variance_m2(const PassageEdge& edge) {
+  if (edge.source != EdgeSource::matched) return 0.0;
+  return edge.information.inverse().topLeftCorner<2, 2>().trace() / 2.0;
 }
 
 /// Positions follow from the pivots: each ASR begins where the one before puts its exit.
@@ -72,21 +81,22 @@ ModelResult solve_rotation_only(const Measurements& measurements, const State& s
   };
   for (const auto& edge : measurements.driven) add_heading(edge, FactorKind::odometry, false);
   for (const auto& edge : measurements.recognised) {
-    add_heading(edge, FactorKind::doorway, true);
+    add_heading(edge, kind_of(edge.measured), true);
     const auto chain = chain_between(into, edge.from, edge.to);
     if (chain.empty()) continue;
     std::vector<Point2> steps_m;
     std::vector<double*> along;
-    double variance_m2 = 0.0;
+    double variance_m2 = position_variance_m2(edge.measured);
     for (const Measurements::Edge* step : chain) {
       steps_m.push_back(step->measured.from_from_to.position());
       along.push_back(&headings[step->from]);
       const double sigma_m = sigmas_of(step->measured, options).position_m;
       variance_m2 += sigma_m * sigma_m;
     }
+    steps_m.front() -= edge.measured.from_from_to.position();
     const auto block = problem.AddResidualBlock(
         new PivotLoopFactor(std::move(steps_m), std::sqrt(variance_m2)), robust(), along);
-    factors.push_back({block, report_of(measurements, edge, FactorKind::doorway), true});
+    factors.push_back({block, report_of(measurements, edge, kind_of(edge.measured)), true});
   }
   for (std::size_t i = 0; i < headings.size(); ++i) {
     const auto offset = wall_offset(measurements, start, i, options);

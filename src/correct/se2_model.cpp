@@ -18,12 +18,6 @@ std::vector<PoseBlock> blocks_of(const std::vector<Pose2>& poses) {
   return blocks;
 }
 
-Eigen::Matrix3d information_of(const HeadingAndPosition& sigma) {
-  const double position = 1.0 / (sigma.position_m * sigma.position_m);
-  const double heading = 1.0 / (sigma.heading_rad * sigma.heading_rad);
-  return Eigen::Vector3d(position, position, heading).asDiagonal();
-}
-
 }  // namespace
 
 ModelResult solve_se2(const Measurements& measurements, const State& start,
@@ -35,15 +29,15 @@ ModelResult solve_se2(const Measurements& measurements, const State& start,
 
   for (PoseBlock& pose : poses) problem.AddParameterBlock(pose.data(), 3);
   const auto add_edge = [&](const Measurements::Edge& edge, FactorKind kind, bool is_robust) {
-    auto* cost = new RelativePoseFactor(edge.measured.from_from_to,
-                                        information_of(sigmas_of(edge.measured, options)));
+    auto* cost =
+        new RelativePoseFactor(edge.measured.from_from_to, information_of(edge.measured, options));
     auto* loss = is_robust ? new ceres::CauchyLoss(options.robust_sigmas) : nullptr;
     const auto block =
         problem.AddResidualBlock(cost, loss, poses[edge.from].data(), poses[edge.to].data());
     factors.push_back({block, report_of(measurements, edge, kind), is_robust});
   };
   for (const auto& edge : measurements.driven) add_edge(edge, FactorKind::odometry, false);
-  for (const auto& edge : measurements.recognised) add_edge(edge, FactorKind::doorway, true);
+  for (const auto& edge : measurements.recognised) add_edge(edge, kind_of(edge.measured), true);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const auto offset = wall_offset(measurements, start, i, options);
     if (!offset) continue;

@@ -22,7 +22,8 @@ std::int32_t root_of(Indices& parent, std::int32_t node) {
 
 SolverEdge solver_edge(const PoseEdge& edge, const Indices& slot) {
   SolverEdge result{slot[at(edge.from)],   slot[at(edge.to)],           edge.from_from_to.x_m,
-                    edge.from_from_to.y_m, edge.from_from_to.theta_rad, {}};
+                    edge.from_from_to.y_m, edge.from_from_to.theta_rad, {},
+                    edge.cauchy_sigmas};
   const double c = std::cos(result.theta_rad);
   const double s = std::sin(result.theta_rad);
   const auto& o = edge.information;
@@ -36,6 +37,41 @@ SolverEdge solver_edge(const PoseEdge& edge, const Indices& slot) {
   result.information[4] = s * o(0, 2) + c * o(1, 2);
   result.information[5] = o(2, 2);
   return result;
+}
+
+std::vector<bool> components_that_turn(const PoseGraph& graph, const Components& components) {
+  std::vector<bool> turns(components.fixed.size(), false);
+  for (const HeadingPrior& prior : graph.headings) {
+    turns[at(components.component[at(prior.node)])] = true;
+  }
+  return turns;
+}
+
+/// Fixed nodes that turn are variables, the others stand at the end.
+void number_roots(const std::vector<bool>& turns, SolverGraph& result) {
+  std::int32_t end = result.variable_count;
+  for (std::size_t c = 0; c < turns.size(); ++c) {
+    std::int32_t& slot = result.slot[at(result.components.fixed[c])];
+    if (slot == -1) slot = end++;
+    result.roots.push_back(slot);
+  }
+}
+
+void add_headings(const PoseGraph& graph, const std::vector<bool>& turns, SolverGraph& result) {
+  constexpr double kStiffness = 1e6;
+  for (const HeadingPrior& prior : graph.headings) {
+    result.headings.push_back({result.slot[at(prior.node)], prior.theta_rad,
+                               1.0 / (prior.sigma_rad * prior.sigma_rad), prior.cauchy_sigmas});
+  }
+  double stiffest = 1.0;
+  if (!graph.headings.empty()) {
+    for (const SolverEdge& edge : result.edges) {
+      stiffest = std::max({stiffest, edge.information[0], edge.information[2]});
+    }
+  }
+  for (std::size_t c = 0; c < turns.size(); ++c) {
+    if (turns[c]) result.anchors.push_back({result.roots[c], kStiffness * stiffest});
+  }
 }
 
 /// Edges by the first slot that they touch, so that neighbours in memory act on the same panels.
@@ -88,7 +124,10 @@ SolverGraph solver_graph_of(const PoseGraph& graph) {
   result.components = components_of(graph);
   Indices& slot = result.slot;
   slot.assign(graph.ids.size(), 0);
-  for (const std::int32_t fixed : result.components.fixed) slot[at(fixed)] = -1;
+  const std::vector<bool> turns = components_that_turn(graph, result.components);
+  for (std::size_t c = 0; c < turns.size(); ++c) {
+    if (!turns[c]) slot[at(result.components.fixed[c])] = -1;
+  }
   for (std::int32_t& number : slot) {
     if (number == 0) number = result.variable_count++;
   }
@@ -101,15 +140,16 @@ SolverGraph solver_graph_of(const PoseGraph& graph) {
   }
   result.supernodes = find_supernodes(at(result.variable_count), pairs);
   std::vector<NodePair>().swap(pairs);
-  for (std::size_t i = 0; i < slot.size(); ++i) {
-    slot[i] = slot[i] == -1 ? result.variable_count + result.components.component[i]
-                            : result.supernodes.position[at(slot[i])];
+  for (std::int32_t& number : slot) {
+    if (number != -1) number = result.supernodes.position[at(number)];
   }
+  number_roots(turns, result);
   result.edge_index = sorted_edges(graph, slot);
   result.edges.reserve(graph.edges.size());
   for (const std::int32_t e : result.edge_index) {
     result.edges.push_back(solver_edge(graph.edges[at(e)], slot));
   }
+  add_headings(graph, turns, result);
   return result;
 }
 

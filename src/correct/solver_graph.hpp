@@ -28,17 +28,36 @@ struct SolverEdge {
   double y_m = 0.0;
   double theta_rad = 0.0;
   double information[6] = {};
+  double cauchy_sigmas = 0.0;
+};
+
+/// A measured heading, quarter turns settled.
+struct SolverHeading {
+  std::int32_t slot = 0;
+  double theta_rad = 0.0;
+  double information = 0.0;  ///< 1/rad^2
+  double cauchy_sigmas = 0.0;
+};
+
+/// The fixed node of a component that measured headings turn: a variable whose position is held.
+struct Anchor {
+  std::int32_t slot = 0;
+  /// Of its position, 1/m^2. How stiff does not matter for the poses: nothing pulls at the place of
+  /// a whole component. It is much stiffer than any edge so that covariances are right too.
+  double information = 0.0;
 };
 
 struct SolverGraph {
   Components components;
   Supernodes supernodes;
   std::int32_t variable_count = 0;
-  /// Of each node: its position of elimination, or variable_count + its component where it is
-  /// fixed.
+  /// Of each node: its position of elimination, or at least variable_count where it is fixed.
   std::vector<std::int32_t> slot;
+  std::vector<std::int32_t> roots;  ///< slot of each component's fixed node
   std::vector<SolverEdge> edges;
   std::vector<std::int32_t> edge_index;  ///< of each of `edges` in the pose graph
+  std::vector<SolverHeading> headings;   ///< in the order of the pose graph
+  std::vector<Anchor> anchors;           ///< of the components that have headings
 };
 
 [[nodiscard]] SolverGraph solver_graph_of(const PoseGraph& graph);

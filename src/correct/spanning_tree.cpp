@@ -55,9 +55,7 @@ SpanningTree spanning_tree(const SolverGraph& graph, const Incidence& incidence,
     std::int32_t via;
   };
   std::deque<Step> waiting;
-  for (std::size_t k = at(graph.variable_count); k < graph.slot.size(); ++k) {
-    waiting.push_back({static_cast<std::int32_t>(k), -1});
-  }
+  for (const std::int32_t root : graph.roots) waiting.push_back({root, -1});
   std::deque<Step> later;  // steps over costly edges
   while (!waiting.empty() || !later.empty()) {
     std::deque<Step>& queue = waiting.empty() ? later : waiting;
@@ -124,6 +122,7 @@ State headings_by_winding(const SolverGraph& graph, const SpanningTree& tree,
                           std::span<const double> weights) {
   const std::vector<double> along = unwrapped_headings(graph, tree);
   BlockCholesky<1> matrix(graph.supernodes);
+  matrix.clear();
   std::vector<double> headings(at(graph.variable_count), 0.0);
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     if (!is_used(weights, e)) continue;
@@ -145,6 +144,9 @@ State headings_by_winding(const SolverGraph& graph, const SpanningTree& tree,
       const std::int32_t row = std::max(edge.from, edge.to);
       matrix.values()[matrix.place(row, edge.from + edge.to - row).offset] -= weight;
     }
+  }
+  for (const Anchor& anchor : graph.anchors) {
+    matrix.values()[matrix.place(anchor.slot, anchor.slot).offset] += 1.0;
   }
   if (matrix.factorize() != -1) return {};
   matrix.solve(headings.data());

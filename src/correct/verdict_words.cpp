@@ -15,6 +15,9 @@ std::string words(const EdgeVerdict& verdict) {
       return "not decided";
     case EdgeReason::least_squares:
       return "all edges count: " + chi_square;
+    case EdgeReason::reweighted:
+      std::snprintf(figure.data(), figure.size(), "%.3g", verdict.weight);
+      return std::string("counts with weight ") + figure.data() + ": " + chi_square;
     case EdgeReason::never_rejected:
       return "odometry or trusted, never rejected: " + chi_square;
     case EdgeReason::fits:

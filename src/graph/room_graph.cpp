@@ -36,7 +36,7 @@ RoomGraph build_graph(const std::vector<Asr>& asrs) {
       if (exit.is_entry || !exit.neighbor || !vertex_of.contains(*exit.neighbor)) continue;
       boost::add_edge(vertex_of[asr.id], vertex_of[*exit.neighbor],
                       {asr.id, *exit.neighbor, exit.asr_from_pivot, exit.kind, EdgeSource::driven,
-                       path_length_m(asr), turning(asr)},
+                       path_length_m(asr), turning(asr), Eigen::Matrix3d::Zero(), asr.is_localized},
                       graph);
     }
   }

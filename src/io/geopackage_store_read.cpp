@@ -43,6 +43,7 @@ Asr asr_of(Row& row) {
   const ByteView walls = row.blob();
   asr.walls = walls_of(walls, row.text());
   asr.counters = counters_of(row);
+  asr.is_localized = row.integer() != 0;
   return asr;
 }
 

@@ -35,11 +35,11 @@ void delete_asr(Database& db, AsrId id) {
 
 void insert_asr(Database& db, const Asr& asr) {
   const AsrCounters& n = asr.counters;
-  db.run("INSERT INTO asr VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+  db.run("INSERT INTO asr VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
          asr.id, asr.room, asr.start_s, asr.end_s, asr.odom_from_asr, asr.reference_point_asr,
          wkb_of_polygon(asr.outline_asr), walls_wkb(asr.walls), edges_text(asr.walls), n.grid_cells,
          n.grid_bytes, n.occupied_cells, n.cleaned_cells, n.extracted_points, n.vertices,
-         n.geometry_bytes, n.ignored_ranges);
+         n.geometry_bytes, n.ignored_ranges, asr.is_localized);
 }
 
 void insert_exits(Database& db, const Asr& asr) {
@@ -89,6 +89,20 @@ void GeoPackageStore::put(const Asr& asr) {
     state_->write_pending_truth(db);
   });
   state_->pending_truth.clear();
+}
+
+void GeoPackageStore::replace_asrs(const std::vector<Asr>& asrs) {
+  state_->transaction([&](Database& db) {
+    for (const char* table : {"exits", "path_samples", "readings", "asr"}) {
+      db.execute("DELETE FROM " + std::string(table));
+    }
+    for (const Asr& asr : asrs) {
+      insert_asr(db, asr);
+      insert_exits(db, asr);
+      insert_path(db, asr);
+      insert_readings(db, state_->sensors, asr);
+    }
+  });
 }
 
 void GeoPackageStore::put(const TruePose& truth) {

@@ -23,9 +23,10 @@ inline constexpr StoredNames<PassageKind, 2> kPassageKinds = {
     {{PassageKind::doorway, "doorway"}, {PassageKind::open_passage, "open_passage"}}};
 inline constexpr StoredNames<RoomKind, 3> kRoomKinds = {
     {{RoomKind::room, "room"}, {RoomKind::corridor, "corridor"}, {RoomKind::hall, "hall"}}};
-inline constexpr StoredNames<FactorKind, 3> kFactorKinds = {
+inline constexpr StoredNames<FactorKind, 4> kFactorKinds = {
     {{FactorKind::odometry, "odometry"},
      {FactorKind::doorway, "doorway"},
+     {FactorKind::closure, "closure"},
      {FactorKind::wall_direction, "wall_direction"}}};
 inline constexpr StoredNames<Severity, 3> kSeverities = {
     {{Severity::note, "note"}, {Severity::warning, "warning"}, {Severity::error, "error"}}};

@@ -13,7 +13,7 @@ constexpr std::size_t kBeamsCompared = 60;
 constexpr double kIndependentBeams = 8.0;  // neighbouring beams see the same wall
 constexpr double kWorstSigmas = 3.0;       // a return on something else costs no more than this
 constexpr std::size_t kMaxWaiting = 64;    // an interval is decided long before
-constexpr double kDecidedLogOdds = 12.0;   // enough evidence, either way, to stop waiting
+constexpr double kDecidedLogOdds = 60.0;   // enough evidence, either way, to stop waiting
 
 bool is_return(const RangeReading& reading, std::size_t beam) {
   const double range_m = reading.ranges_m[beam];
@@ -82,6 +82,10 @@ double reverse_log_odds(const RangeReading& earlier, const RangeReading& later,
   return reported && against ? kIndependentBeams * (*against - *reported) : 0.0;
 }
 
+bool DeadReckoner::is_clearly_reversed() const {
+  return log_odds_ > options_.flip_log_odds && log_odds_ > options_.flip_log_odds_per_pair * pairs_;
+}
+
 std::vector<DeadReckoned> DeadReckoner::release(bool is_reversed) {
   std::vector<DeadReckoned> released;
   for (RangeReading& reading : waiting_) {
@@ -117,6 +121,7 @@ std::vector<DeadReckoned> DeadReckoner::add(const RangeReading& reading) {
       const double apart_m = step_between(earlier, reading).position().norm();
       if (apart_m < options_.min_apart_m || apart_m > options_.max_apart_m) return;
       log_odds_ += reverse_log_odds(earlier, reading, options_);
+      ++pairs_;
     };
     if (last_released_) compare(*last_released_);  // where the interval began
     for (const RangeReading& earlier : waiting_) compare(earlier);
@@ -124,17 +129,18 @@ std::vector<DeadReckoned> DeadReckoner::add(const RangeReading& reading) {
   waiting_.push_back(reading);
   const bool waited_enough = waiting_.size() >= kMaxWaiting;
   if (!decided_ && (std::abs(log_odds_) > kDecidedLogOdds || waited_enough)) {
-    decided_ = log_odds_ > options_.flip_log_odds;
+    decided_ = is_clearly_reversed();
     if (*decided_) ++intervals_reversed_;
   }
   return decided_ ? release(*decided_) : released;
 }
 
 std::vector<DeadReckoned> DeadReckoner::finish() {
-  const bool is_reversed = decided_.value_or(log_odds_ > options_.flip_log_odds);
+  const bool is_reversed = decided_.value_or(is_clearly_reversed());
   if (!decided_ && is_reversed) ++intervals_reversed_;
   decided_.reset();
   log_odds_ = 0.0;
+  pairs_ = 0;
   return release(is_reversed);
 }
 

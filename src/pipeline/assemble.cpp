@@ -3,7 +3,9 @@
 #include <cmath>
 #include <set>
 
+#include "close_loops.hpp"
 #include "load.hpp"
+#include "record_again.hpp"
 #include "roomatlas/pipeline/pipeline.hpp"
 
 namespace roomatlas {
@@ -26,13 +28,58 @@ std::set<EdgeKey> keys_of(const std::vector<PassageEdge>& edges) {
 struct CorrectedGraph {
   RoomGraph graph;
   Correction correction;
+  std::vector<Closure> closures;
 };
+
+bool can_match_rooms(const std::vector<Asr>& asrs) {
+  return std::all_of(asrs.begin(), asrs.end(), [](const Asr& asr) { return asr.is_localized; });
+}
+
+/// The maps of all ASRs, from readings that are loaded for one ASR at a time.
+std::vector<AsrShape> shapes_of(const AsrSource& source, const std::vector<Asr>& asrs,
+                                const ClosureOptions& options) {
+  std::vector<AsrShape> shapes;
+  for (const Asr& asr : asrs) {
+    shapes.push_back(shape_of(source.get(asr.id, AsrDetail::readings), options));
+  }
+  return shapes;
+}
+
+PassageEdge edge_of(const Closure& closure) {
+  PassageEdge edge;
+  edge.from = closure.from;
+  edge.to = closure.to;
+  edge.from_from_to = closure.match.first_from_second;
+  edge.kind = PassageKind::open_passage;
+  edge.source = EdgeSource::matched;
+  edge.information = closure.match.information;
+  return edge;
+}
+
+/// Rooms found again by their walls, then doorways where these put them.
+CorrectedGraph correct_by_matching(const AsrSource& source, const std::vector<Asr>& asrs,
+                                   const AssembleOptions& options) {
+  CorrectedGraph result;
+  result.graph = build_graph(asrs);
+  ClosedLoops loops = close_loops(asrs, shapes_of(source, asrs, options.closures), result.graph,
+                                  options.correct, options.closures);
+  for (const Closure& closure : loops.closures) {
+    if (closure.verdict == ClosureVerdict::accepted) add_edge(result.graph, edge_of(closure));
+  }
+  result.closures = std::move(loops.closures);
+  result.correction = correct(asrs, result.graph, options.correct, loops.placement);
+  for (const PassageEdge& edge :
+       recognise_doorways(asrs, placement_of(result.correction), options.recognise)) {
+    add_edge(result.graph, edge);
+  }
+  return result;
+}
 
 /// Recognising doorways needs good poses, and good poses need recognised doorways: both in turn,
 /// until nothing new is recognised.
 CorrectedGraph correct_in_rounds(const std::vector<Asr>& asrs, const AssembleOptions& options) {
   const RoomGraph driven = build_graph(asrs);
-  CorrectedGraph result{driven, correct(asrs, driven, options.correct)};
+  CorrectedGraph result{driven, correct(asrs, driven, options.correct), {}};
   std::set<EdgeKey> known;
   for (int round = 0; round < options.max_rounds; ++round) {
     const std::vector<PassageEdge> recognised =
@@ -43,6 +90,18 @@ CorrectedGraph correct_in_rounds(const std::vector<Asr>& asrs, const AssembleOpt
     for (const PassageEdge& edge : recognised) add_edge(result.graph, edge);
     result.correction = correct(asrs, result.graph, options.correct);
   }
+  return result;
+}
+
+/// Rooms that are known to lie right: doorways are recognised where they are.
+CorrectedGraph correct_from(const std::vector<Asr>& asrs, const Placement& known,
+                            const AssembleOptions& options) {
+  CorrectedGraph result;
+  result.graph = build_graph(asrs);
+  for (const PassageEdge& edge : recognise_doorways(asrs, known, options.recognise)) {
+    add_edge(result.graph, edge);
+  }
+  result.correction = correct_to(asrs, result.graph, known, options.correct);
   return result;
 }
 
@@ -108,20 +167,24 @@ Polygon outline_cut_at_doors(const AsrSource& source, const Asr& asr, RoomId roo
   if (whole.readings.empty()) return asr.outline_asr;
   std::vector<Exit> exits = asr.exits;
   exits.insert(exits.end(), others.begin(), others.end());
-  return map_room(whole.path, whole.readings, exits, footprint, options.map).outline;
+  return map_room(whole.path, whole.readings, exits, footprint, options.record.map).outline;
 }
 
-}  // namespace
-
-Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
-                  const AssembleOptions& options, const Progress& progress) {
-  report(progress, "load", 0.0);
+/// Everything after the rooms are as true as they will be.
+/// @param known where the ASRs are known to be already; may be empty
+Assembly assemble_rooms(const AsrSource& source, const Placement& known,
+                        const RobotFootprint& footprint, const AssembleOptions& options,
+                        const Progress& progress) {
   const std::vector<Asr> asrs = load(source, AsrDetail::path);
   if (asrs.empty()) throw NotEnoughError("the store holds no ASR: run `roomatlas map` first");
 
   Assembly assembly;
   report(progress, "correct", 0.0);
-  CorrectedGraph corrected = correct_in_rounds(asrs, options);
+  CorrectedGraph corrected = !known.empty() ? correct_from(asrs, known, options)
+                             : options.match_rooms && can_match_rooms(asrs)
+                                 ? correct_by_matching(source, asrs, options)
+                                 : correct_in_rounds(asrs, options);
+  assembly.closures = std::move(corrected.closures);
   assembly.graph = std::move(corrected.graph);
   assembly.correction = std::move(corrected.correction);
   const Placement placement = placement_of(assembly.correction);
@@ -147,6 +210,26 @@ Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
   }
   report(progress, "merge", 0.0);
   assembly.plan = merge(outlines, doors, options.merge);
+  return assembly;
+}
+
+}  // namespace
+
+Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
+                  const AssembleOptions& options, const Progress& progress) {
+  report(progress, "load", 0.0);
+  const std::vector<RangeReading> sonars =
+      options.correct_sonars ? sonar_readings_of(source) : std::vector<RangeReading>{};
+  if (sonars.empty()) return assemble_rooms(source, {}, footprint, options, progress);
+
+  report(progress, "correct sonars", 0.0);
+  SonarTrajectory trajectory = correct_sonar_trajectory(sonars, options.sonars);
+  RecordedAgain again = record_again(sonars, trajectory.map_from_robot, footprint, options.record);
+  Assembly assembly = assemble_rooms(again.asrs, again.placement, footprint, options, progress);
+  assembly.mapped_again = std::move(again.asrs.asrs);
+  trajectory.map_from_robot.clear();
+  trajectory.heading_sigma_rad.clear();
+  assembly.sonars = std::move(trajectory);
   return assembly;
 }
 

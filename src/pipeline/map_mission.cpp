@@ -48,7 +48,11 @@ MapSummary map_mission(MissionSource& mission, AsrSink& sink, const MapOptions& 
   DeadReckoner reckoner(options.reckon);
   std::optional<AsrRecorder> recorder;  // made once the log has told the robot's footprint
   const auto record = [&](const std::vector<DeadReckoned>& readings) {
-    if (!recorder) recorder.emplace(options.record, mission.info().footprint, counting);
+    if (!recorder) {
+      recorder.emplace(
+          options.record, mission.info().footprint, counting,
+          options.localize.enabled ? std::make_unique<RoomLocalizer>(options.localize) : nullptr);
+    }
     for (const auto& [reading, reckoned] : readings) recorder->add(reading, reckoned);
   };
   const auto finish = [&] {

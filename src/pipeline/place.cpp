@@ -31,16 +31,18 @@ RoomGraph graph_of(const AsrSource& source, const Correction& correction) {
   const Placement placement = placement_of(correction);
   std::set<std::pair<AsrId, AsrId>> added;
   for (const FactorReport& factor : correction.factors) {
-    if (factor.kind != FactorKind::doorway || !added.insert({factor.from, factor.to}).second) {
-      continue;
-    }
+    const bool is_found = factor.kind == FactorKind::doorway || factor.kind == FactorKind::closure;
+    if (!is_found || !added.insert({factor.from, factor.to}).second) continue;
+    const bool is_doorway = factor.kind == FactorKind::doorway;
     add_edge(graph, {factor.from,
                      factor.to,
                      inverse(placement.at(factor.from)) * placement.at(factor.to),
-                     PassageKind::doorway,
-                     EdgeSource::recognised,
+                     is_doorway ? PassageKind::doorway : PassageKind::open_passage,
+                     is_doorway ? EdgeSource::recognised : EdgeSource::matched,
                      0.0,
-                     {}});
+                     {},
+                     Eigen::Matrix3d::Zero(),
+                     false});
   }
   return graph;
 }

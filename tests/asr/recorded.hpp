@@ -4,16 +4,35 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <memory>
+
 #include "roomatlas/asr/recorder.hpp"
 #include "support/drawn_world.hpp"
 #include "support/memory_store.hpp"
 
 namespace roomatlas::test {
 
+/// A localizer from a function of the predicted pose.
+class LocalizerBy : public Localizer {
+ public:
+  using Function = std::function<Pose2(const Pose2& predicted)>;
+  explicit LocalizerBy(Function function) : function_(std::move(function)) {}
+  void clear() override {}
+  void add(const RangeReading&, const Pose2&) override {}
+  Pose2 locate(const RangeReading&, const Pose2& predicted, const Pose2&) override {
+    return function_(predicted);
+  }
+
+ private:
+  Function function_;
+};
+
 inline std::vector<Asr> recorded(const std::vector<RangeReading>& readings,
-                                 const RecorderOptions& options, const Localizer& localizer = {}) {
+                                 const RecorderOptions& options,
+                                 std::unique_ptr<Localizer> localizer = nullptr) {
   MemoryStore store;
-  AsrRecorder recorder(options, {}, store, localizer);
+  AsrRecorder recorder(options, {}, store, std::move(localizer));
   for (const RangeReading& reading : readings) recorder.add(reading, reading.odom_from_robot);
   recorder.finish();
   EXPECT_EQ(recorder.asrs_written(), static_cast<std::int64_t>(store.asrs.size()));

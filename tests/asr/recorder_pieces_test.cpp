@@ -121,14 +121,15 @@ TEST(RecorderPieces, PlacesReadingsWhereTheLocalizerSaysAndKeepsTheFramesContinu
   // Odometry says straight on; the localizer knows of a turn to the left, a little each reading.
   const double turn_rad = radians(0.05);
   std::vector<Pose2> predictions;
-  const Localizer localizer = [&](const RangeReading&, const Pose2& predicted, const HimmGrid&) {
+  const auto localizer = [&](const Pose2& predicted) {
     predictions.push_back(predicted);
     return predicted * Pose2{0.0, 0.0, turn_rad};
   };
   RecorderOptions options;
   options.max_piece_path_m = 6.0;
   const auto readings = readings_in(kCorridor);
-  const std::vector<Asr> asrs = recorded(readings, options, localizer);
+  const std::vector<Asr> asrs =
+      recorded(readings, options, std::make_unique<LocalizerBy>(localizer));
   ASSERT_GT(asrs.size(), 3U);
   EXPECT_EQ(predictions.size(), readings.size()) << "each reading is localised once";
   expect_all_once_in_order(asrs, readings);
@@ -155,12 +156,13 @@ TEST(RecorderPieces, PlacesReadingsWhereTheLocalizerSaysAndKeepsTheFramesContinu
 }
 
 TEST(RecorderPieces, PutsAFrameWhereOdometryHasItNowWhenTheLocalizerHasCorrectedOdometry) {
-  const Localizer localizer = [](const RangeReading&, const Pose2& predicted, const HimmGrid&) {
+  const auto localizer = [](const Pose2& predicted) {
     return predicted * Pose2{0.0, 0.0, radians(0.05)};
   };
   RecorderOptions options;
   options.max_piece_path_m = 6.0;
-  const std::vector<Asr> asrs = recorded(readings_in(kCorridor), options, localizer);
+  const std::vector<Asr> asrs =
+      recorded(readings_in(kCorridor), options, std::make_unique<LocalizerBy>(localizer));
   ASSERT_GT(asrs.size(), 3U);
   for (std::size_t k = 1; k < asrs.size(); ++k) {
     const PathSample& last = asrs[k - 1].path.back();

@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "correct/numeric_derivative.hpp"
+#include "correct/shuffled.hpp"
 #include "support/generated_pose_graph.hpp"
 
 namespace roomatlas {
@@ -20,31 +20,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-/// Nodes and edges in another order.
-PoseGraph shuffled(const PoseGraph& graph, std::uint64_t seed) {
-  test::Dice dice(seed);
-  std::vector<std::size_t> order(graph.ids.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto shuffle = [&](auto& items) {
-    for (std::size_t k = items.size(); k-- > 1;) {
-      std::swap(items[k], items[static_cast<std::size_t>(dice.below(static_cast<int>(k) + 1))]);
-    }
-  };
-  shuffle(order);
-  PoseGraph result;
-  std::vector<std::int32_t> place(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    result.ids.push_back(graph.ids[order[k]]);
-    place[order[k]] = static_cast<std::int32_t>(k);
-  }
-  result.edges = graph.edges;
-  for (PoseEdge& edge : result.edges) {
-    edge.from = place[static_cast<std::size_t>(edge.from)];
-    edge.to = place[static_cast<std::size_t>(edge.to)];
-  }
-  shuffle(result.edges);
-  return result;
-}
+using test::shuffled;
 
 TEST(Optimize, FindsTheTruthWhereThereIsNoNoise) {
   const test::GeneratedGraph g = test::walk_graph(300, 1e-9, 1e-9, 1);
@@ -144,6 +120,9 @@ TEST(Optimize, EachComponentHasItsOwnFixedNodeThatKeepsItsGuess) {
   EXPECT_EQ(result.poses[0], (Pose2{5.0, -3.0, 0.7}));
   EXPECT_EQ(result.poses[40], (Pose2{5.0, -3.0, 0.7}));
   EXPECT_EQ(result.component[69], 1);
+  EXPECT_TRUE(result.trusted);
+  ASSERT_FALSE(result.issues.empty());
+  EXPECT_THAT(to_string(result.issues.front()), HasSubstr("each is solved by itself"));
   EXPECT_TRUE(result.converged);
 }
 
@@ -196,6 +175,28 @@ TEST(Judgement, ChiSquareOfHonestNoiseIsInItsRange) {
     EXPECT_LT(result.chi_square, result.expected.high);
     EXPECT_TRUE(result.trusted);
     EXPECT_TRUE(result.issues.empty());
+  }
+}
+
+TEST(Judgement, AMinimumThatMayNotBeTheLowestIsSaidLoudly) {
+  int wrong = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {  // headings say next to nothing
+    test::GeneratedGraph g = test::walk_graph(250, 0.1, 0.5, seed);
+    const OptimizeResult result = optimize(g.graph, {});
+    g.graph.guess = g.truth;
+    const double near_truth = optimize(g.graph, {}).chi_square;
+    if (result.chi_square < near_truth * (1.0 + 1e-4)) continue;
+    ++wrong;
+    EXPECT_FALSE(result.trusted) << "seed " << seed;
+    EXPECT_THAT(to_string(result.issues.front()), HasSubstr("may not be the lowest"));
+  }
+  EXPECT_LE(wrong, 4);
+}
+
+TEST(Judgement, NoiseThatLeavesNoDoubtGivesNoWarning) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    EXPECT_TRUE(optimize(test::walk_graph(250, 0.1, 0.2, seed).graph, {}).trusted);
+    EXPECT_TRUE(optimize(test::ring_graph(400, 0.05, 0.1, seed).graph, {}).trusted);
   }
 }
 

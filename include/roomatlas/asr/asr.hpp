@@ -72,7 +72,8 @@ struct Asr {
   Polygon outline_asr;      ///< free space, cut at the door lines; may be empty
   std::vector<Exit> exits;  ///< the entry first (none for the first ASR)
   Point2 reference_point_asr = Point2::Zero();
-  std::vector<PathSample> path;        ///< one a reading
+  bool is_localized = false;     ///< the path was found in the room's map; else it is odometry's
+  std::vector<PathSample> path;  ///< one a reading
   std::vector<RangeReading> readings;  ///< parallel to `path`, or empty when not kept
   AsrCounters counters;
 };

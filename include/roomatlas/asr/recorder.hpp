@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <memory>
 
 #include "roomatlas/asr/doorway.hpp"
 #include "roomatlas/asr/map_room.hpp"
 #include "roomatlas/asr/store.hpp"
+#include "roomatlas/match/room_localizer.hpp"
 
 namespace roomatlas {
-
-/// Where the robot is in the room, given where odometry says it is and the room so far. The
-/// default keeps the prediction: odometry is the pose source.
-using Localizer = std::function<Pose2(const RangeReading&, const Pose2& predicted_asr_from_robot,
-                                      const HimmGrid& room)>;
 
 struct RecorderOptions {
   RoomMapOptions map;
@@ -32,8 +27,9 @@ struct RecorderOptions {
 /// and memory do not depend on how long the mission has been.
 class AsrRecorder {
  public:
+  /// @param localizer finds the robot inside a room; none: dead reckoning is believed
   AsrRecorder(const RecorderOptions& options, const RobotFootprint& footprint, AsrSink& sink,
-              Localizer localizer = {});
+              std::unique_ptr<Localizer> localizer = nullptr);
   ~AsrRecorder();
   AsrRecorder(const AsrRecorder&) = delete;
   AsrRecorder& operator=(const AsrRecorder&) = delete;

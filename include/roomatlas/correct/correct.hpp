@@ -24,6 +24,9 @@ struct CorrectOptions {
   double odometry_heading_deg = 1.0;        ///< the same for its heading ...
   double odometry_heading_deg_per_m = 0.6;  ///< ... a metre; smaller resists the walls' direction
   double odometry_heading_per_turn = 0.03;  ///< ... and this share of the turns made
+  double localized_position_m = 0.03;       ///< of a passage where the robot was found in the
+                                            ///< room's map on both sides of it ...
+  double localized_heading_deg = 0.6;       ///< ... and of its heading
   double doorway_position_m = 0.08;         ///< of a doorway seen twice
   double doorway_heading_deg = 5.0;         ///< two jambs a metre apart, each half a cell off
   double wall_heading_deg = 2.0;            ///< of a room's walls against the building's direction,
@@ -40,10 +43,24 @@ struct CorrectOptions {
 /// component, its first, keeps its odometry pose; then each component is turned as a whole, by at
 /// most 45 degrees, so that its walls' direction is the x axis.
 /// @param asrs ascending by id, vertices of `graph` in this order
+/// @param start where the ASRs are already known to be, or empty: then along odometry, each turned
+///   as the walls' directions say
 /// @returns one entry an ASR; `converged` is false where the solver stopped early. An empty input
 ///   gives an empty, converged correction.
 [[nodiscard]] Correction correct(const std::vector<Asr>& asrs, const RoomGraph& graph,
-                                 const CorrectOptions& options);
+                                 const CorrectOptions& options, const Placement& start = {});
+
+/// The correction of ASRs that have been placed by other means, such as a whole trajectory: they
+/// stay there, but for the turn that makes the walls' direction the x axis; the graph's
+/// measurements are reported, not solved.
+/// @param placement of every ASR
+[[nodiscard]] Correction correct_to(const std::vector<Asr>& asrs, const RoomGraph& graph,
+                                    const Placement& placement, const CorrectOptions& options);
+
+/// How much a measurement of the graph is trusted: inverse covariance of x, y, theta in the frame
+/// of `to`, 1/m^2 and 1/rad^2.
+[[nodiscard]] Eigen::Matrix3d information_of(const PassageEdge& edge,
+                                             const CorrectOptions& options);
 
 [[nodiscard]] Placement placement_of(const Correction& correction);
 

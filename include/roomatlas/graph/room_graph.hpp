@@ -19,6 +19,7 @@ struct AsrVertex {
 enum class EdgeSource {
   driven,      ///< the robot drove from one ASR into the other
   recognised,  ///< found offline: both ASRs begin at the same doorway
+  matched,     ///< found offline: both ASRs saw the same walls
 };
 
 /// An edge of the room graph: a measured relative pose.
@@ -33,6 +34,9 @@ struct PassageEdge {
   EdgeSource source = EdgeSource::driven;
   double path_length_m = 0.0;  ///< driven inside `from`; 0 for a recognised edge
   Turning turning;             ///< inside `from`; none for a recognised edge
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of a matched edge, else zero: in the
+                                                          ///< frame of `to`, 1/m^2, 1/rad^2
+  bool is_localized = false;  ///< the pose was found in the map of `from`, not by odometry
 };
 
 /// Paper Fig. 8: rooms as vertices, passages as edges. Vertex i is the i-th ASR, ascending by id.

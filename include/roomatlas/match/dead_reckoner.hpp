@@ -21,7 +21,10 @@ struct DeadReckonerOptions {
   double min_apart_m = 0.18;    ///< pairs of readings nearer than this cannot tell
   double max_apart_m = 0.55;    ///< farther ones see too different things
   double range_sigma_m = 0.08;  ///< agreement of two readings of one wall
-  double flip_log_odds = 3.0;   ///< evidence needed to reverse an interval; smaller flips falsely
+  double flip_log_odds = 3.0;   ///< evidence needed to reverse an interval ...
+  double flip_log_odds_per_pair = 3.0;  ///< ... and this much from each pair on average. True
+                                        ///< reversals give 9 and more, a smooth corridor a little
+                                        ///< either way; smaller flips falsely
 };
 
 /// Odometry that never reports a backward step counts each one double. Between two stops the
@@ -44,6 +47,7 @@ class DeadReckoner {
 
  private:
   [[nodiscard]] std::vector<DeadReckoned> release(bool reversed);
+  [[nodiscard]] bool is_clearly_reversed() const;
 
   DeadReckonerOptions options_;
   std::optional<RangeReading> last_released_;
@@ -51,6 +55,7 @@ class DeadReckoner {
   std::vector<RangeReading> waiting_;
   std::optional<bool> decided_;  ///< reversed or not, for the rest of this interval
   double log_odds_ = 0.0;        ///< of reversed against reported
+  int pairs_ = 0;                ///< that it was summed over
   int intervals_reversed_ = 0;
 };
 

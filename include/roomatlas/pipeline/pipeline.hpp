@@ -7,12 +7,14 @@
 
 #include "roomatlas/asr/recorder.hpp"
 #include "roomatlas/correct/correct.hpp"
+#include "roomatlas/correct/sonar_trajectory.hpp"
 #include "roomatlas/evaluate/evaluate.hpp"
 #include "roomatlas/evaluate/plan_alignment.hpp"
 #include "roomatlas/evaluate/room_pose_errors.hpp"
 #include "roomatlas/evaluate/self_consistency.hpp"
 #include "roomatlas/evaluate/spans.hpp"
 #include "roomatlas/evaluate/wall_errors.hpp"
+#include "roomatlas/graph/closures.hpp"
 #include "roomatlas/graph/doors.hpp"
 #include "roomatlas/graph/recognise.hpp"
 #include "roomatlas/match/dead_reckoner.hpp"
@@ -23,6 +25,7 @@ namespace roomatlas {
 
 struct MapOptions {
   DeadReckonerOptions reckon;
+  LocalizeOptions localize;
   RecorderOptions record;
 };
 
@@ -41,11 +44,16 @@ struct MapSummary {
                                      const MapOptions& options, const Progress& progress = {});
 
 struct AssembleOptions {
+  bool correct_sonars = true;  ///< a mission with sonars alone is corrected as a whole first; off:
+                               ///< its rooms as odometry bent them
+  SonarTrajectoryOptions sonars;
+  bool match_rooms = true;  ///< match localized rooms by their walls; off: doorways alone
+  ClosureOptions closures;
   RecogniseOptions recognise;
   RoomOptions rooms;
   CorrectOptions correct;
   MergeOptions merge;
-  RoomMapOptions map;     ///< for mapping rooms again once all doors are known
+  RecorderOptions record;  ///< for mapping rooms again once more is known
   bool map_again = true;  ///< cut the rooms' outlines at doors that only later visits found
   int max_rounds = 5;     ///< of recognising doorways and correcting
 };
@@ -56,6 +64,9 @@ struct Assembly {
   Correction correction;
   std::map<AsrId, RoomId> room_of_asr;
   std::vector<BuildingDoor> doors;
+  std::optional<SonarTrajectory> sonars;  ///< how a sonar mission was corrected; poses left out
+  std::vector<Asr> mapped_again;  ///< instead of the source's ASRs, where these were recorded anew
+  std::vector<Closure> closures;  ///< matches of rooms by their walls, accepted or not
   FloorPlan plan;
 };
 

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "roomatlas/match/align.hpp"
+
+namespace roomatlas {
+
+struct LocalizeOptions {
+  bool enabled = true;  ///< off: dead reckoning is believed inside a room, as in the paper
+  double cell_m = 0.1;
+  ScanOptions scan;
+  AlignOptions align;
+  CorrelateOptions correlate;
+  double step_sigma_m = 0.02;       ///< of odometry between two readings ...
+  double step_sigma_per_m = 0.1;    ///< ... plus this share of the step
+  double turn_sigma_rad = 0.02;     ///< the same for its heading ...
+  double turn_sigma_per_rad = 0.3;  ///< ... plus this share of the turn
+  double search_per_turn = 0.8;     ///< the heading is searched this share of the turn farther
+  int max_points = 180;             ///< of a sweep that are aligned
+  int min_matched = 20;             ///< fewer partners: odometry is believed
+  double min_matched_share = 0.3;   ///< so is it below this share of the sweep
+  double ease_share = 0.8;          ///< of the points on walls, with the pose this near to ...
+  double ease_sigmas = 1.5;         ///< ... odometry's: no need to search. Smaller searches more
+  double insert_every_m = 0.10;     ///< a sweep enters the map after this much motion ...
+  double insert_every_deg = 4.0;    ///< ... or turn
+};
+
+/// Finds the robot inside the room being mapped.
+class Localizer {
+ public:
+  virtual ~Localizer() = default;
+  /// Forgets the room.
+  virtual void clear() = 0;
+  /// Takes a reading at a known pose into its picture of the room.
+  virtual void add(const RangeReading& reading, const Pose2& asr_from_robot) = 0;
+  /// Where the robot is, and takes the reading into its picture of the room.
+  /// @param predicted_asr_from_robot by odometry from the pose before
+  /// @param step of odometry since the reading before, in the robot's frame
+  [[nodiscard]] virtual Pose2 locate(const RangeReading& reading,
+                                     const Pose2& predicted_asr_from_robot, const Pose2& step) = 0;
+};
+
+/// Finds the robot in the room's own map, sweep by sweep, so that odometry's drift does not smear
+/// the walls. Remembers the room so far; cost and memory do not depend on the mission's length.
+/// Sweeps of sonars are too sparse to be matched one by one: they are neither matched nor added.
+class RoomLocalizer : public Localizer {
+ public:
+  explicit RoomLocalizer(const LocalizeOptions& options)
+      : options_(options), map_(options.cell_m) {}
+
+  void clear() override;
+  void add(const RangeReading& reading, const Pose2& asr_from_robot) override;
+  [[nodiscard]] Pose2 locate(const RangeReading& reading, const Pose2& predicted_asr_from_robot,
+                             const Pose2& step) override;
+
+ private:
+  /// Adds a sweep if the robot has moved since the last one added.
+  void insert(const Scan& scan, const Pose2& map_from_robot);
+
+  [[nodiscard]] bool is_at_ease(const ScanAlignment& aligned, const PosePrior& prior) const;
+
+  LocalizeOptions options_;
+  LocalMap map_;
+  std::optional<Pose2> last_added_;
+  double recent_turn_rad_ = 0.0;  ///< fading: odometry that lags reports a turn too late
+};
+
+/// True when a sweep at `to` shows the room from elsewhere than one at `from`.
+[[nodiscard]] bool is_new_view(const Pose2& from, const Pose2& to, const LocalizeOptions& options);
+
+/// True for a sensor whose single sweeps can be matched.
+[[nodiscard]] bool can_be_matched(const RangeReading& reading);
+
+}  // namespace roomatlas

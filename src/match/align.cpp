@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/match/align.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomatlas/core/geometry.hpp"
+#include "roomatlas/grid/himm_grid.hpp"
+
+namespace roomatlas {
+namespace {
+
+constexpr double kSettledShare = 0.6;  // of the iterations: by then the gate is at its smallest
+constexpr double kSettled = 1e-5;      // m and rad; smaller steps end the iteration
+
+/// The nearest face within the gate that looks the way the point does.
+const Face* partner_of(const LocalMap& map, const Point2& at, const Point2& normal, double gate_m,
+                       const AlignOptions& options) {
+  const bool has_normal = normal.squaredNorm() > 0.0;
+  const Face* best = nullptr;
+  double best_square = gate_m * gate_m;
+  map.for_each_face_near(at, gate_m, [&](const Face& face) {
+    const double square = (face.position - at).squaredNorm();
+    if (square >= best_square) return;
+    const bool is_turned = has_normal && face.normal.squaredNorm() > 0.0 &&
+                           face.normal.dot(normal) < options.min_normal_cosine;
+    if (is_turned) return;
+    best_square = square;
+    best = &face;
+  });
+  return best;
+}
+
+/// Normal equations over x, y, theta.
+struct Equations {
+  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+
+  void add(const Eigen::Vector3d& jacobian, double residual, double weight) {
+    hessian.noalias() += weight * jacobian * jacobian.transpose();
+    gradient += weight * residual * jacobian;
+  }
+};
+
+/// How the point moves with x, y and theta, along a direction.
+Eigen::Vector3d jacobian_along(const Point2& along, const Point2& turned_point) {
+  return {along.x(), along.y(), cross(turned_point, along)};
+}
+
+void add_pair(const Face& face, const Point2& at, const Point2& turned_point,
+              const AlignOptions& options, Equations& equations) {
+  const Point2 off = at - face.position;
+  const double scale = options.robust_m * options.robust_m;
+  if (face.normal.squaredNorm() > 0.0) {
+    const double residual = face.normal.dot(off);
+    equations.add(jacobian_along(face.normal, turned_point), residual,
+                  1.0 / (1.0 + residual * residual / scale));
+    return;
+  }
+  const double weight = options.corner_weight / (1.0 + off.squaredNorm() / scale);
+  equations.add(jacobian_along(Point2::UnitX(), turned_point), off.x(), weight);
+  equations.add(jacobian_along(Point2::UnitY(), turned_point), off.y(), weight);
+}
+
+void add_prior(const PosePrior& prior, const Pose2& pose, const AlignOptions& options,
+               Equations& equations) {
+  const double variance = options.robust_m * options.robust_m;  // of one residual
+  const double position = variance / (prior.position_sigma_m * prior.position_sigma_m);
+  const double heading = variance / (prior.heading_sigma_rad * prior.heading_sigma_rad);
+  equations.add(Eigen::Vector3d::UnitX(), pose.x_m - prior.mean.x_m, position);
+  equations.add(Eigen::Vector3d::UnitY(), pose.y_m - prior.mean.y_m, position);
+  equations.add(Eigen::Vector3d::UnitZ(), wrap_angle(pose.theta_rad - prior.mean.theta_rad),
+                heading);
+}
+
+}  // namespace
+
+ScanAlignment align(const LocalMap& map, std::span<const ScanPoint> points,
+                    const Pose2& map_from_points, const std::optional<PosePrior>& prior,
+                    const AlignOptions& options) {
+  constexpr double kDamping = 1e-3;  // keeps directions that nothing fixes where they are
+  ScanAlignment result;
+  result.map_from_points = map_from_points;
+  Pose2& pose = result.map_from_points;
+  const double settled_at = kSettledShare * options.max_iterations;
+  for (int iteration = 0; iteration < options.max_iterations; ++iteration) {
+    const double shrunk = std::min(1.0, iteration / settled_at);
+    const double gate_m =
+        options.first_gate_m + shrunk * (options.last_gate_m - options.first_gate_m);
+    const Point2 cosine_sine = direction(pose.theta_rad);
+    const auto turned = [&](const Point2& p) {
+      return Point2(cosine_sine.x() * p.x() - cosine_sine.y() * p.y(),
+                    cosine_sine.y() * p.x() + cosine_sine.x() * p.y());
+    };
+    Equations equations;
+    result.points = 0;
+    result.matched = 0;
+    for (const ScanPoint& point : points) {
+      if (!point.is_hit) continue;
+      ++result.points;
+      const Point2 arm = turned(point.position);
+      const Point2 at = pose.position() + arm;
+      const Face* face = partner_of(map, at, turned(point.normal), gate_m, options);
+      if (face == nullptr) continue;
+      ++result.matched;
+      add_pair(*face, at, arm, options, equations);
+    }
+    result.hessian = equations.hessian;
+    if (prior) add_prior(*prior, pose, options, equations);
+    equations.hessian += kDamping * Eigen::Matrix3d::Identity();
+    const Eigen::Vector3d step = -equations.hessian.ldlt().solve(equations.gradient);
+    if (!step.allFinite()) break;
+    pose = {pose.x_m + step.x(), pose.y_m + step.y(), wrap_angle(pose.theta_rad + step.z())};
+    if (step.norm() < kSettled && iteration > settled_at) break;
+  }
+  return result;
+}
+
+Pose2 correlate(const LocalMap& map, std::span<const ScanPoint> points, const PosePrior& prior,
+                const CorrelateOptions& options) {
+  const auto hits =
+      std::count_if(points.begin(), points.end(), [](const ScanPoint& p) { return p.is_hit; });
+  const auto stride = std::max<std::ptrdiff_t>(1, hits / options.max_points);
+  std::vector<Point2> used;
+  std::ptrdiff_t seen = 0;
+  for (const ScanPoint& point : points) {
+    if (point.is_hit && seen++ % stride == 0) used.push_back(point.position);
+  }
+  if (used.empty()) return prior.mean;
+  const int steps = static_cast<int>(std::lround(options.reach_m / options.step_m));
+  const int turns = static_cast<int>(std::lround(options.reach_rad / options.step_rad));
+  const auto squared = [](double value) { return value * value; };
+  Pose2 best = prior.mean;
+  double best_score = -1.0;
+  std::vector<Point2> placed(used.size());
+  for (int turn = -turns; turn <= turns; ++turn) {
+    const Pose2 turned{prior.mean.x_m, prior.mean.y_m,
+                       wrap_angle(prior.mean.theta_rad + turn * options.step_rad)};
+    std::transform(used.begin(), used.end(), placed.begin(),
+                   [&](const Point2& p) { return turned * p; });
+    for (int i = -steps; i <= steps; ++i) {
+      for (int j = -steps; j <= steps; ++j) {
+        const Point2 shift(i * options.step_m, j * options.step_m);
+        double sum = 0.0;
+        for (const Point2& p : placed) {
+          sum += std::max(0, map.certainty(map.frame().cell_of(p + shift)));
+        }
+        const double score =
+            sum / (HimmGrid::kMaxHalfSteps * static_cast<double>(placed.size())) -
+            options.penalty * (shift.squaredNorm() / squared(prior.position_sigma_m) +
+                               squared(turn * options.step_rad / prior.heading_sigma_rad));
+        if (score <= best_score) continue;
+        best_score = score;
+        best = {turned.x_m + shift.x(), turned.y_m + shift.y(), turned.theta_rad};
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/match/local_map.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "roomatlas/grid/himm_grid.hpp"
+
+namespace roomatlas {
+namespace {
+
+constexpr double kMaxHits = 40.0;     // beyond it older hits fade ...
+constexpr double kFade = 0.9;         // ... by this, so that the mean keeps following
+constexpr double kClearNormal = 0.5;  // of the hits' normals, this share points one way
+
+bool are_beside(const Cell& a, const Cell& b) {
+  return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1;
+}
+
+}  // namespace
+
+void LocalMap::raise(const Cell& cell, int half_steps) {
+  std::int8_t& certainty = cells_.edit(cell).certainty;
+  certainty = static_cast<std::int8_t>(
+      std::clamp(certainty + half_steps, HimmGrid::kMinHalfSteps, HimmGrid::kMaxHalfSteps));
+}
+
+void LocalMap::add_free(const Point2& from, const ScanPoint& to, const Pose2& map_from_robot) {
+  const Cell end = frame_.cell_of(map_from_robot * to.position);
+  for_each_cell_on_line(frame_.cell_of(from), end, [&](const Cell& cell) {
+    if (are_beside(cell, end)) return false;
+    raise(cell, HimmGrid::kFreeHalfSteps);
+    return true;
+  });
+}
+
+void LocalMap::add_hit(const Point2& position, const Point2& normal) {
+  const Cell hit = frame_.cell_of(position);
+  for_each_cell({{hit.x - 1, hit.y - 1}, {hit.x + 2, hit.y + 2}}, [&](const Cell& cell) {
+    raise(cell, cell == hit ? HimmGrid::kHitHalfSteps : HimmGrid::kNeighborHalfSteps);
+  });
+  std::uint16_t* slot = &cells_.edit(hit).face;
+  if (*slot != 0 && faces_[*slot - 1U].normal_sum.dot(normal) < 0.0) {
+    slot = &faces_[*slot - 1U].other;  // the wall's other side
+  }
+  if (*slot == 0) {
+    if (faces_.size() == std::numeric_limits<std::uint16_t>::max()) return;
+    *slot = static_cast<std::uint16_t>(faces_.size() + 1);
+    faces_.emplace_back();  // `slot` may point into `faces_`: it is not used any more
+    faces_.back().mean.position = position;
+    faces_.back().mean.hits = 1.0;
+    faces_.back().normal_sum = normal;
+    faces_.back().mean.normal = normal;
+    return;
+  }
+  StoredFace& face = faces_[*slot - 1U];
+  if (face.mean.hits > kMaxHits) {
+    face.mean.hits *= kFade;
+    face.normal_sum *= kFade;
+  }
+  face.mean.hits += 1.0;
+  face.mean.position += (position - face.mean.position) / face.mean.hits;
+  face.normal_sum += normal;
+  const double length = face.normal_sum.norm();
+  const bool is_clear = length > kClearNormal * face.mean.hits;
+  face.mean.normal = is_clear ? Point2(face.normal_sum / length) : Point2::Zero();
+}
+
+void LocalMap::add(const Scan& scan, const Pose2& map_from_robot) {
+  const Point2 sensor = map_from_robot * scan.sensor;
+  for (const ScanPoint& point : scan.points) add_free(sensor, point, map_from_robot);
+  const Pose2 turn{0.0, 0.0, map_from_robot.theta_rad};
+  for (const ScanPoint& point : scan.points) {
+    if (point.is_hit) add_hit(map_from_robot * point.position, turn * point.normal);
+  }
+}
+
+std::vector<Face> LocalMap::faces(double min_hits) const {
+  std::vector<Face> found;
+  cells_.for_each([&](const Cell&, const LocalCell& cell) {
+    for (std::uint16_t i = cell.face; i != 0; i = faces_[i - 1U].other) {
+      if (faces_[i - 1U].mean.hits >= min_hits) found.push_back(faces_[i - 1U].mean);
+    }
+  });
+  return found;
+}
+
+}  // namespace roomatlas

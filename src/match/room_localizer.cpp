@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/match/room_localizer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace roomatlas {
+namespace {
+
+/// Every n-th point, so that at most about `max_points` are left.
+std::vector<ScanPoint> thinned(const std::vector<ScanPoint>& points, int max_points) {
+  const std::size_t stride =
+      std::max<std::size_t>(1, points.size() / static_cast<std::size_t>(max_points));
+  std::vector<ScanPoint> some;
+  for (std::size_t i = 0; i < points.size(); i += stride) some.push_back(points[i]);
+  return some;
+}
+
+}  // namespace
+
+bool can_be_matched(const RangeReading& reading) {
+  return reading.sensor->kind == SensorKind::laser;
+}
+
+bool is_new_view(const Pose2& from, const Pose2& to, const LocalizeOptions& options) {
+  const Pose2 moved = inverse(from) * to;
+  return moved.position().norm() > options.insert_every_m ||
+         std::abs(moved.theta_rad) > radians(options.insert_every_deg);
+}
+
+/// True when nearly every point found its wall, and near to where odometry had it.
+bool RoomLocalizer::is_at_ease(const ScanAlignment& aligned, const PosePrior& prior) const {
+  const Pose2 moved = inverse(prior.mean) * aligned.map_from_points;
+  return aligned.matched > options_.min_matched &&
+         aligned.matched > options_.ease_share * aligned.points &&
+         moved.position().norm() < options_.ease_sigmas * prior.position_sigma_m &&
+         std::abs(moved.theta_rad) < options_.ease_sigmas * prior.heading_sigma_rad;
+}
+
+void RoomLocalizer::clear() {
+  map_ = LocalMap(options_.cell_m);
+  last_added_.reset();
+  recent_turn_rad_ = 0.0;
+}
+
+void RoomLocalizer::insert(const Scan& scan, const Pose2& map_from_robot) {
+  if (last_added_ && !is_new_view(*last_added_, map_from_robot, options_)) return;
+  last_added_ = map_from_robot;
+  map_.add(scan, map_from_robot);
+}
+
+void RoomLocalizer::add(const RangeReading& reading, const Pose2& asr_from_robot) {
+  if (can_be_matched(reading)) insert(scan_of(reading, options_.scan), asr_from_robot);
+}
+
+Pose2 RoomLocalizer::locate(const RangeReading& reading, const Pose2& predicted,
+                            const Pose2& step) {
+  constexpr double kFade = 0.5;
+  recent_turn_rad_ = kFade * recent_turn_rad_ + std::abs(step.theta_rad);
+  if (!can_be_matched(reading)) return predicted;
+  const Scan scan = scan_of(reading, options_.scan);
+  Pose2 pose = predicted;
+  if (!map_.empty()) {
+    const double turned_rad = std::max(std::abs(step.theta_rad), kFade * recent_turn_rad_);
+    const PosePrior prior{
+        predicted, options_.step_sigma_m + options_.step_sigma_per_m * step.position().norm(),
+        options_.turn_sigma_rad + options_.turn_sigma_per_rad * turned_rad};
+    const std::vector<ScanPoint> points = thinned(scan.points, options_.max_points);
+    ScanAlignment aligned = align(map_, points, predicted, prior, options_.align);
+    if (!is_at_ease(aligned, prior)) {  // odometry may have jumped: search around it
+      PosePrior wide = prior;
+      wide.position_sigma_m *= 2.0;
+      wide.heading_sigma_rad *= 2.0;
+      CorrelateOptions window = options_.correlate;
+      window.reach_rad += options_.search_per_turn * turned_rad;
+      const Pose2 start = correlate(map_, points, wide, window);
+      aligned = align(map_, points, start, prior, options_.align);
+    }
+    if (aligned.matched > options_.min_matched &&
+        aligned.matched > options_.min_matched_share * aligned.points) {
+      pose = aligned.map_from_points;
+    }
+  }
+  insert(scan, pose);
+  return pose;
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "roomatlas/graph/closures.hpp"
+#include "roomatlas/pipeline/pipeline.hpp"
+
+namespace roomatlas {
+
+/// Where matching rooms with each other leads.
+struct ClosedLoops {
+  std::vector<Closure> closures;  ///< all that were tried in the last round, accepted or not
+  Placement placement;
+};
+
+/// Matches rooms by their walls, within the uncertainty between them. First in the order of the
+/// mission, so that each closure found narrows the search for the next; then all pairs that came
+/// to lie near to each other again, in rounds.
+/// @param shapes parallel to `asrs`
+/// @param driven the graph of `asrs`, vertices in this order
+[[nodiscard]] ClosedLoops close_loops(const std::vector<Asr>& asrs,
+                                      const std::vector<AsrShape>& shapes, const RoomGraph& driven,
+                                      const CorrectOptions& correct, const ClosureOptions& options);
+
+}  // namespace roomatlas
