@@ -3,7 +3,9 @@
 //   bench_sonar [fr079|aces|mit-killian [SEED]]   a seed degrades the ring: 2 cm of noise, specular
 //                                                 loss beyond 30 degrees, 5 % dropped
 //   bench_sonar LOG SEED RELATIONS GAP_S          any log; seed 0 leaves the ring as it is
-//   bench_sonar worlds [SEEDS]                    simulated, 16 sonars, typical odometry
+//   bench_sonar worlds [SEEDS [WORLD...]]         simulated, 16 sonars, typical odometry;
+//   data/worlds
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -145,7 +147,9 @@ int main(int argc, char** argv) {
   const std::string only = argc > 1 ? argv[1] : "";
   if (only == "worlds") {
     const int seeds = argc > 2 ? std::atoi(argv[2]) : 20;
-    for (const char* world : {"nine_rooms", "eight_rooms"}) {
+    std::vector<std::string> worlds(argv + std::min(argc, 3), argv + argc);
+    if (worlds.empty()) worlds = {"nine_rooms", "afit_floor"};
+    for (const std::string& world : worlds) {
       for (int seed = 1; seed <= seeds; ++seed) {
         bench_world(world, static_cast<std::uint64_t>(seed));
       }

@@ -71,17 +71,19 @@ bool is_better(const Attempt& attempt, const Attempt& than) {
   return attempt.score_m > than.score_m + std::max(kLeastM, kShare * than.score_m);
 }
 
-/// Solves the mission with one heading. Wall that is contradicted counts three times.
+/// Solves the mission with one heading. Doubt widens what odometry may err in turns. Wall that is
+/// contradicted counts three times.
 Attempt solve(Readings readings, const DriveDirections& directions, const HeadingProblem& heading,
               const std::vector<double>& directions_rad, std::string name,
-              std::vector<double> correction_rad, const SonarTrajectoryOptions& options,
-              const SonarBatchOptions& batch_options = {}) {
+              std::vector<double> correction_rad, double doubt,
+              const SonarTrajectoryOptions& options, const SonarBatchOptions& batch_options = {}) {
   constexpr double kContradictedCounts = 3.0;
   Attempt attempt;
   const DrivenPath& path = heading.path;
   const auto start = with_headings(path, by_reading(heading, correction_rad));
-  const SonarProblem problem =
+  SonarProblem problem =
       sonar_problem(readings, path, directions, start, directions_rad, options.segments);
+  for (DrivenStep& step : problem.batch.steps) step.turn_sigma_rad *= doubt;
   const SonarBatchResult solved = solve_sonar_batch(problem.batch, batch_options);
   attempt.map_from_robot = poses_of(path, problem, solved.map_from_node);
   const Contradiction contradiction =
@@ -98,6 +100,7 @@ Attempt solve(Readings readings, const DriveDirections& directions, const Headin
 /// Habits, the heading that they make likely, and what came of it.
 struct Idea {
   OdometryHabits habits;
+  double doubt = 1.0;
   HeadingChainOptions chain_options;
   std::vector<double> directions_rad;  ///< of the building's walls
   HeadingProblem problem;
@@ -105,14 +108,17 @@ struct Idea {
   Attempt attempt;
 };
 
-Idea idea_of(Readings readings, const DriveDirections& directions, const OdometryHabits& habits,
+/// @param drift times the calibration's
+Idea idea_of(Readings readings, const DriveDirections& directions, const Calibration& calibration,
              double drift, const std::vector<double>& directions_rad,
              const SonarTrajectoryOptions& options) {
   Idea idea;
   idea.directions_rad = directions_rad;
-  idea.habits = habits;
+  idea.habits = calibration.habits;
+  idea.doubt = calibration.doubt;
+  idea.chain_options = calibration.doubting({});
   idea.chain_options.drift_rad_per_sqrt_m *= drift;
-  idea.problem = heading_problem(readings, directions, habits, options.segments);
+  idea.problem = heading_problem(readings, directions, idea.habits, options.segments);
   idea.chain = smooth_heading(idea.problem.nodes, idea.problem.sightings, idea.directions_rad,
                               idea.chain_options);
   return idea;
@@ -152,7 +158,7 @@ void repair_slips(Readings readings, const DriveDirections& directions,
           solve(readings, directions, idea.problem, idea.directions_rad, std::move(name),
                 slipped(idea.problem, idea.directions_rad, idea.chain_options,
                         idea.attempt.correction_rad, slips[i]),
-                options);
+                idea.doubt, options);
       attempt.variant.habits = idea.habits;
       result.variants.push_back(attempt.variant);
       if (!is_better(attempt, idea.attempt)) continue;
@@ -187,20 +193,28 @@ constexpr Change kChanges[] = {
     {"drift 1.7 of the usual", 0.0, 0.0, 1.7},
 };
 
+/// Where none of these is convincing.
+constexpr Change kFurtherChanges[] = {
+    {"bias +1 deg/m", 1.0, 0.0, 1.0},        {"bias -1 deg/m", -1.0, 0.0, 1.0},
+    {"gain -0.06", 0.0, -0.06, 1.0},         {"gain +0.06", 0.0, 0.06, 1.0},
+    {"drift half the usual", 0.0, 0.0, 0.5},
+};
+
 /// Whether the walls make one heading clearly more likely than walls that lie anyhow would: in a
 /// round hall they do not.
 bool walls_follow_directions(const HeadingProblem& problem,
-                             const std::vector<double>& directions_rad) {
+                             const std::vector<double>& directions_rad,
+                             const HeadingChainOptions& chain) {
   constexpr double kLeastASegment = 0.05;  // of log evidence
-  const double evidence = heading_evidence(problem.nodes, problem.sightings, directions_rad, {});
+  const double evidence = heading_evidence(problem.nodes, problem.sightings, directions_rad, chain);
   return !problem.sightings.empty() &&
          evidence > kLeastASegment * static_cast<double>(problem.sightings.size());
 }
 
-OdometryHabits changed(OdometryHabits habits, const Change& change) {
-  habits.bias_rad_per_m += radians(change.bias_deg_per_m);
-  habits.turn_gain += change.turn_gain;
-  return habits;
+Calibration changed(Calibration calibration, const Change& change) {
+  calibration.habits.bias_rad_per_m += radians(change.bias_deg_per_m);
+  calibration.habits.turn_gain += change.turn_gain;
+  return calibration;
 }
 
 /// Whether two headings part for good: by more than odds and ends of a turn, for long.
@@ -244,11 +258,12 @@ SonarTrajectory correct_sonar_trajectory(Readings readings, const SonarTrajector
   const DriveDirections directions = find_drive_directions(readings, options.directions);
   result.intervals_reversed = directions.intervals_reversed;
   result.undecided_m = directions.undecided_m.back();
-  OdometryHabits likely;
+  Calibration likely;
   if (options.calibrate) likely = calibrate_odometry(readings, directions, options.segments, {});
   const HeadingProblem likely_problem =
-      heading_problem(readings, directions, likely, options.segments);
-  const std::vector<double> directions_rad = building_directions(likely_problem, {});
+      heading_problem(readings, directions, likely.habits, options.segments);
+  const HeadingChainOptions chain = likely.doubting({});
+  const std::vector<double> directions_rad = building_directions(likely_problem, chain);
   std::optional<Idea> best;
   std::vector<Attempt> attempts;
   const auto offer = [&](Idea idea, Attempt attempt) {
@@ -268,7 +283,7 @@ SonarTrajectory correct_sonar_trajectory(Readings readings, const SonarTrajector
       name += ", walls in " + std::to_string(walls_rad.size()) + " directions";
     }
     Attempt attempt = solve(readings, directions, idea.problem, walls_rad, std::move(name),
-                            idea.chain.correction_rad, options);
+                            idea.chain.correction_rad, idea.doubt, options);
     offer(std::move(idea), std::move(attempt));
   };
   const auto consider_odometry = [&] {
@@ -277,14 +292,21 @@ SonarTrajectory correct_sonar_trajectory(Readings readings, const SonarTrajector
     SonarBatchOptions batch;
     batch.heading_weight = 0.0;
     Attempt attempt = solve(readings, directions, idea.problem, {0.0}, "odometry's own heading",
-                            idea.chain.correction_rad, options, batch);
+                            idea.chain.correction_rad, idea.doubt, options, batch);
     offer(std::move(idea), std::move(attempt));
   };
+  const auto consider_all = [&](std::span<const Change> changes) {
+    const std::vector<double> walls_rad = best->directions_rad;
+    for (const Change& change : changes) consider(change, walls_rad);
+  };
   // the first stays unless another is clearly better: wings at an angle are believed
-  const bool follow = walls_follow_directions(likely_problem, directions_rad);
+  const bool follow = walls_follow_directions(likely_problem, directions_rad, chain);
   if (follow && directions_rad.size() > 1) consider(kChanges[0], directions_rad);
-  const std::size_t ideas = !follow ? 0 : options.calibrate ? std::size(kChanges) : 1;
-  for (const Change& change : std::span(kChanges).first(ideas)) consider(change, {0.0});
+  if (follow) consider(kChanges[0], {0.0});
+  if (follow && options.calibrate) {
+    consider_all(std::span(kChanges).subspan(1));
+    if (!is_verified(best->attempt, attempts, options)) consider_all(kFurtherChanges);
+  }
   consider_odometry();
   if (options.repair_slips && follow) repair_slips(readings, directions, options, *best, result);
   result.habits = best->habits;

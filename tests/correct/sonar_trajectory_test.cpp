@@ -74,6 +74,30 @@ TEST(SonarTrajectory, TakesADriftOutOfASquareMission) {
   }
 }
 
+/// Each turn that odometry reports, times a gain.
+void turn_by(std::vector<RangeReading>& readings, double gain) {
+  Pose2 before = readings.front().odom_from_robot;
+  Pose2 pose = before;
+  for (RangeReading& reading : readings) {
+    Pose2 step = inverse(before) * reading.odom_from_robot;
+    before = reading.odom_from_robot;
+    step.theta_rad *= gain;
+    pose = pose * step;
+    reading.odom_from_robot = pose;
+  }
+}
+
+TEST(SonarTrajectory, FindsThatOdometryTurnsTooLittle) {
+  Mission mission = square_corridor(0.5);
+  turn_by(mission.readings, 0.9);
+  EXPECT_GT(largest_error(mission, odometry_of(mission)).heading_deg, 20.0);
+  const SonarTrajectory result = correct_sonar_trajectory(mission.readings, {});
+  const Error error = largest_error(mission, result.map_from_robot);
+  EXPECT_LT(error.position_m, 0.4);
+  EXPECT_LT(error.heading_deg, 4.0);
+  EXPECT_GT(result.habits.turn_gain, 1.0);
+}
+
 TEST(SonarTrajectory, LeavesTrueOdometryAlone) {
   const Mission mission = square_corridor(0.0);
   const SonarTrajectory result = correct_sonar_trajectory(mission.readings, {});
