@@ -13,13 +13,13 @@ struct HeadingChainOptions {
   double drift_rad_per_sqrt_m = 0.0209;  ///< 1.2 degrees: random walk of odometry's heading
   double drift_per_turn = 0.03;          ///< of each turn
   double base_rad = 0.0039;              ///< between any two nodes
-  double jump_share = 1e-5;              ///< of the peak: odometry may do anything, rarely
-  double trust = 0.3;                    ///< share of the segments that are walls of the building;
-                                         ///< the rest lie anyhow
-  double segment_sigma_rad = 0.035;      ///< of a wall's direction, however long
-  double end_sigma_m = 0.0175;           ///< divided by the length: sigma of a wall's direction
-  double full_weight_m = 1.0;            ///< length from which on a segment counts in full
-  double switch_share = 1e-3;            ///< a node: the walls around follow another direction now
+  double jump_share = 1e-9;              ///< of the peak: odometry may do anything, rarely
+  double trust = 0.15;  ///< share of the segments that follow the building; the rest lie anyhow.
+                        ///< Less than the true one, since the segments of one wall go together
+  double segment_sigma_rad = 0.035;  ///< of a wall's direction, however long
+  double end_sigma_m = 0.0175;       ///< divided by the length: sigma of a wall's direction
+  double full_weight_m = 1.0;        ///< length from which on a segment counts in full
+  double switch_share = 1e-3;        ///< a node: the walls around follow another direction now
 };
 
 /// A place of the chain.

@@ -2,16 +2,15 @@
 #include "sonar_calibration.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <initializer_list>
+#include <optional>
 
 namespace roomatlas {
 namespace {
 
 constexpr double kNodeM = 0.3;
 constexpr double kNodeRad = 0.25;
-constexpr std::array kOneDirection = {0.0};
 
 /// How many readings the first search looks at: as many as hold some hundred metres of way.
 std::size_t coarse_readings(std::span<const RangeReading> readings) {
@@ -26,12 +25,12 @@ std::size_t coarse_readings(std::span<const RangeReading> readings) {
   return count;
 }
 
-/// Keeps the habits with the highest score.
+/// Keeps the calibration with the highest score.
 class Search {
  public:
   Search(std::span<const RangeReading> readings, const DriveDirections& directions,
          const WallSegmentOptions& segments, const HeadingChainOptions& chain,
-         const OdometryHabits& start)
+         const Calibration& start)
       : readings_(readings),
         directions_(directions),
         segments_(segments),
@@ -42,27 +41,51 @@ class Search {
 
   /// Tries changes of one habit about the best so far.
   void along(double OdometryHabits::*habit, std::initializer_list<double> changes) {
-    const OdometryHabits around = best_;
+    const Calibration around = best_;
     for (const double change : changes) {
-      OdometryHabits candidate = around;
-      candidate.*habit += change;
+      Calibration candidate = around;
+      candidate.habits.*habit += change;
       const double now = score(candidate);
       if (now <= score_) continue;
       score_ = now;
       best_ = candidate;
     }
   }
-  [[nodiscard]] const OdometryHabits& best() const { return best_; }
+  /// Decides anew how much to doubt odometry: more than usual only where that is clearly likelier.
+  void doubt(std::initializer_list<double> doubts) {
+    constexpr double kClearly = 10.0;  // of log evidence
+    best_.doubt = 1.0;
+    score_ = score(best_);
+    const double as_usual = score_;
+    for (const double doubt : doubts) {
+      Calibration candidate = best_;
+      candidate.doubt = doubt;
+      const double now = score(candidate);
+      if (now > score_ && now > as_usual + kClearly) {
+        score_ = now;
+        best_ = candidate;
+      }
+    }
+  }
+  /// Looks for wings at an angle, so that the habits are not made to bend them.
+  void find_directions() {
+    const HeadingProblem problem = heading_problem(readings_, directions_, best_.habits, segments_);
+    walls_rad_ = building_directions(problem, best_.doubting(chain_));
+    score_ = score(best_);
+  }
+  [[nodiscard]] const Calibration& best() const { return best_; }
 
  private:
   /// Log evidence, with a weak prior against habits.
-  [[nodiscard]] double score(const OdometryHabits& habits) const {
+  [[nodiscard]] double score(const Calibration& calibration) const {
+    const OdometryHabits& habits = calibration.habits;
     const HeadingProblem problem = heading_problem(readings_, directions_, habits, segments_);
     const double bias = degrees(habits.bias_rad_per_m) / 2.0;
-    const double gain = (habits.turn_gain - 1.0) / 0.03;
+    const double gain = (habits.turn_gain - 1.0) / 0.05;
     const double lag = habits.lag_s / 0.3;
     const double scale = (habits.length_scale - 1.0) / 0.03;
-    return heading_evidence(problem.nodes, problem.sightings, kOneDirection, chain_) -
+    return heading_evidence(problem.nodes, problem.sightings, walls_rad_,
+                            calibration.doubting(chain_)) -
            (bias * bias + gain * gain + lag * lag + scale * scale) / 2.0;
   }
 
@@ -70,7 +93,8 @@ class Search {
   const DriveDirections& directions_;
   const WallSegmentOptions& segments_;
   const HeadingChainOptions& chain_;
-  OdometryHabits best_;
+  std::vector<double> walls_rad_ = {0.0};
+  Calibration best_;
   double score_ = 0.0;
 };
 
@@ -98,10 +122,10 @@ HeadingProblem heading_problem(std::span<const RangeReading> readings,
   return problem;
 }
 
-OdometryHabits calibrate_odometry(std::span<const RangeReading> readings,
-                                  const DriveDirections& directions,
-                                  const WallSegmentOptions& segments,
-                                  const HeadingChainOptions& chain) {
+Calibration calibrate_odometry(std::span<const RangeReading> readings,
+                               const DriveDirections& directions,
+                               const WallSegmentOptions& segments,
+                               const HeadingChainOptions& chain) {
   const auto beginning = readings.first(std::min(readings.size(), coarse_readings(readings)));
   Search coarse(beginning, directions, segments, chain, {});
   const auto deg = [](double value) { return radians(value); };
@@ -111,11 +135,42 @@ OdometryHabits calibrate_odometry(std::span<const RangeReading> readings,
        deg(0.5), deg(1.0), deg(1.5), deg(2.0), deg(2.5), deg(3.0), deg(3.5), deg(4.0)});
   Search search(readings, directions, segments, chain, coarse.best());
   search.along(&OdometryHabits::bias_rad_per_m, {deg(-0.25), deg(0.25)});
-  search.along(&OdometryHabits::turn_gain, {-0.06, -0.04, -0.02, 0.02, 0.04, 0.06});
-  search.along(&OdometryHabits::turn_gain, {-0.01, 0.01});
+  search.find_directions();
+  search.doubt({1.6, 2.4});  // may be the other habits, until they are found
+  search.along(&OdometryHabits::turn_gain, {-0.12, -0.08, -0.04, 0.04, 0.08, 0.12});
+  search.along(&OdometryHabits::turn_gain, {-0.02, -0.01, 0.01, 0.02});
   search.along(&OdometryHabits::lag_s, {-0.8, -0.6, -0.45, -0.3, -0.2, -0.1, 0.1, 0.2, 0.3});
   search.along(&OdometryHabits::bias_rad_per_m, {deg(-0.25), deg(-0.12), deg(0.12), deg(0.25)});
+  search.along(&OdometryHabits::turn_gain, {-0.04, -0.02, 0.02, 0.04});
+  search.along(&OdometryHabits::lag_s, {-0.05, 0.05});
+  search.doubt({1.6, 2.4});
   return search.best();
+}
+
+std::vector<double> building_directions(const HeadingProblem& problem, HeadingChainOptions chain) {
+  chain.states = 90;  // enough for a comparison
+  constexpr std::size_t kMost = 3;
+  constexpr double kClearly = 10.0;  // log evidence that another direction must bring
+  constexpr double kFirstDeg = 10.0;
+  constexpr double kStepDeg = 5.0;
+  std::vector<double> directions_rad = {0.0};
+  double evidence = heading_evidence(problem.nodes, problem.sightings, directions_rad, chain);
+  while (directions_rad.size() < kMost) {
+    double best = evidence + kClearly;
+    std::optional<double> another_rad;
+    for (double deg = kFirstDeg; deg <= 90.0 - kFirstDeg; deg += kStepDeg) {
+      std::vector<double> candidate = directions_rad;
+      candidate.push_back(radians(deg));
+      const double now = heading_evidence(problem.nodes, problem.sightings, candidate, chain);
+      if (now <= best) continue;
+      best = now;
+      another_rad = radians(deg);
+    }
+    if (!another_rad) break;
+    directions_rad.push_back(*another_rad);
+    evidence = best;
+  }
+  return directions_rad;
 }
 
 }  // namespace roomatlas

@@ -18,16 +18,34 @@ struct HeadingProblem {
   std::vector<WallSighting> sightings;
 };
 
+struct Calibration {
+  OdometryHabits habits;
+  double doubt = 1.0;  ///< times the drift of odometry's heading that the chain allows, [1, inf)
+
+  /// The chain's options with the drift that this mission's odometry has.
+  [[nodiscard]] HeadingChainOptions doubting(HeadingChainOptions chain) const {
+    chain.drift_rad_per_sqrt_m *= doubt;
+    chain.drift_per_turn *= doubt;
+    return chain;
+  }
+};
+
 [[nodiscard]] HeadingProblem heading_problem(std::span<const RangeReading> readings,
                                              const DriveDirections& directions,
                                              const OdometryHabits& habits,
                                              const WallSegmentOptions& segments);
 
-/// The habits under which the walls say most for one heading: coordinate by coordinate over a
-/// coarse grid, then finer.
-[[nodiscard]] OdometryHabits calibrate_odometry(std::span<const RangeReading> readings,
-                                                const DriveDirections& directions,
-                                                const WallSegmentOptions& segments,
-                                                const HeadingChainOptions& chain);
+/// The habits, and the doubt in what is left, under which the walls say most for one heading:
+/// coordinate by coordinate over a coarse grid, then finer.
+[[nodiscard]] Calibration calibrate_odometry(std::span<const RangeReading> readings,
+                                             const DriveDirections& directions,
+                                             const WallSegmentOptions& segments,
+                                             const HeadingChainOptions& chain);
+
+/// The directions, modulo 90 degrees, that the building's walls follow: 0, and others as long as
+/// each makes the walls clearly more likely. A wing at an angle is one of them; without it, the
+/// heading would be bent to make the wing's walls follow the rest.
+[[nodiscard]] std::vector<double> building_directions(const HeadingProblem& problem,
+                                                      HeadingChainOptions chain);
 
 }  // namespace roomatlas

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sonar_problem.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "roomatlas/correct/wall_direction.hpp"
 
 namespace roomatlas {
 namespace {
@@ -35,6 +38,7 @@ DrivenStep step_between(const DrivenPath& path, const std::vector<double>& undec
 
 SonarProblem sonar_problem(Readings readings, const DrivenPath& path,
                            const DriveDirections& directions, const std::vector<Pose2>& start,
+                           const std::vector<double>& directions_rad,
                            const WallSegmentOptions& options) {
   SonarProblem problem;
   problem.node_readings = nodes_along(path, kNodeM, kNodeRad);
@@ -56,7 +60,11 @@ SonarProblem sonar_problem(Readings readings, const DrivenPath& path,
     problem.batch.walls.push_back({node, wrap_angle(segment.normal_rad + node_from_robot.theta_rad),
                                    node_from_robot * segment.middle_robot, segment.length_m,
                                    path.path_m[segment.reading]});
-    problem.batch.direction_rad.push_back(0.0);
+    const double normal_rad = start[segment.reading].theta_rad + segment.normal_rad;
+    problem.batch.direction_rad.push_back(
+        *std::min_element(directions_rad.begin(), directions_rad.end(), [&](double a, double b) {
+          return std::abs(wrap_quarter(normal_rad - a)) < std::abs(wrap_quarter(normal_rad - b));
+        }));
   }
   return problem;
 }

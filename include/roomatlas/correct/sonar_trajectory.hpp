@@ -48,14 +48,15 @@ struct SonarTrajectory {
   std::vector<Pose2> map_from_robot;      ///< one a reading; the first is odometry's first
   std::vector<double> heading_sigma_rad;  ///< one a reading: how unsure the heading's posterior is
   OdometryHabits habits;                  ///< as found
-  double log_evidence = 0.0;              ///< of the headings, against "walls lie anyhow"
-  int intervals_reversed = 0;             ///< drives that odometry reported the wrong way round
-  double undecided_m = 0.0;               ///< of path that could have gone either way
-  std::size_t segments = 0;               ///< stretches of wall
-  std::vector<SonarVariant> variants;     ///< in the order tried
-  std::size_t chosen = 0;                 ///< place of the one kept
-  int slips_repaired = 0;                 ///< headings turned by 90 degrees from some place on
-  bool loops_verified = false;            ///< false: no loop, or walls contradict each other
+  std::vector<double> wall_directions_rad;  ///< of the building, modulo 90 degrees, from the first
+  double log_evidence = 0.0;                ///< of the headings, against "walls lie anyhow"
+  int intervals_reversed = 0;               ///< drives that odometry reported the wrong way round
+  double undecided_m = 0.0;                 ///< of path that could have gone either way
+  std::size_t segments = 0;                 ///< stretches of wall
+  std::vector<SonarVariant> variants;       ///< in the order tried
+  std::size_t chosen = 0;                   ///< place of the one kept
+  int slips_repaired = 0;                   ///< headings turned by 90 degrees from some place on
+  bool loops_verified = false;              ///< false: no loop, or walls contradict each other
 };
 
 /// Corrects a whole mission recorded with sonars in one batch: the walls that single sonars hear
