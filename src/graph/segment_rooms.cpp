@@ -287,7 +287,7 @@ class Rooms {
     std::deque<Cell> front;
     const auto take = [&](const Cell& cell, RoomId room) {
       if (!open.at(cell) || result.at(cell) != 0) return;
-      result.room_of_cell[result.box.index_of(cell)] = room;
+      result.room_of_cell[result.box.index_of(cell)] = static_cast<std::int32_t>(room);
       front.push_back(cell);
     };
     for (std::size_t i = 0; i < path_.size(); ++i) {

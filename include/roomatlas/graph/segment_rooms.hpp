@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "roomatlas/asr/asr.hpp"
@@ -28,7 +29,8 @@ struct RoomOpening {
 struct RoomSegmentation {
   CellFrame frame;
   CellBox box;
-  std::vector<RoomId> room_of_cell;  ///< in the box, row by row; 0: no room
+  std::vector<std::int32_t> room_of_cell;  ///< in the box, row by row; 0: no room. Half of RoomId's
+                                           ///< size, for there are millions
   std::vector<RoomId> room_of_pose;  ///< parallel to the path; 1, 2, 3 ... as they were entered
   std::vector<RoomOpening> openings;
   RoomId rooms = 0;  ///< how many there are
