@@ -3,6 +3,8 @@
 #include "../src/draw/room_labels.hpp"
 #include "draw/plan_fixture.hpp"
 
+#include "roomatlas/draw/report.hpp"
+
 #include <gmock/gmock.h>
 #include <pugixml.hpp>
 
@@ -176,6 +178,33 @@ TEST(DrawPlan, NeverWritesNotANumber) {
   const std::string svg = draw_plan(office(), notes, {true, true});
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   EXPECT_EQ(svg.find("inf"), std::string::npos);
+}
+
+TEST(DrawPlan, LabelsOverLinesHaveAHaloBeneathPlainText) {
+  DrawOptions options;
+  options.show_room_graph = true;
+  const auto document = parsed(draw_plan(office(), annotations(), options));
+  int halos = 0;
+  for (const pugi::xpath_node found : document.select_nodes("//g[@id='labels']//text")) {
+    const pugi::xml_node text = found.node();
+    if (std::string(text.attribute("class").value()) != "halo") {
+      EXPECT_FALSE(text.attribute("stroke")) << text.text().get();
+      continue;
+    }
+    ++halos;
+    const pugi::xml_node above = text.next_sibling("text");
+    EXPECT_STREQ(above.text().get(), text.text().get());
+    EXPECT_FALSE(above.attribute("class"));
+  }
+  EXPECT_GT(halos, 0);
+}
+
+TEST(ReportPage, PutsTitleAndDataInTheirPlacesAndNothingThatEndsTheScript) {
+  const std::string page = report_page("A <b> & c", R"({"name":"</script>"})");
+  EXPECT_THAT(page, testing::HasSubstr("<title>A &lt;b&gt; &amp; c</title>"));
+  EXPECT_THAT(page, testing::HasSubstr(R"(id="data">{"name":"\u003c/script>"}</script>)"));
+  EXPECT_THAT(page, testing::HasSubstr("Leaflet"));
+  EXPECT_THAT(page, testing::Not(testing::HasSubstr("{{")));
 }
 
 }  // namespace
