@@ -4,6 +4,8 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
+#include "roomatlas/io/room_names.hpp"
+#include "roomatlas/merge/carry_over.hpp"
 #include "store_metadata.hpp"
 
 namespace roomatlas::apps {
@@ -31,6 +33,7 @@ void report(const SonarTrajectory& sonars) {
 }  // namespace
 
 void assemble(const Settings& settings, const Path& store_file) {
+  const std::vector<PlanRoom> former = former_rooms(store_file);
   GeoPackageStore store(store_file, GeoPackageStore::Mode::update);
   const Metadata metadata = store.metadata();
   Assembly assembly = roomatlas::assemble(store, footprint_of(metadata), settings.assemble,
@@ -38,7 +41,9 @@ void assemble(const Settings& settings, const Path& store_file) {
   const auto mission = metadata.find("mission_file");
   assembly.plan.title = mission == metadata.end() ? "" : mission->second;
   if (!assembly.mapped_again.empty()) store.replace_asrs(assembly.mapped_again);
+  (void)carry_over(former, assembly.plan, assembly.room_of_asr);
   store.put_assembly(assembly.correction, assembly.plan, assembly.room_of_asr);
+  put_former_rooms(store_file, {});
   store.finish();
   show(assembly.plan.issues);
   if (assembly.sonars) report(*assembly.sonars);

@@ -5,8 +5,13 @@
 #include <map>
 
 #include "commands.hpp"
+#include "pose_graph_export.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
+#include "roomatlas/io/nav2_export.hpp"
+#include "roomatlas/io/pdf.hpp"
+#include "roomatlas/io/pose_graph_file.hpp"
+#include "roomatlas/io/room_tables.hpp"
 #include "roomatlas/io/summary.hpp"
 #include "store_metadata.hpp"
 
@@ -20,6 +25,7 @@ struct Exported {
   FloorPlan plan;
   PlacedMission placed;
   RoomGraph graph;
+  std::optional<GeoReference> on_earth;
 };
 
 Exported read(const Path& store_file) {
@@ -28,7 +34,7 @@ Exported read(const Path& store_file) {
     throw NotEnoughError(store_file.string() +
                          ": not assembled yet: run `roomatlas assemble` on it first");
   }
-  Exported exported{store.metadata(), store.correction(), store.plan(), {}, {}};
+  Exported exported{store.metadata(), store.correction(), store.plan(), {}, {}, {}};
   exported.placed = place(store, exported.correction);
   exported.graph = graph_of(store, exported.correction);
   return exported;
@@ -55,6 +61,15 @@ std::string before_after_svg(const Exported& from) {
                            {"Corrected", from.placed.walls_after, after});
 }
 
+/// Corrected poses of the visits, and the measurements between them.
+void write_pose_graph(const Path& file, const Exported& from, const Settings& settings) {
+  const PoseGraph graph = pose_graph_of(from.graph, settings.assemble.correct);
+  const Placement placement = placement_of(from.correction);
+  std::vector<Pose2> poses;
+  for (const AsrId id : graph.ids) poses.push_back(placement.at(id));
+  write_g2o(file, graph, poses, {});
+}
+
 using Exporter = std::function<void(const Exported&, const Settings&, const Path& out)>;
 
 const std::map<std::string, Exporter>& exporters() {
@@ -69,9 +84,17 @@ const std::map<std::string, Exporter>& exporters() {
          write_png(out / "plan.png", plan_svg(from, settings), settings.png_dpi);
          write_png(out / "before_after.png", before_after_svg(from), settings.png_dpi);
        }},
+      {"pdf",
+       [](const Exported& from, const Settings& settings, const Path& out) {
+         const std::string title = from.plan.title.empty() ? "Floor plan" : from.plan.title;
+         write_pdf(out / "plan.pdf", plan_svg(from, settings), title, date_of(from.metadata));
+       }},
       {"geojson",
        [](const Exported& from, const Settings&, const Path& out) {
          write_file(out / "plan.local.geojson", to_geojson(from.plan));
+         if (from.on_earth) {
+           write_file(out / "plan.geojson", to_geojson(from.plan, *from.on_earth));
+         }
        }},
       {"tum",
        [](const Exported& from, const Settings&, const Path& out) {
@@ -80,6 +103,16 @@ const std::map<std::string, Exporter>& exporters() {
        }},
       {"dot", [](const Exported& from, const Settings&,
                  const Path& out) { write_file(out / "rooms.dot", to_dot(from.graph)); }},
+      {"csv", [](const Exported& from, const Settings&,
+                 const Path& out) { write_file(out / "rooms.csv", rooms_csv(from.plan)); }},
+      {"graphml",
+       [](const Exported& from, const Settings&, const Path& out) {
+         write_file(out / "rooms.graphml", rooms_graphml(from.plan));
+       }},
+      {"g2o", [](const Exported& from, const Settings& settings,
+                 const Path& out) { write_pose_graph(out / "graph.g2o", from, settings); }},
+      {"nav2", [](const Exported& from, const Settings&,
+                  const Path& out) { write_nav2_map(out, from.plan); }},
       {"json",
        [](const Exported& from, const Settings&, const Path& out) {
          write_file(out / "summary.json",
@@ -98,14 +131,16 @@ std::vector<std::string> export_formats() {
 }
 
 void export_all(const Settings& settings, const Path& store_file,
-                const std::vector<std::string>& formats, const Path& out) {
+                const std::vector<std::string>& formats, const ExportOptions& options,
+                const Path& out) {
   for (const std::string& format : formats) {
     if (!exporters().contains(format)) {
       throw UsageError(fmt::format("unknown format {}: expected some of {}", format,
                                    fmt::join(export_formats(), ",")));
     }
   }
-  const Exported from = read(store_file);
+  Exported from = read(store_file);
+  from.on_earth = options.reference();
   std::filesystem::create_directories(out);
   for (const std::string& format : formats) exporters().at(format)(from, settings, out);
 }
