@@ -3,6 +3,7 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "roomatlas/io/closures_file.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
 #include "roomatlas/io/room_names.hpp"
 #include "roomatlas/merge/carry_over.hpp"
@@ -21,12 +22,14 @@ void report(const SonarTrajectory& sonars) {
       sonars.intervals_reversed);
   if (sonars.variants.empty()) return;
   const SonarVariant& chosen = sonars.variants.at(sonars.chosen);
-  spdlog::info("sonars: {} stretches of wall in {} pairs, {:.0f} % of what could be compared "
-               "contradicts",
-               sonars.segments, chosen.pairs, 100.0 * std::max(0.0, chosen.contradiction));
+  spdlog::info(
+      "sonars: {} stretches of wall in {} pairs, {:.0f} % of what could be compared "
+      "contradicts",
+      sonars.segments, chosen.pairs, 100.0 * std::max(0.0, chosen.contradiction));
   if (!sonars.loops_verified) {
-    spdlog::warn("loops not verified: what one visit heard as wall, another looked through, or no "
-                 "place was visited twice");
+    spdlog::warn(
+        "loops not verified: what one visit heard as wall, another looked through, or no "
+        "place was visited twice");
   }
 }
 
@@ -36,13 +39,16 @@ void assemble(const Settings& settings, const Path& store_file) {
   const std::vector<PlanRoom> former = former_rooms(store_file);
   GeoPackageStore store(store_file, GeoPackageStore::Mode::update);
   const Metadata metadata = store.metadata();
-  Assembly assembly = roomatlas::assemble(store, footprint_of(metadata), settings.assemble,
-                                          console_progress(settings));
+  AssembleOptions options = settings.assemble;
+  if (!settings.add_closures.empty()) options.closures.given = read_closures(settings.add_closures);
+  Assembly assembly =
+      roomatlas::assemble(store, footprint_of(metadata), options, console_progress(settings));
   const auto mission = metadata.find("mission_file");
   assembly.plan.title = mission == metadata.end() ? "" : mission->second;
   if (!assembly.mapped_again.empty()) store.replace_asrs(assembly.mapped_again);
   (void)carry_over(former, assembly.plan, assembly.room_of_asr);
   store.put_assembly(assembly.correction, assembly.plan, assembly.room_of_asr);
+  store.put_closures(assembly.closures);
   put_former_rooms(store_file, {});
   store.finish();
   show(assembly.plan.issues);

@@ -151,9 +151,15 @@ void write_archives(const Comparison& comparison, const Path& file) {
 
 }  // namespace
 
-void write(const Comparison& comparison, const ComparisonFiles& files) {
-  if (!files.csv.empty()) write_file(files.csv, to_csv(comparison));
-  if (!files.latex.empty()) write_file(files.latex, to_latex(comparison));
+void write(const Comparison& comparison, const std::vector<JudgedPlan>& plans,
+           const ComparisonFiles& files) {
+  if (!comparison.has_figures() && (!files.plots.empty() || !files.archive.empty())) {
+    throw UsageError(
+        "--plots and --archive show errors of trajectories, and there are none: give --truth FILE "
+        "with relations or a trajectory");
+  }
+  if (!files.csv.empty()) write_file(files.csv, to_csv(comparison, plans));
+  if (!files.latex.empty()) write_file(files.latex, to_latex(comparison, plans));
   if (!files.plots.empty()) write_plots(comparison, files.plots);
   if (!files.archive.empty()) write_archives(comparison, files.archive);
 }

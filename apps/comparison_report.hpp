@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "roomatlas/evaluate/compare.hpp"
+#include "roomatlas/pipeline/plan_figures.hpp"
 
 namespace roomatlas::apps {
 
@@ -15,10 +16,6 @@ struct ComparisonFiles {
   std::filesystem::path latex;
   std::filesystem::path plots;    ///< a folder
   std::filesystem::path archive;  ///< in evo's layout
-
-  [[nodiscard]] bool any() const {
-    return !csv.empty() || !latex.empty() || !plots.empty() || !archive.empty();
-  }
 };
 
 /// Tables for people, on stdout.
@@ -26,6 +23,8 @@ struct ComparisonFiles {
 void print(const Comparison& comparison, const std::vector<std::string>& steps);
 
 /// Writes what was asked for. Several archives get the run's name and the metric's in their names.
-void write(const Comparison& comparison, const ComparisonFiles& files);
+/// Throws UsageError for plots or archives of nothing.
+void write(const Comparison& comparison, const std::vector<JudgedPlan>& plans,
+           const ComparisonFiles& files);
 
 }  // namespace roomatlas::apps

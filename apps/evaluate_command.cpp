@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "evaluation_report.hpp"
+#include "plan_report.hpp"
 #include "roomatlas/io/comparison_text.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
@@ -17,7 +18,8 @@ namespace roomatlas::apps {
 namespace {
 
 constexpr const char* kNoTruth =
-    "nothing to evaluate against: give --truth FILE (relations, a trajectory or a plan)";
+    ": nothing to judge this trajectory by: give --truth FILE with relations or a trajectory";
+constexpr const char* kOwnTruth = "TRUEPOS in the store";
 
 /// A store is an SQLite file, whatever its name.
 bool is_store(const Path& file) {
@@ -33,49 +35,128 @@ void require_assembly(const GeoPackageStore& store, const Path& file) {
   throw NotEnoughError(file.string() + ": not assembled yet: run `roomatlas assemble` on it first");
 }
 
-void add_poses_in(const GeoPackageStore& store, Truth& truth) {
+Trajectory poses_in(const GeoPackageStore& store) {
+  Trajectory poses;
   for (const TruePose& pose : store.truth()) {
-    truth.poses.push_back({pose.timestamp_s, pose.world_from_robot});
+    poses.push_back({pose.timestamp_s, pose.world_from_robot});
   }
+  return poses;
+}
+
+Evaluation evaluation_of(const GeoPackageStore& store, const Path& file, Truth truth,
+                         const Preparation& prepare) {
+  require_assembly(store, file);
+  if (truth.poses.empty()) truth.poses = poses_in(store);
+  const Correction correction = store.correction();
+  const FloorPlan plan = store.plan();
+  const PlacedMission placed = place(store, correction);
+  Evaluation evaluation = roomatlas::evaluate(prepare("odometry", placed.odometry),
+                                              prepare("corrected", placed.corrected), plan, truth,
+                                              prepare.relation_options(), prepare.carry());
+  judge_placements(store, correction, plan, truth, evaluation);
+  return evaluation;
+}
+
+/// What the files on the command line hold.
+struct Judged {
+  std::vector<Run> runs;
+  std::vector<JudgedPlan> plans;
+  std::vector<Path> bare;  ///< trajectories that bring no truth of their own
+};
+
+bool is_plan(const Path& file) {
+  const std::string extension = kind_of(file);
+  return extension == ".geojson" || extension == ".json" || extension == ".pgm";
+}
+
+/// A store: both of its trajectories, and its plan.
+void add_store(const Path& file, const std::string& name, const Truth& truth,
+               const Preparation& prepare, Judged& judged) {
+  const GeoPackageStore store(file, GeoPackageStore::Mode::read);
+  Evaluation evaluation = evaluation_of(store, file, truth, prepare);
+  PlacedMission placed = place(store, store.correction());
+  const Trajectory true_poses = poses_in(store);
+  judged.runs.push_back(
+      {name + " odometry", prepare(name + " odometry", std::move(placed.odometry)), true_poses});
+  judged.runs.push_back(
+      {name + " corrected", prepare(name + " corrected", std::move(placed.corrected)), true_poses});
+  evaluation.relations.reset();  // stand in the comparison
+  evaluation.true_poses.reset();
+  judged.plans.push_back({name, std::move(evaluation)});
+}
+
+/// A plan of another program; it is laid on the true one by its rooms.
+void add_plan(const Settings& settings, const Path& file, const std::string& name,
+              const Truth& truth, Judged& judged) {
+  if (!truth.plan && truth.spans.empty()) {
+    throw UsageError(file.string() +
+                     ": a plan is judged by a true plan: give --truth PLAN.geojson or "
+                     "--truth LABELS.pgm.gz, or --spans FILE.csv");
+  }
+  Truth of_plan;
+  add_truth(file, settings, of_plan);
+  const bool has_doors = of_plan.plan_has_doors;
+  Truth against;
+  against.plan = truth.plan;
+  against.plan_has_doors = truth.plan_has_doors && has_doors;
+  against.spans = truth.spans;
+  judged.plans.push_back({name, roomatlas::evaluate({}, {}, *of_plan.plan, against)});
 }
 
 void add_run(const Settings& settings, const Path& file, const std::string& name,
-             std::vector<Run>& runs) {
-  if (is_store(file)) {
-    const GeoPackageStore store(file, GeoPackageStore::Mode::read);
-    require_assembly(store, file);
-    PlacedMission placed = place(store, store.correction());
-    runs.push_back({name + " odometry", std::move(placed.odometry)});
-    runs.push_back({name + " corrected", std::move(placed.corrected)});
-    return;
-  }
+             const Truth& truth, const Preparation& prepare, Judged& judged) {
+  if (is_store(file)) return add_store(file, name, truth, prepare, judged);
+  if (is_plan(file)) return add_plan(settings, file, name, truth, judged);
   TrajectoryFile read = read_trajectory(file, settings.mission, LogPoses::recorded);
   show(read.issues);
-  runs.push_back({name, std::move(read.poses)});
+  judged.runs.push_back({name, prepare(name, std::move(read.poses)), {}});
+  judged.bare.push_back(file);
 }
 
-/// Short names, or the paths as given where those would be the same.
-std::string name_of(const Path& file, const std::vector<Path>& all) {
-  const auto same = std::count_if(all.begin(), all.end(), [&](const Path& other) {
-    return other.filename() == file.filename();
-  });
-  return same > 1 ? file.string() : file.filename().string();
-}
-
-Comparison comparison_of(const Settings& settings, const std::vector<Path>& judged,
-                         const std::vector<Path>& truth_files, const Preparation& prepare,
-                         const CompareOptions& options) {
-  Truth truth;
-  for (const Path& file : truth_files) add_truth(file, settings, truth);
-  std::vector<Run> runs;
-  for (const Path& file : judged) add_run(settings, file, name_of(file, judged), runs);
-  if (truth.poses.empty() && truth.relations.empty() && is_store(judged.front())) {
-    add_poses_in(GeoPackageStore(judged.front(), GeoPackageStore::Mode::read), truth);
+/// The last so many parts of a path.
+Path end_of(const Path& file, std::ptrdiff_t parts) {
+  const std::ptrdiff_t all = std::distance(file.begin(), file.end());
+  Path end;
+  for (auto part = std::next(file.begin(), std::max<std::ptrdiff_t>(0, all - parts));
+       part != file.end(); ++part) {
+    end /= *part;
   }
-  if (truth.poses.empty() && truth.relations.empty()) throw UsageError(kNoTruth);
-  for (Run& run : runs) run.trajectory = prepare(run.name, std::move(run.trajectory));
-  const std::string name = truth_files.empty() ? "TRUEPOS in the store" : names_of(truth_files);
-  return compare(runs, {name, truth.relations, truth.poses}, options, prepare.carry());
+  return end;
+}
+
+/// The file's name, with as many of its folders as tell it from the others.
+std::string name_of(const Path& file, const std::vector<Path>& all) {
+  for (std::ptrdiff_t parts = 1; end_of(file, parts) != file; ++parts) {
+    const auto same = std::count_if(all.begin(), all.end(), [&](const Path& other) {
+      return end_of(other, parts) == end_of(file, parts);
+    });
+    if (same == 1) return end_of(file, parts).string();
+  }
+  return file.string();
+}
+
+Judged read(const Settings& settings, const std::vector<Path>& files, const Truth& truth,
+            const Preparation& prepare) {
+  Judged judged;
+  for (const Path& file : files) {
+    add_run(settings, file, name_of(file, files), truth, prepare, judged);
+  }
+  // Trajectories beside a simulated mission's store are of that mission.
+  const auto with_truth = std::find_if(judged.runs.begin(), judged.runs.end(),
+                                       [](const Run& run) { return !run.truth.empty(); });
+  if (with_truth == judged.runs.end()) return judged;
+  const Trajectory true_poses = with_truth->truth;
+  for (Run& run : judged.runs) {
+    if (run.truth.empty()) run.truth = true_poses;
+  }
+  return judged;
+}
+
+/// Whether there is anything to judge trajectories by.
+bool has_truth(const Judged& judged, const Truth& truth) {
+  return !truth.relations.empty() || !truth.poses.empty() ||
+         std::any_of(judged.runs.begin(), judged.runs.end(),
+                     [](const Run& run) { return !run.truth.empty(); });
 }
 
 /// Tells why there is no figure at all, in the words of the first run that says so.
@@ -88,71 +169,45 @@ Comparison comparison_of(const Settings& settings, const std::vector<Path>& judg
   throw NotEnoughError("no figure could be computed");
 }
 
-void report(const Settings& settings, const Comparison& comparison, const Preparation& prepare) {
+void report(const Settings& settings, const Comparison& comparison,
+            const std::vector<JudgedPlan>& plans, const Preparation& prepare) {
   if (settings.json) {
-    fmt::print("{}", to_json(comparison));
+    fmt::print("{}", to_json(comparison, plans));
   } else {
-    print(comparison, prepare.steps());
+    if (comparison.has_figures()) print(comparison, prepare.steps());
+    if (plans.size() == 1) print(plans.front().evaluation);
+    if (plans.size() > 1) print_side_by_side(plans);
   }
   for (const JudgedRun& run : comparison.runs) show(run.issues);
-}
-
-void report(const Settings& settings, const Evaluation& evaluation) {
-  if (settings.json) {
-    fmt::print("{}", to_json(evaluation));
-  } else {
-    print(evaluation);
-  }
-}
-
-/// What is left of a store's evaluation once its trajectories stand in a table.
-Evaluation without_trajectories(Evaluation evaluation) {
-  evaluation.relations.reset();
-  evaluation.true_poses.reset();
-  return evaluation;
 }
 
 }  // namespace
 
 Evaluation evaluation_of(const Settings& settings, const Path& store_file,
-                         const std::vector<Path>& files, const TrajectoryFlags& flags) {
+                         const std::vector<Path>& truth_files, const TrajectoryFlags& flags) {
   const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
-  require_assembly(store, store_file);
-  Truth truth;
-  add_poses_in(store, truth);
-  for (const Path& file : files) add_truth(file, settings, truth);
-  const Preparation prepare(flags, settings);
-  const Correction correction = store.correction();
-  const FloorPlan plan = store.plan();
-  const PlacedMission placed = place(store, correction);
-  Evaluation evaluation = roomatlas::evaluate(prepare("odometry", placed.odometry),
-                                              prepare("corrected", placed.corrected), plan, truth,
-                                              prepare.relation_options(), prepare.carry());
-  judge_placements(store, correction, plan, truth, evaluation);
-  return evaluation;
+  const Truth truth = read_truth(truth_files, settings);
+  return evaluation_of(store, store_file, truth, Preparation(flags, settings));
 }
 
-void evaluate(const Settings& settings, const std::vector<Path>& judged,
-              const std::vector<Path>& truth, const TrajectoryFlags& flags,
-              const ComparisonFiles& files) {
-  std::optional<Evaluation> of_store;
-  if (judged.size() == 1 && is_store(judged.front())) {
-    of_store = evaluation_of(settings, judged.front(), truth, flags);
-    if (!of_store->relations && !of_store->true_poses) {
-      if (files.any()) throw UsageError(kNoTruth);
-      return report(settings, *of_store);
-    }
-  }
+void evaluate(const Settings& settings, const std::vector<Path>& files,
+              const std::vector<Path>& truth_files, const TrajectoryFlags& flags,
+              const ComparisonFiles& results) {
+  const Truth truth = read_truth(truth_files, settings);
   const Preparation prepare(flags, settings);
-  const Comparison comparison = comparison_of(settings, judged, truth, prepare, flags.compare);
-  if (!comparison.has_figures()) refuse(comparison);
-  if (of_store && settings.json) {
-    report(settings, *of_store);
-  } else {
-    report(settings, comparison, prepare);
-    if (of_store) report(settings, without_trajectories(*of_store));
+  const Judged judged = read(settings, files, truth, prepare);
+  if (!judged.bare.empty() && !has_truth(judged, truth)) {
+    throw UsageError(judged.bare.front().string() + kNoTruth);
   }
-  write(comparison, files);
+  std::string name = names_of(truth_files);
+  if (truth.poses.empty() && truth.relations.empty() && has_truth(judged, truth)) {
+    name += name.empty() ? kOwnTruth : std::string(", ") + kOwnTruth;
+  }
+  const Comparison comparison =
+      compare(judged.runs, {name, truth.relations, truth.poses}, flags.compare, prepare.carry());
+  if (!comparison.has_figures() && has_truth(judged, truth)) refuse(comparison);
+  report(settings, comparison, judged.plans, prepare);
+  write(comparison, judged.plans, results);
 }
 
 }  // namespace roomatlas::apps

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "console.hpp"
@@ -125,7 +126,53 @@ void print(const ConsistencyComparison& comparison) {
                                                       : to_string(comparison.verdict));
 }
 
+std::string label_of(const PlanFigure& figure) {
+  return figure.metric + ": " + figure.quantity +
+         (figure.unit.empty() ? "" : " (" + figure.unit + ")");
+}
+
+std::size_t column_width(const JudgedPlan& plan) {
+  constexpr std::size_t kLeast = 16;
+  return std::max(kLeast, plan.name.size());
+}
+
+std::string cell_of(const PlanFigure& line, const JudgedPlan& plan) {
+  for (const PlanFigure& figure : plan_figures(plan.evaluation)) {
+    if (!figure.is_like(line)) continue;
+    if (!figure.word.empty()) return figure.word;
+    const bool is_count = figure.metric == "graph";
+    const std::string value = fmt::format("{:.{}f}", figure.value, is_count ? 0 : 3);
+    return figure.of > 0 ? fmt::format("{} of {}  {}", figure.covered, figure.of, value) : value;
+  }
+  return "-";
+}
+
 }  // namespace
+
+void print_side_by_side(const std::vector<JudgedPlan>& plans) {
+  const std::vector<PlanFigure> lines = lines_of(plans);
+  std::size_t width = 0;
+  for (const PlanFigure& line : lines) width = std::max(width, label_of(line).size());
+  fmt::print("plans\n  {:<{}}", "", width);
+  for (const JudgedPlan& plan : plans) fmt::print("  {:>{}}", plan.name, column_width(plan));
+  fmt::print("\n");
+  for (const PlanFigure& line : lines) {
+    fmt::print("  {:<{}}", label_of(line), width);
+    for (const JudgedPlan& plan : plans) {
+      fmt::print("  {:>{}}", cell_of(line, plan), column_width(plan));
+    }
+    fmt::print("\n");
+  }
+  for (const JudgedPlan& plan : plans) {
+    if (plan.evaluation.plan) {
+      fmt::print("{}: laid on the truth by {}\n", plan.name,
+                 to_string(plan.evaluation.plan_alignment.by));
+    }
+    Issues issues = plan.evaluation.issues;
+    for (Issue& issue : issues) issue.file = plan.name;
+    show(issues);
+  }
+}
 
 void print_plan_evaluation(const Evaluation& evaluation) {
   if (evaluation.plan) print(*evaluation.plan, evaluation.plan_alignment);

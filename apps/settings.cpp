@@ -139,11 +139,19 @@ void add_map(CLI::App& app, MapOptions& options) {
              "store each room's readings, so that it can be mapped again without the log");
 }
 
-void add_correction(CLI::App& app, AssembleOptions& assemble) {
+void add_correction(CLI::App& app, Settings& settings) {
+  AssembleOptions& assemble = settings.assemble;
   Stage stage(app, "Correction (offline stage)");
   CorrectOptions& correct = assemble.correct;
   stage.flag("correct-sonars", assemble.correct_sonars,
              "correct a mission with sonars as a whole, by its walls, before its rooms are mapped");
+  stage.add("without-closures", assemble.closures.without_best,
+            "leave out this many of the best matches of rooms, to see what depends on them", 0,
+            1e6);
+  app.add_option("--add-closures", settings.add_closures,
+                 "file of matches to be tried: from_asr to_asr x_m y_m theta_rad a line")
+      ->configurable(false)  // no path gets into the store
+      ->group("Correction (offline stage)");
   stage.flag("match-rooms", assemble.match_rooms,
              "find rooms again by their walls (laser); off: by their doorways alone");
   stage.choice("model", correct.model,
@@ -252,7 +260,7 @@ void add_simulation(CLI::App& app, Settings& settings) {
 void add_parameters(CLI::App& app, Settings& settings) {
   add_mission(app, settings.mission);
   add_map(app, settings.map);
-  add_correction(app, settings.assemble);
+  add_correction(app, settings);
   add_plan(app, settings);
   add_simulation(app, settings);
 }

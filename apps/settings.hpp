@@ -19,6 +19,7 @@ struct Settings {
   SimulationOptions simulation;
   ExploreOptions explore;
   double png_dpi = 110.0;
+  std::string add_closures;     ///< file of matches to be tried; empty: none
   double label_pixel_m = 0.05;  ///< of label pictures given as truth
   bool json = false;
   bool quiet = false;

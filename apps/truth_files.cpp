@@ -8,10 +8,30 @@
 #include "roomatlas/io/trajectory_file.hpp"
 
 namespace roomatlas::apps {
+namespace {
+
+void require_content(const Path& file) {
+  std::error_code unreadable;  // the reader says what is wrong then
+  if (std::filesystem::file_size(file, unreadable) == 0) {
+    throw InputError(file.string() + ": is empty: is it the right file, and whole?");
+  }
+}
+
+void require_rooms(const FloorPlan& plan, const Path& file) {
+  if (!plan.rooms.empty()) return;
+  throw InputError(file.string() + ": holds no room: is it the right file, and whole?");
+}
+
+}  // namespace
+
+std::string kind_of(const Path& file) {
+  const Path name = file.extension() == ".gz" ? file.stem() : file.filename();
+  return name.extension().string();
+}
 
 void add_truth(const Path& file, const Settings& settings, Truth& truth) {
-  const Path name = file.extension() == ".gz" ? file.stem() : file.filename();
-  const std::string extension = name.extension().string();
+  require_content(file);
+  const std::string extension = kind_of(file);
   if (extension == ".relations") {
     truth.relations = read_relations(file);
     if (truth.relations.empty()) {
@@ -20,9 +40,11 @@ void add_truth(const Path& file, const Settings& settings, Truth& truth) {
   } else if (extension == ".geojson" || extension == ".json") {
     truth.plan = read_plan(file);
     truth.plan_has_doors = true;
+    require_rooms(*truth.plan, file);
   } else if (extension == ".pgm") {
     truth.plan = read_label_plan(file, settings.label_pixel_m);
     truth.plan_has_doors = false;
+    require_rooms(*truth.plan, file);
   } else if (extension == ".csv") {
     truth.spans = read_spans(file);
   } else {
@@ -33,6 +55,12 @@ void add_truth(const Path& file, const Settings& settings, Truth& truth) {
     show(read.issues);
     truth.poses = std::move(read.poses);
   }
+}
+
+Truth read_truth(const std::vector<Path>& files, const Settings& settings) {
+  Truth truth;
+  for (const Path& file : files) add_truth(file, settings, truth);
+  return truth;
 }
 
 std::string names_of(const std::vector<Path>& files) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "roomatlas/pipeline/pipeline.hpp"
@@ -13,6 +14,13 @@ namespace roomatlas::apps {
 /// .geojson or .json (a plan), .pgm (room labels) or .csv (tape-measure spans), else by content as
 /// anything that holds a trajectory. Throws InputError when it holds nothing.
 void add_truth(const std::filesystem::path& file, const Settings& settings, Truth& truth);
+
+/// All of them together.
+[[nodiscard]] Truth read_truth(const std::vector<std::filesystem::path>& files,
+                               const Settings& settings);
+
+/// A file's ending, without .gz: ".pgm" of "labels.pgm.gz".
+[[nodiscard]] std::string kind_of(const std::filesystem::path& file);
 
 /// The names of files, without folders, for a heading.
 [[nodiscard]] std::string names_of(const std::vector<std::filesystem::path>& files);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // False loops added to recorded pose graphs: what robust estimation keeps and rejects, and how far
 // the result is from that of the clean graph.
+// Arguments: seeds (1), beginning of the graphs' names (all).
 #include <glog/logging.h>
 
 #include <chrono>
@@ -56,6 +57,7 @@ int main(int argc, char** argv) {
   FLAGS_minloglevel = google::GLOG_FATAL;
   google::InitGoogleLogging(argv[0]);
   const int seeds = argc > 1 ? std::atoi(argv[1]) : 1;
+  const std::string only = argc > 2 ? argv[2] : "";  // graphs whose name begins so
   std::printf("%-26s %-10s %5s %4s | %9s %13s %5s %8s %8s\n", "graph", "false", "share", "seed",
               "RMSE m", "false kept", "true-", "warning", "s");
   constexpr struct {
@@ -65,6 +67,7 @@ int main(int argc, char** argv) {
                 {test::FalseLoops::grouped, "grouped"},
                 {test::FalseLoops::consistent, "consistent"}};
   for (const auto& file : bench::pose_graph_files()) {
+    if (!bench::short_name(file).starts_with(only)) continue;
     const PoseGraph clean = read_pose_graph(file).graph;
     const std::vector<Pose2> best = optimize(clean, {}).poses;
     const std::string name = bench::short_name(file);

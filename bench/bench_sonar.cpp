@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The batch correction of sonar missions against relations and simulated truth.
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cmath>
 #include <ctime>
 #include <string>
 #include <vector>
@@ -40,8 +40,8 @@ void report(const SonarTrajectory& result, double seconds) {
               result.habits.lag_s, degrees(result.habits.bias_rad_per_m), result.habits.turn_gain,
               result.habits.length_scale, result.log_evidence);
   std::printf("  %d reversed, %.1f m undecided, %zu segments, %d slips, verified %d, %.1f s\n",
-              result.intervals_reversed, result.undecided_m, result.segments,
-              result.slips_repaired, result.loops_verified, seconds);
+              result.intervals_reversed, result.undecided_m, result.segments, result.slips_repaired,
+              result.loops_verified, seconds);
   for (const SonarVariant& variant : result.variants) {
     std::printf("    %-24s %zu pairs, %.0f m compared, contradiction %.4f\n", variant.name.c_str(),
                 variant.pairs, variant.compared_m, variant.contradiction);

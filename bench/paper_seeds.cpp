@@ -3,6 +3,7 @@
 // drifting odometry, its log is mapped and corrected, and the result is compared with the truth.
 //   paper_seeds WORLD.geojson [SEEDS [sonar|laser [mild|typical|hard]]]
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -10,10 +11,11 @@
 #include <thread>
 #include <vector>
 
-#include "pipeline/memory_mission.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/pipeline/pipeline.hpp"
 #include "roomatlas/simulate/explore.hpp"
+#include "support/memory_mission.hpp"
+#include "support/memory_store.hpp"
 
 namespace {
 
@@ -67,6 +69,14 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2.0;
 }
 
+/// "none" for what is the mean of nothing.
+std::string metres(double length_m) {
+  if (!std::isfinite(length_m)) return "none";
+  char text[32];
+  (void)std::snprintf(text, sizeof text, "%.2f m", length_m);
+  return text;
+}
+
 /// Prints one row a seed and the medians of the columns.
 void print(const FloorPlan& world, const std::vector<Outcome>& outcomes) {
   std::printf(
@@ -94,13 +104,15 @@ void print(const FloorPlan& world, const std::vector<Outcome>& outcomes) {
                                      judged.room_poses->after.rotation_deg.median,
                                      judged.true_poses->before.position_m.mean,
                                      judged.true_poses->after.position_m.mean};
-    for (std::size_t c = 0; c < row.size(); ++c) columns[c].push_back(row[c]);
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      if (std::isfinite(row[c])) columns[c].push_back(row[c]);
+    }
     std::printf(
-        "| %zu | %zu of %zu | %d | %.0f m | %s | %.0f | %.2f | %.2f | %.2f m | %.2f, %.2f deg | "
+        "| %zu | %zu of %zu | %d | %.0f m | %s | %.0f | %.2f | %.2f | %s | %.2f, %.2f deg | "
         "%.2f, %.2f m |\n",
         i + 1, outcome.drive.entered.size(), world.rooms.size(), outcome.drive.collisions, row[0],
-        plan.graph->isomorphic ? "yes" : "no", row[1], row[2], row[3], row[4], row[5], row[6],
-        row[7], row[8]);
+        plan.graph->isomorphic ? "yes" : "no", row[1], row[2], row[3], metres(row[4]).c_str(),
+        row[5], row[6], row[7], row[8]);
   }
   const auto middle = [&](std::size_t column) { return median(columns[column]); };
   std::printf(

@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kSearchEveryM = 0.1;   // doorways are looked for after this much path
 constexpr double kBestWithinM = 0.4;    // the narrowest chord within this much path is the doorway
+constexpr double kSonarLagM = 0.4;      // sonars hear a jamb well only from beside it: looked for
+                                        // this much later than with a laser
 constexpr double kSeedM = 1.0;          // the live grid of a new ASR starts with this much path
 constexpr double kHeadingSpanM = 0.15;  // motion direction is taken over this much path each way
 
@@ -118,7 +120,7 @@ class AsrRecorder::State {
 
   /// Looks for a doorway some way behind the robot. Answers when the narrowest one is known.
   std::optional<DoorwayOnPath> search_doorway() {
-    const double at_m = along_m_.back() - options_.doorway_lag_m;
+    const double at_m = along_m_.back() - lag_m();
     if (at_m < searched_to_m_ + kSearchEveryM) return std::nullopt;
     searched_to_m_ = at_m;
     const auto lagged = std::lower_bound(along_m_.begin(), along_m_.end(), at_m);
@@ -157,11 +159,17 @@ class AsrRecorder::State {
   /// but not so early that a robot that hardly moves would be cut again at once.
   void leave_open() {
     if (path_.size() < 2) return;
-    const double cut_m = std::max(0.0, along_m_.back() - options_.doorway_lag_m - kBestWithinM);
+    const double cut_m = std::max(0.0, along_m_.back() - lag_m() - kBestWithinM);
     const auto cut = std::lower_bound(along_m_.begin(), along_m_.end(), cut_m);
     std::size_t split = std::max<std::size_t>(1, static_cast<std::size_t>(cut - along_m_.begin()));
     if (is_full()) split = std::max(split, path_.size() / 2);
     leave(open_passage_at(path_[split].asr_from_robot), split);
+  }
+
+  /// How far behind the robot doorways are looked for.
+  [[nodiscard]] double lag_m() const {
+    const bool is_sonar = readings_.back().sensor->kind == SensorKind::sonar;
+    return options_.doorway_lag_m + (is_sonar ? kSonarLagM : 0.0);
   }
 
   [[nodiscard]] bool is_full() const {

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "dense_kernels.hpp"
+#include "dense_product.hpp"
 
 namespace roomatlas {
 namespace {
@@ -104,7 +105,8 @@ ROOMATLAS_INLINE std::ptrdiff_t eliminate_panel(const Front& front, const double
       double* const block = front.panel + k + k * stride;
       const double* const before = front.panel + k + begin * stride;
       if (k > begin) {
-        dense::subtract_strip<Size>(block, stride, before, before, stride, stride - k, k - begin);
+        dense::subtract_strip<Size>(block, stride, before, stride, before, stride, stride - k,
+                                    k - begin);
       }
       if (!dense::factor_block<Size>(block, stride, smallest + k, inverse)) return k;
       dense::solve_rows<Size>(block, inverse, block + Size, stride, stride - k - Size);
@@ -241,26 +243,19 @@ template <int Size>
 }
 #endif
 
-bool has_avx2() {
-#if defined(__x86_64__)
-  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-#else
-  return false;
-#endif
-}
-
 }  // namespace
 
 template <int Size>
 BlockCholesky<Size>::BlockCholesky(const Supernodes& nodes)
     : nodes_(nodes),
-      values_(at(nodes.panel_begin.back() * Size * Size), 0.0),
-      stack_(stack_need<Size>(nodes)),
+      size_(at(nodes.panel_begin.back() * Size * Size)),
+      values_(std::make_unique_for_overwrite<double[]>(size_)),
+      stack_(std::make_unique_for_overwrite<double[]>(stack_need<Size>(nodes))),
       diagonal_(nodes.position.size() * Size) {}
 
 template <int Size>
 void BlockCholesky<Size>::clear() {
-  std::ranges::fill(values_, 0.0);
+  std::fill_n(values_.get(), size_, 0.0);
 }
 
 template <int Size>
@@ -277,29 +272,30 @@ std::int32_t BlockCholesky<Size>::factorize() {
   for (std::size_t s = 0; s < nodes_.size(); ++s) {
     const std::ptrdiff_t width = nodes_.width(s) * Size;
     const std::ptrdiff_t stride = width + std::ptrdiff_t{nodes_.row_count(s)} * Size;
-    const double* const panel = values_.data() + nodes_.panel_begin[s] * Size * Size;
+    const double* const panel = values_.get() + nodes_.panel_begin[s] * Size * Size;
     for (std::ptrdiff_t j = 0; j < width; ++j) {
       diagonal_[at(nodes_.first[s]) * Size + at(j)] = kSmallestShare * panel[j + j * stride];
     }
   }
 #if defined(__x86_64__)
   if (has_avx2()) {
-    return eliminate_with_avx2<Size>(nodes_, values_.data(), stack_.data(), diagonal_.data());
+    return eliminate_with_avx2<Size>(nodes_, values_.get(), stack_.get(), diagonal_.data());
   }
 #endif
-  return eliminate_all<Size>(nodes_, values_.data(), stack_.data(), diagonal_.data());
+  return eliminate_all<Size>(nodes_, values_.get(), stack_.get(), diagonal_.data());
 }
 
 template <int Size>
 void BlockCholesky<Size>::solve(double* x) const {
 #if defined(__x86_64__)
-  if (has_avx2()) return solve_with_avx2<Size>(nodes_, values_.data(), x);
+  if (has_avx2()) return solve_with_avx2<Size>(nodes_, values_.get(), x);
 #endif
-  solve_both<Size>(nodes_, values_.data(), x);
+  solve_both<Size>(nodes_, values_.get(), x);
 }
 
 template class BlockCholesky<1>;
 template class BlockCholesky<2>;
 template class BlockCholesky<3>;
+template class BlockCholesky<4>;
 
 }  // namespace roomatlas

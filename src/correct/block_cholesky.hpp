@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "supernodes.hpp"
@@ -20,6 +21,7 @@ struct BlockPlace {
 template <int Size>
 class BlockCholesky {
  public:
+  /// The matrix holds nothing of use before clear().
   explicit BlockCholesky(const Supernodes& nodes);
 
   /// Zeroes the matrix.
@@ -28,8 +30,8 @@ class BlockCholesky {
   /// supernodes. Of a diagonal block only the lower part is read.
   [[nodiscard]] BlockPlace place(std::int32_t row, std::int32_t column) const;
   /// Column-major elements of all panels.
-  [[nodiscard]] double* values() { return values_.data(); }
-  [[nodiscard]] const double* values() const { return values_.data(); }
+  [[nodiscard]] double* values() { return values_.get(); }
+  [[nodiscard]] const double* values() const { return values_.get(); }
   [[nodiscard]] const Supernodes& nodes() const { return nodes_; }
 
   /// Replaces the matrix by its factor.
@@ -41,13 +43,15 @@ class BlockCholesky {
 
  private:
   const Supernodes& nodes_;
-  std::vector<double> values_;
-  std::vector<double> stack_;  ///< updates that wait for the parent's turn
+  std::size_t size_ = 0;  ///< numbers in `values_`
+  std::unique_ptr<double[]> values_;
+  std::unique_ptr<double[]> stack_;  ///< updates that wait for the parent's turn
   std::vector<double> diagonal_;
 };
 
 extern template class BlockCholesky<1>;
 extern template class BlockCholesky<2>;
 extern template class BlockCholesky<3>;
+extern template class BlockCholesky<4>;
 
 }  // namespace roomatlas

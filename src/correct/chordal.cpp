@@ -61,6 +61,7 @@ void add_unary(std::int32_t slot, double theta_rad, double weight, BlockCholesky
 
 State chordal_headings(const SolverGraph& graph, std::span<const double> weights, bool headings) {
   BlockCholesky<2> matrix(graph.supernodes);
+  matrix.clear();
   std::vector<double> z(at(graph.variable_count) * 2, 0.0);
   fill(graph, weights, matrix, z);
   if (headings) {

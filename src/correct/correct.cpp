@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "models.hpp"
+#include "roomatlas/correct/pose_graph.hpp"
 
 namespace roomatlas {
 namespace {
@@ -35,6 +36,28 @@ void fill_moves(std::vector<AsrCorrection>& asrs) {
   }
 }
 
+/// Why each ASR moved: the ledger of the correction.
+void fill_causes(const std::vector<FactorReport>& factors, std::vector<AsrCorrection>& asrs) {
+  std::map<AsrId, AsrCorrection*> of;
+  for (AsrCorrection& asr : asrs) of[asr.asr] = &asr;
+  std::map<AsrId, double> settled;
+  const auto charge = [&](const FactorReport& factor, AsrId id, AsrId other) {
+    AsrCorrection& asr = *of.at(id);
+    asr.chi_square_before += factor.chi_square_before;
+    asr.chi_square_after += factor.chi_square_after;
+    const double gain = factor.weight * (factor.chi_square_before - factor.chi_square_after);
+    if (gain <= settled[id]) return;
+    settled[id] = gain;
+    asr.cause = factor.kind;
+    asr.cause_asr = other;
+  };
+  for (const FactorReport& factor : factors) {
+    if (factor.chi_square_before < 0.0 || factor.chi_square_after < 0.0) continue;
+    charge(factor, factor.from, factor.to);
+    if (factor.to != 0) charge(factor, factor.to, factor.from);
+  }
+}
+
 }  // namespace
 
 const char* to_string(FactorKind kind) {
@@ -57,7 +80,8 @@ Correction uncorrected(const std::vector<Asr>& asrs) {
   Correction correction;
   correction.converged = true;
   correction.model = "none";
-  for (const auto& [id, pose] : pose_of) correction.asrs.push_back({id, 0, pose, pose, 0.0, 0.0});
+  for (const auto& [id, pose] : pose_of)
+    correction.asrs.push_back({id, 0, pose, pose, 0.0, 0.0, 0.0, 0.0});
   return correction;
 }
 
@@ -85,10 +109,48 @@ Correction correct(const std::vector<Asr>& asrs, const RoomGraph& graph,
   for (std::size_t i = 0; i < measurements.ids.size(); ++i) {
     correction.asrs.push_back({measurements.ids[i], measurements.component[i],
                                measurements.odom_from_asr[i], solved.state.building_from_asr[i],
-                               0.0, 0.0});
+                               0.0, 0.0, 0.0, 0.0});
   }
   align_with_walls(measurements, solved.state, correction.asrs);
   fill_moves(correction.asrs);
+  fill_causes(correction.factors, correction.asrs);
+  return correction;
+}
+
+Correction correct_to(const std::vector<Asr>& asrs, const RoomGraph& graph,
+                      const Placement& placement, const CorrectOptions& options) {
+  Correction correction;
+  correction.model = "trajectory";
+  correction.message = "placed by the corrected trajectory";
+  correction.converged = true;
+  CorrectOptions as_measured = options;
+  as_measured.use_heading_bias = false;
+  const Measurements measurements = measurements_of(asrs, graph, as_measured);
+  const State state = initial_guess(measurements, as_measured, placement);
+  correction.initial_cost = correction.final_cost = 0.0;
+  const auto report = [&](const Measurements::Edge& edge, FactorKind kind) {
+    PoseEdge measured;
+    measured.from_from_to = edge.measured.from_from_to;
+    measured.information = information_of(edge.measured, options);
+    const auto chi_square_at = [&](const std::vector<Pose2>& poses) {
+      return chi_square(measured, poses[edge.from], poses[edge.to]);
+    };
+    correction.factors.push_back({kind, measurements.ids[edge.from], measurements.ids[edge.to],
+                                  chi_square_at(measurements.odom_from_asr),
+                                  chi_square_at(state.building_from_asr), 1.0});
+    correction.initial_cost += correction.factors.back().chi_square_before / 2.0;
+    correction.final_cost += correction.factors.back().chi_square_after / 2.0;
+  };
+  for (const auto& edge : measurements.driven) report(edge, FactorKind::odometry);
+  for (const auto& edge : measurements.recognised) report(edge, kind_of(edge.measured));
+  for (std::size_t i = 0; i < measurements.ids.size(); ++i) {
+    correction.asrs.push_back({measurements.ids[i], measurements.component[i],
+                               measurements.odom_from_asr[i], state.building_from_asr[i], 0.0, 0.0,
+                               0.0, 0.0});
+  }
+  align_with_walls(measurements, state, correction.asrs);
+  fill_moves(correction.asrs);
+  fill_causes(correction.factors, correction.asrs);
   return correction;
 }
 

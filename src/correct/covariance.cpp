@@ -2,8 +2,11 @@
 #include "covariance.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "dense_product.hpp"
 
 namespace roomatlas {
 namespace {
@@ -16,29 +19,22 @@ constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(i
 
 }  // namespace
 
-/// With the factor's panel [L11; L21] and Y = L21 inverse(L11):
-///   Z21 = -Z22 Y,  Z11 = inverse(L11 L11') - Y' Z21
-/// where Z22 stands at the supernode's rows, which are eliminated later.
-void SelectedInverse::invert(const BlockCholesky<3>& factor, std::size_t s) {
+/// Copies the inverse at the supernode's rows, which are eliminated later, to the lower right of
+/// the front, both halves.
+void SelectedInverse::gather(std::size_t s) {
   const Index width = nodes_.width(s) * 3;
-  const Index rows = nodes_.row_count(s) * 3;
-  const Eigen::Map<const MatrixXd> panel(factor.values() + nodes_.panel_begin[s] * 9, width + rows,
-                                         width);
-  Eigen::Map<MatrixXd> result(values_.data() + nodes_.panel_begin[s] * 9, width + rows, width);
-  const MatrixXd inverse =
-      panel.topRows(width).triangularView<Eigen::Lower>().solve(MatrixXd::Identity(width, width));
-  result.topRows(width) = inverse.transpose() * inverse;
-  if (rows == 0) return;
-  MatrixXd later(rows, rows);
+  const Index rows = nodes_.row_count(s);
+  const Index stride = width + rows * 3;
   const std::int32_t* const row = nodes_.rows.data() + nodes_.rows_begin[s];
-  for (Index c = 0; c < rows / 3; ++c) {
+  Eigen::Map<MatrixXd> later(front_.data(), stride, stride);
+  for (Index c = 0; c < rows; ++c) {
     const auto owner = at(nodes_.owner[at(row[c])]);
-    const Index stride = (nodes_.width(owner) + nodes_.row_count(owner)) * 3;
+    const Index width_there = nodes_.width(owner);
+    const Index stride_there = (width_there + nodes_.row_count(owner)) * 3;
     const double* const column = values_.data() + nodes_.panel_begin[owner] * 9 +
-                                 Index{row[c] - nodes_.first[owner]} * 3 * stride;
+                                 Index{row[c] - nodes_.first[owner]} * 3 * stride_there;
     Index in_owner = 0;  // rows ascend in both
-    for (Index r = c; r < rows / 3; ++r) {
-      const Index width_there = nodes_.width(owner);
+    for (Index r = c; r < rows; ++r) {
       if (row[r] < nodes_.first[owner + 1]) {
         in_owner = row[r] - nodes_.first[owner];
       } else {
@@ -48,19 +44,57 @@ void SelectedInverse::invert(const BlockCholesky<3>& factor, std::size_t s) {
         }
       }
       const Eigen::Map<const Eigen::Matrix3d, 0, Eigen::OuterStride<>> block(
-          column + in_owner * 3, Eigen::OuterStride<>(stride));
-      later.block<3, 3>(r * 3, c * 3) = block;
-      later.block<3, 3>(c * 3, r * 3) = block.transpose();
+          column + in_owner * 3, Eigen::OuterStride<>(stride_there));
+      later.block<3, 3>(width + r * 3, width + c * 3) = block;
+      later.block<3, 3>(width + c * 3, width + r * 3) = block.transpose();
     }
   }
-  const MatrixXd y = panel.bottomRows(rows) * inverse;
-  result.bottomRows(rows).noalias() = -(later * y);
-  result.topRows(width).noalias() -= y.transpose() * result.bottomRows(rows);
+}
+
+/// A few columns at a time, the last first. With the factor's columns [L11; L21] and
+/// Y = L21 inverse(L11), and Z22 the inverse at all rows below them:
+///   Z21 = -Z22 Y,  Z11 = inverse(L11 L11') - Y' Z21
+void SelectedInverse::invert(const BlockCholesky<3>& factor, std::size_t s) {
+  constexpr Index kChunk = 24;
+  const Index width = nodes_.width(s) * 3;
+  const Index stride = width + Index{nodes_.row_count(s)} * 3;
+  gather(s);
+  const Eigen::Map<const MatrixXd> panel(factor.values() + nodes_.panel_begin[s] * 9, stride,
+                                         width);
+  Eigen::Map<MatrixXd> front(front_.data(), stride, stride);
+  for (Index end = width; end > 0; end = std::max(end - kChunk, Index{0})) {
+    const Index begin = std::max(end - kChunk, Index{0});
+    const Index own = end - begin;
+    const Index below = stride - end;
+    const MatrixXd inverse = panel.block(begin, begin, own, own)
+                                 .triangularView<Eigen::Lower>()
+                                 .solve(MatrixXd::Identity(own, own));
+    auto corner = front.block(begin, begin, own, own);
+    corner.noalias() = inverse.transpose() * inverse;
+    if (below == 0) continue;
+    MatrixXd y_transposed(own, below);
+    y_transposed.noalias() = inverse.transpose() * panel.block(end, begin, below, own).transpose();
+    auto side = front.block(end, begin, below, own);
+    side.setZero();
+    double* const lower_right = front_.data() + end * stride + end;
+    subtract_product({front_.data() + begin * stride + end, stride}, {lower_right, stride},
+                     {y_transposed.data(), own}, below, own, below);
+    corner.noalias() -= y_transposed * side;
+    front.block(begin, end, own, below) = side.transpose();
+  }
+  Eigen::Map<MatrixXd>(values_.data() + nodes_.panel_begin[s] * 9, stride, width) =
+      front.leftCols(width);
 }
 
 SelectedInverse::SelectedInverse(const BlockCholesky<3>& factor)
     : nodes_(factor.nodes()), values_(at(factor.nodes().panel_begin.back() * 9)) {
+  std::size_t most = 0;
+  for (std::size_t s = 0; s < nodes_.size(); ++s) {
+    most = std::max(most, at(nodes_.width(s) + nodes_.row_count(s)) * 3);
+  }
+  front_.resize(most * most);
   for (std::size_t s = nodes_.size(); s-- > 0;) invert(factor, s);
+  std::vector<double>().swap(front_);
 }
 
 Eigen::Matrix3d SelectedInverse::block(std::int32_t row, std::int32_t column) const {

@@ -19,10 +19,12 @@ class SelectedInverse {
                                          std::int32_t to) const;
 
  private:
+  void gather(std::size_t s);
   void invert(const BlockCholesky<3>& factor, std::size_t s);
 
   const Supernodes& nodes_;
   std::vector<double> values_;
+  std::vector<double> front_;  ///< the inverse at a supernode's columns and rows, while it is found
 };
 
 [[nodiscard]] PoseCovariance covariance_of(const PoseGraph& poses, LeastSquares& squares,

@@ -65,11 +65,12 @@ ROOMATLAS_INLINE void solve_rows(const double* factor, const double* inverse, do
 /// One tile of Lanes * Width rows: result -= left * right', over `depth` columns of both.
 template <int Width, int Lanes, int Columns>
 ROOMATLAS_INLINE void subtract_tile(double* result, std::ptrdiff_t result_stride,
-                                    const double* left, const double* right, std::ptrdiff_t stride,
+                                    const double* left, std::ptrdiff_t left_stride,
+                                    const double* right, std::ptrdiff_t right_stride,
                                     std::ptrdiff_t depth) {
   typedef double Lane __attribute__((vector_size(Width * sizeof(double)), aligned(8)));
   Lane sum[Columns][Lanes] = {};
-  for (std::ptrdiff_t k = 0; k < depth; ++k, left += stride, right += stride) {
+  for (std::ptrdiff_t k = 0; k < depth; ++k, left += left_stride, right += right_stride) {
     for (int j = 0; j < Columns; ++j) {
       for (int i = 0; i < Lanes; ++i) {
         sum[j][i] += *reinterpret_cast<const Lane*>(left + i * Width) * right[j];
@@ -86,25 +87,29 @@ ROOMATLAS_INLINE void subtract_tile(double* result, std::ptrdiff_t result_stride
 /// Columns of one strip, from its first row down: result(i, j) -= sum_k left(i, k) right(j, k).
 template <int Columns>
 ROOMATLAS_INLINE void subtract_strip(double* result, std::ptrdiff_t result_stride,
-                                     const double* left, const double* right, std::ptrdiff_t stride,
+                                     const double* left, std::ptrdiff_t left_stride,
+                                     const double* right, std::ptrdiff_t right_stride,
                                      std::ptrdiff_t row_count, std::ptrdiff_t depth) {
   std::ptrdiff_t i = 0;
   for (; i + 8 <= row_count; i += 8) {
-    subtract_tile<4, 2, Columns>(result + i, result_stride, left + i, right, stride, depth);
+    subtract_tile<4, 2, Columns>(result + i, result_stride, left + i, left_stride, right,
+                                 right_stride, depth);
   }
   if (i + 4 <= row_count) {
-    subtract_tile<4, 1, Columns>(result + i, result_stride, left + i, right, stride, depth);
+    subtract_tile<4, 1, Columns>(result + i, result_stride, left + i, left_stride, right,
+                                 right_stride, depth);
     i += 4;
   }
   if (i + 2 <= row_count) {
-    subtract_tile<2, 1, Columns>(result + i, result_stride, left + i, right, stride, depth);
+    subtract_tile<2, 1, Columns>(result + i, result_stride, left + i, left_stride, right,
+                                 right_stride, depth);
     i += 2;
   }
   if (i < row_count) {
     for (int j = 0; j < Columns; ++j) {
       double sum = 0.0;
       for (std::ptrdiff_t k = 0; k < depth; ++k)
-        sum += left[i + k * stride] * right[j + k * stride];
+        sum += left[i + k * left_stride] * right[j + k * right_stride];
       result[i + j * result_stride] -= sum;
     }
   }
@@ -122,13 +127,38 @@ ROOMATLAS_INLINE void subtract_product(double* result, std::ptrdiff_t result_str
   std::ptrdiff_t j = 0;
   if (depth > Size) {  // else loading and storing outweighs what wider strips save
     for (; j + kColumns <= column_count; j += kColumns) {
-      subtract_strip<kColumns>(result + j + j * result_stride, result_stride, left + j, left + j,
-                               stride, row_count - j, depth);
+      subtract_strip<kColumns>(result + j + j * result_stride, result_stride, left + j, stride,
+                               left + j, stride, row_count - j, depth);
     }
   }
   for (; j < column_count; j += Size) {
-    subtract_strip<Size>(result + j + j * result_stride, result_stride, left + j, left + j, stride,
-                         row_count - j, depth);
+    subtract_strip<Size>(result + j + j * result_stride, result_stride, left + j, stride, left + j,
+                         stride, row_count - j, depth);
+  }
+}
+
+/// result := result - left * right', all of it.
+/// @param right column_count rows
+ROOMATLAS_INLINE void subtract_general(double* result, std::ptrdiff_t result_stride,
+                                       const double* left, std::ptrdiff_t left_stride,
+                                       const double* right, std::ptrdiff_t right_stride,
+                                       std::ptrdiff_t row_count, std::ptrdiff_t column_count,
+                                       std::ptrdiff_t depth) {
+  constexpr std::ptrdiff_t kDepth = 96;  // so many columns of `left` stay in the cache
+  constexpr std::ptrdiff_t kColumns = 6;
+  for (std::ptrdiff_t k = 0; k < depth; k += kDepth) {
+    const std::ptrdiff_t now = k + kDepth < depth ? kDepth : depth - k;
+    const double* const l = left + k * left_stride;
+    const double* const r = right + k * right_stride;
+    std::ptrdiff_t j = 0;
+    for (; j + kColumns <= column_count; j += kColumns) {
+      subtract_strip<kColumns>(result + j * result_stride, result_stride, l, left_stride, r + j,
+                               right_stride, row_count, now);
+    }
+    for (; j < column_count; ++j) {
+      subtract_strip<1>(result + j * result_stride, result_stride, l, left_stride, r + j,
+                        right_stride, row_count, now);
+    }
   }
 }
 

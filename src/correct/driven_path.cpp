@@ -19,8 +19,7 @@ Pose2 pose_at(std::span<const RangeReading> readings, std::size_t reading, doubl
   if (!(span_s > 0.0)) return readings[reading].odom_from_robot;
   const double share = std::clamp((timestamp_s - from.timestamp_s) / span_s, 0.0, 1.0);
   const Pose2 step = inverse(from.odom_from_robot) * to.odom_from_robot;
-  return from.odom_from_robot *
-         Pose2{share * step.x_m, share * step.y_m, share * step.theta_rad};
+  return from.odom_from_robot * Pose2{share * step.x_m, share * step.y_m, share * step.theta_rad};
 }
 
 }  // namespace

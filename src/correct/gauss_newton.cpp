@@ -10,6 +10,8 @@ namespace {
 
 /// A solution by an old factor is tried when the last fall of chi-square was below this share.
 constexpr double kNearlyThere = 1e-4;
+/// Share of chi-square that a step may promise for its promise to be trusted.
+constexpr double kShortStep = 1e-2;
 constexpr int kMostUphillSteps = 6;
 
 /// Adds the step. @return the fall of chi-square that the linear model predicts
@@ -65,6 +67,7 @@ GaussNewtonResult GaussNewton::solve(State state, std::span<const double> weight
   bool old_factor = false;
   double left = kUnknown;
   double predicted = kUnknown;
+  double expected = kUnknown;  // chi-square, by the last linear model
   for (;;) {
     const bool done = std::isfinite(left) && left <= tolerance * result.chi_square + floor;
     const bool last = done || result.iterations >= max_iterations;
@@ -72,8 +75,9 @@ GaussNewtonResult GaussNewton::solve(State state, std::span<const double> weight
                        : old_factor ? gradient(graph_, state, weights, right_side_)
                                     : linearise(graph_, state, weights, source, equations);
     if (source == StepSource::state && !best.offer(now, state)) return result;
-    if (last) {
-      result.converged = done;
+    const bool as_expected = std::abs(now - expected) <= tolerance * now + floor;
+    if (last || as_expected) {
+      result.converged = done || as_expected;
       return result;
     }
     if (!old_factor) {
@@ -91,6 +95,9 @@ GaussNewtonResult GaussNewton::solve(State state, std::span<const double> weight
       continue;
     }
     left = left_after(predicted, before);
+    // Where the model holds to within the tolerance, what it leaves out is not worth a step either.
+    // A long step may hit what it expected by chance.
+    expected = predicted < kShortStep * now ? now - predicted : kUnknown;
     old_factor = predicted < kNearlyThere * now && (!old_factor || predicted < 0.1 * before);
   }
 }

@@ -9,17 +9,17 @@
 namespace roomatlas {
 
 struct HeadingChainOptions {
-  int states = 180;                  ///< of the correction; more cost time, fewer blur it
+  int states = 180;                      ///< of the correction; more cost time, fewer blur it
   double drift_rad_per_sqrt_m = 0.0209;  ///< 1.2 degrees: random walk of odometry's heading
-  double drift_per_turn = 0.03;      ///< of each turn
-  double base_rad = 0.0039;          ///< between any two nodes
-  double jump_share = 1e-5;          ///< of the peak: odometry may do anything, rarely
-  double trust = 0.7;                ///< share of the segments that are walls of the building;
-                                     ///< the rest lie anyhow
-  double segment_sigma_rad = 0.035;  ///< of a wall's direction, however long
-  double end_sigma_m = 0.0175;       ///< divided by the length: sigma of a wall's direction
-  double full_weight_m = 1.0;        ///< length from which on a segment counts in full
-  double switch_share = 1e-3;        ///< a node: the walls around follow another direction now
+  double drift_per_turn = 0.03;          ///< of each turn
+  double base_rad = 0.0039;              ///< between any two nodes
+  double jump_share = 1e-5;              ///< of the peak: odometry may do anything, rarely
+  double trust = 0.3;                    ///< share of the segments that are walls of the building;
+                                         ///< the rest lie anyhow
+  double segment_sigma_rad = 0.035;      ///< of a wall's direction, however long
+  double end_sigma_m = 0.0175;           ///< divided by the length: sigma of a wall's direction
+  double full_weight_m = 1.0;            ///< length from which on a segment counts in full
+  double switch_share = 1e-3;            ///< a node: the walls around follow another direction now
 };
 
 /// A place of the chain.
@@ -35,10 +35,17 @@ struct WallSighting {
   double length_m = 0.0;
 };
 
+/// Another way that the heading may have gone: by 90 degrees more, or less, from some place on.
+struct HeadingSlip {
+  double share = 0.0;            ///< of the posterior, [0, 1]
+  std::size_t first_node = 0;    ///< where it parts
+  std::vector<double> more_rad;  ///< to be added from there on; the last value holds until the end
+};
+
 struct HeadingChain {
-  double log_evidence = 0.0;            ///< against walls that lie anyhow
-  std::vector<double> correction_rad;   ///< by node, continuous: no step exceeds 45 degrees
-  std::vector<double> sigma_rad;        ///< by node
+  double log_evidence = 0.0;           ///< against walls that lie anyhow
+  std::vector<double> correction_rad;  ///< by node, continuous: no step exceeds 45 degrees
+  std::vector<double> sigma_rad;       ///< by node
 };
 
 /// Forward pass alone: the log evidence.
@@ -53,5 +60,13 @@ struct HeadingChain {
                                           std::span<const WallSighting> sightings,
                                           std::span<const double> directions_rad,
                                           const HeadingChainOptions& options);
+
+/// Where paths drawn from the posterior (forward filtering, backward sampling) wind another way
+/// than the mean, the likeliest first. The same paths each time.
+[[nodiscard]] std::vector<HeadingSlip> find_slips(std::span<const HeadingNode> nodes,
+                                                  std::span<const WallSighting> sightings,
+                                                  std::span<const double> directions_rad,
+                                                  const HeadingChainOptions& options,
+                                                  const std::vector<double>& mean_rad);
 
 }  // namespace roomatlas

@@ -29,6 +29,21 @@ void warn(OptimizeResult& result, std::string field, std::string message) {
   result.issues.push_back({Severity::warning, "", 0, std::move(field), std::move(message)});
 }
 
+void note_components(const PoseGraph& graph, OptimizeResult& result) {
+  constexpr std::size_t kMostNamed = 5;
+  std::string ids;
+  for (std::size_t c = 0; c < std::min(result.fixed.size(), kMostNamed); ++c) {
+    ids +=
+        (c == 0 ? "" : ", ") + std::to_string(graph.ids[static_cast<std::size_t>(result.fixed[c])]);
+  }
+  if (result.fixed.size() > kMostNamed) ids += " and more";
+  result.issues.push_back({Severity::note, "", 0, "components",
+                           "no edge joins the " + std::to_string(result.fixed.size()) +
+                               " parts of the graph: each is solved by itself, with a fixed node "
+                               "of its own (" +
+                               ids + "), and where they lie to each other is not known"});
+}
+
 void judge_worst_edge(const PoseGraph& graph, double noise, OptimizeResult& result) {
   std::size_t worst = graph.edges.size();
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
@@ -72,6 +87,7 @@ ChiSquareRange expected_chi_square(const SolverGraph& graph, std::span<const dou
 }
 
 void judge(const PoseGraph& graph, const Solved& solved, OptimizeResult& result) {
+  if (result.fixed.size() > 1) note_components(graph, result);
   if (solved.singular_node != -1) {
     const auto node = static_cast<std::size_t>(solved.singular_node);
     const auto component = static_cast<std::size_t>(result.component[node]);
@@ -82,6 +98,12 @@ void judge(const PoseGraph& graph, const Solved& solved, OptimizeResult& result)
   }
   if (!solved.converged) {
     warn(result, "solver", "did not converge (" + solved.message + "); the best state is kept");
+  }
+  if (solved.other_minimum >= 0.0) {
+    warn(result, "minimum",
+         "may not be the lowest: measured headings are so uncertain that it cannot be told how "
+         "often loops wind, and other starts ended with chi-square up to " +
+             number(solved.other_minimum) + " where this is " + number(result.chi_square));
   }
   if (!std::isfinite(result.chi_square)) {
     warn(result, "chi-square", "is not finite: measurements or weights are beyond reason");

@@ -7,6 +7,7 @@
 #include "ceres_solver.hpp"
 #include "chordal.hpp"
 #include "headings.hpp"
+#include "joint_relaxation.hpp"
 
 namespace roomatlas {
 namespace {
@@ -15,6 +16,8 @@ constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(i
 
 /// Share of chi-square that may be left to gain.
 constexpr double kTolerance = 1e-7;
+/// Share of chi-square by which two solutions of the same minimum may differ.
+constexpr double kSameMinimum = 2e-5;
 /// Chi-square a degree of freedom of a guess that is near the minimum.
 constexpr double kGood = 1.0;
 
@@ -23,6 +26,7 @@ void keep_better(Solved& best, Solved&& other) {
   const int iterations = best.iterations + other.iterations;
   if (!other.state.empty() &&
       (best.state.empty() || other.chi_square < best.chi_square * (1.0 - 1e-9))) {
+    other.other_minimum = best.other_minimum;
     best = std::move(other);
   }
   best.iterations = iterations;
@@ -39,23 +43,31 @@ LeastSquares::LeastSquares(const PoseGraph& poses, const OptimizeOptions& option
   const auto has_loss = [](const auto& measured) { return measured.cauchy_sigmas > 0.0; };
   has_losses_ =
       std::ranges::any_of(graph_.edges, has_loss) || std::ranges::any_of(graph_.headings, has_loss);
-  if (graph_.headings.empty()) return;
-  if (!poses.guess.empty()) {
-    settle_quarters(poses, state_of(poses.guess), graph_);
-    return;
-  }
-  State start = options.robust ? State() : chordal_headings(graph_, {}, false);
+  find_frames();
+  if (!poses.guess.empty()) guess_ = state_of(poses.guess);
+  if (!graph_.headings.empty()) settle_headings();
+  initial_chi_square_ = chi_square(graph_, guess_.empty() ? odometry() : guess_, {});
+}
+
+/// Decides which quarter turns the measured headings mean.
+void LeastSquares::settle_headings() {
+  if (!guess_.empty()) return settle_quarters(poses_, guess_, graph_);
+  State start = options_.robust ? State() : chordal_headings(graph_, {}, false);
   if (start.empty()) start = poses_along(graph_, odometry_tree());
-  turn_to_quarters(poses, graph_, start);
-  settle_quarters(poses, start, graph_);
+  turn_to_quarters(poses_, graph_, start);
+  settle_quarters(poses_, start, graph_);
 }
 
 Solved LeastSquares::by_block(const State& start, std::span<const double> weights,
                               StepSource source, int max_iterations) {
   GaussNewtonResult result = block_->solve(start, weights, source, kTolerance, max_iterations);
-  Solved solved{
-      std::move(result.state),       result.chi_square, result.iterations, result.converged, -1,
-      "block Cholesky, Gauss-Newton"};
+  Solved solved{std::move(result.state),
+                result.chi_square,
+                result.iterations,
+                result.converged,
+                -1,
+                -1.0,
+                "block Cholesky, Gauss-Newton"};
   if (result.singular_slot != -1) {
     const auto node = std::ranges::find(graph_.slot, result.singular_slot);
     solved.singular_node = static_cast<std::int32_t>(node - graph_.slot.begin());
@@ -103,8 +115,7 @@ bool LeastSquares::is_good(double chi_square, std::span<const double> weights) c
 /// Losses leave many minima. The guess's own valley is that of one who knows more than the edges
 /// say; the global start finds the one in which most closures hold.
 Solved LeastSquares::solve_with_losses(std::span<const double> weights) {
-  const State start = poses_.guess.empty() ? odometry() : state_of(poses_.guess);
-  Solved best = solve_from(start, weights);
+  Solved best = solve_from(guess_.empty() ? odometry() : guess_, weights);
   const SpanningTree tree = spanning_tree(graph_, incidence_, {}, weights);
   if (best.converged && is_good(best.chi_square, weights) &&
       winds_right(graph_, tree, best.state, weights)) {
@@ -117,25 +128,47 @@ Solved LeastSquares::solve_with_losses(std::span<const double> weights) {
 
 Solved LeastSquares::solve(std::span<const double> weights) {
   if (has_losses_) return solve_with_losses(weights);
-  const State guess = poses_.guess.empty() ? State() : state_of(poses_.guess);
-  const bool from_guess = !guess.empty() && is_good(chi_square(graph_, guess, weights), weights);
-  const State start = from_guess ? guess : chordal_headings(graph_, weights);
+  const bool from_guess = !guess_.empty() && is_good(initial_chi_square_, weights);
+  const State start = from_guess ? guess_ : chordal_headings(graph_, weights);
   if (start.empty()) return solve_from(odometry(), weights);
   Solved best = local(start, weights, from_guess ? StepSource::state : StepSource::measured);
   const SpanningTree tree = spanning_tree(graph_, incidence_, {}, weights);
   if (best.converged && winds_right(graph_, tree, best.state, weights)) return best;
 
-  State by_winding = headings_by_winding(graph_, tree, weights);
-  const State other = from_guess ? chordal_headings(graph_, weights) : guess;
-  if (!by_winding.empty()) {
-    turn_to_headings(graph_, by_winding);
-    keep_better(best, local(by_winding, weights, StepSource::measured));
-  }
-  if (!other.empty()) {
-    keep_better(best, local(other, weights, from_guess ? StepSource::measured : StepSource::state));
-  }
-  keep_better(best, local(odometry(), weights, StepSource::state));
+  try_more_starts(best, tree, from_guess, weights);
   return best;
+}
+
+/// For measurements so noisy that loops may be wound wrongly. Two global starts that know different
+/// things, headings alone and all measurements, hardly end in the same wrong minimum; where they
+/// part, more are tried and the lowest is doubtful.
+void LeastSquares::try_more_starts(Solved& best, const SpanningTree& tree, bool from_guess,
+                                   std::span<const double> weights) {
+  std::vector<double> ends;
+  if (!from_guess) ends.push_back(best.chi_square);
+  const auto try_from = [&](State start, StepSource source) {
+    if (start.empty()) return;
+    Solved other = local(start, weights, source);
+    ends.push_back(other.chi_square);
+    keep_better(best, std::move(other));
+  };
+  const auto all_agree = [&] {
+    return std::ranges::all_of(
+        ends, [&](double end) { return end <= best.chi_square * (1.0 + kSameMinimum); });
+  };
+  if (from_guess) try_from(chordal_headings(graph_, weights), StepSource::measured);
+  try_from(joint_headings(graph_, weights, 1.0), StepSource::measured);
+  if (ends.size() >= 2 && best.converged && all_agree()) return;
+
+  State by_winding = headings_by_winding(graph_, tree, weights);
+  if (!by_winding.empty()) turn_to_headings(graph_, by_winding);
+  try_from(std::move(by_winding), StepSource::measured);
+  for (const double position_share : {0.1, 10.0}) {
+    try_from(joint_headings(graph_, weights, position_share), StepSource::measured);
+  }
+  if (!from_guess) try_from(guess_, StepSource::state);
+  try_from(odometry(), StepSource::state);
+  best.other_minimum = *std::ranges::max_element(ends);
 }
 
 Solved LeastSquares::solve_from(const State& start, std::span<const double> weights) {
@@ -165,20 +198,21 @@ std::vector<std::int32_t> LeastSquares::bridges() const {
   return loops;
 }
 
-/// Where the frame of a state lies in that of the poses: at the component's fixed node, turned with
-/// it unless measured headings turn the component.
-Pose2 LeastSquares::frame_of(std::size_t node) const {
-  if (poses_.guess.empty()) return {};
-  const auto component = at(graph_.components.component[node]);
-  Pose2 frame = poses_.guess[at(graph_.components.fixed[component])];
-  if (graph_.roots[component] < graph_.variable_count) frame.theta_rad = 0.0;
-  return frame;
+void LeastSquares::find_frames() {
+  frames_.resize(graph_.roots.size());
+  if (poses_.guess.empty()) return;
+  for (std::size_t c = 0; c < frames_.size(); ++c) {
+    frames_[c] = poses_.guess[at(graph_.components.fixed[c])];
+    if (graph_.roots[c] < graph_.variable_count) frames_[c].theta_rad = 0.0;
+  }
 }
 
 State LeastSquares::state_of(const std::vector<Pose2>& poses) const {
   State state(poses.size() * 3);
+  std::vector<Pose2> from_poses;
+  for (const Pose2& frame : frames_) from_poses.push_back(inverse(frame));
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const Pose2 pose = inverse(frame_of(i)) * poses[i];
+    const Pose2 pose = from_poses[at(graph_.components.component[i])] * poses[i];
     double* const p = state.data() + std::ptrdiff_t{graph_.slot[i]} * 3;
     p[0] = pose.x_m;
     p[1] = pose.y_m;
@@ -192,7 +226,7 @@ std::vector<Pose2> LeastSquares::poses_of(const State& state) const {
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const double* const p = state.data() + std::ptrdiff_t{graph_.slot[i]} * 3;
     const Pose2 pose{p[0], p[1], p[2]};
-    poses[i] = poses_.guess.empty() ? pose : frame_of(i) * pose;
+    poses[i] = poses_.guess.empty() ? pose : frames_[at(graph_.components.component[i])] * pose;
   }
   return poses;
 }

@@ -18,6 +18,7 @@ struct Solved {
   int iterations = 0;        ///< of all starts together
   bool converged = false;
   std::int32_t singular_node = -1;  ///< where the system is singular: nothing holds this node
+  double other_minimum = -1.0;      ///< where several starts end differently: the worst end
   std::string message;
 };
 
@@ -30,6 +31,8 @@ class LeastSquares {
   [[nodiscard]] const SolverGraph& graph() const { return graph_; }
   [[nodiscard]] const Incidence& incidence() const { return incidence_; }
   [[nodiscard]] GaussNewton& block_solver() { return *block_; }
+  /// Over all edges at the guess, or without one along odometry.
+  [[nodiscard]] double initial_chi_square() const { return initial_chi_square_; }
 
   /// The minimum without a start.
   [[nodiscard]] Solved solve(std::span<const double> weights);
@@ -48,10 +51,13 @@ class LeastSquares {
   Solved by_block(const State& start, std::span<const double> weights, StepSource source,
                   int max_iterations);
   Solved local(const State& start, std::span<const double> weights, StepSource source);
+  void try_more_starts(Solved& best, const SpanningTree& tree, bool from_guess,
+                       std::span<const double> weights);
   Solved solve_with_losses(std::span<const double> weights);
   [[nodiscard]] SpanningTree odometry_tree() const;
   [[nodiscard]] bool is_good(double chi_square, std::span<const double> weights) const;
-  [[nodiscard]] Pose2 frame_of(std::size_t node) const;
+  void find_frames();
+  void settle_headings();
   void continue_with_ceres(Solved& solved, const State& start, std::span<const double> weights);
 
   const PoseGraph& poses_;
@@ -60,6 +66,11 @@ class LeastSquares {
   Incidence incidence_;
   std::optional<GaussNewton> block_;
   bool has_losses_ = false;
+  /// Where the frame of a state lies in that of the poses, for each component: at its fixed node,
+  /// turned with it unless measured headings turn the component.
+  std::vector<Pose2> frames_;
+  State guess_;  ///< empty where there is none
+  double initial_chi_square_ = -1.0;
 };
 
 }  // namespace roomatlas

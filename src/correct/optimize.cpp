@@ -55,16 +55,16 @@ void give_reasons(const PoseGraph& graph, bool robust, OptimizeResult& result) {
 OptimizeResult optimize(const PoseGraph& graph, const OptimizeOptions& options) {
   check(graph);
   if (graph.edges.empty()) {
-    throw NotEnoughError("the pose graph has " + std::to_string(graph.ids.size()) +
-                         " nodes and no edge: there is nothing to solve");
+    const std::size_t count = graph.ids.size();
+    throw NotEnoughError("the pose graph has " + std::to_string(count) +
+                         (count == 1 ? " node" : " nodes") +
+                         " and no edge: there is nothing to solve");
   }
   LeastSquares squares(graph, options);
   OptimizeResult result;
   result.component = squares.graph().components.component;
   result.fixed = squares.graph().components.fixed;
-  result.initial_chi_square = graph.guess.empty()
-                                  ? chi_square(squares.graph(), squares.odometry(), {})
-                                  : chi_square(squares.graph(), squares.state_of(graph.guess), {});
+  result.initial_chi_square = squares.initial_chi_square();
   RobustSolution robust;
   if (options.robust) {
     robust = solve_robustly(graph, squares);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <ceres/loss_function.h>
 
+#include <Eigen/LU>
+
 #include <algorithm>
 
 #include "factors.hpp"
@@ -28,6 +30,13 @@ std::vector<const Measurements::Edge*> chain_between(
   }
   std::reverse(chain.begin(), chain.end());
   return chain;
+}
+
+/// Variance of a coordinate of where a matched edge puts `to`, in the mean over all directions;
+/// none for a doorway, whose two sides are one place.
+double position_variance_m2(const PassageEdge& edge) {
+  if (edge.source != EdgeSource::matched) return 0.0;
+  return edge.information.inverse().topLeftCorner<2, 2>().trace() / 2.0;
 }
 
 /// Positions follow from the pivots: each ASR begins where the one before puts its exit.
@@ -77,7 +86,7 @@ ModelResult solve_rotation_only(const Measurements& measurements, const State& s
     if (chain.empty()) continue;
     std::vector<Point2> steps_m;
     std::vector<double*> along;
-    double variance_m2 = 0.0;
+    double variance_m2 = position_variance_m2(edge.measured);
     for (const Measurements::Edge* step : chain) {
       steps_m.push_back(step->measured.from_from_to.position());
       along.push_back(&headings[step->from]);

@@ -13,8 +13,8 @@ namespace roomatlas {
 namespace {
 
 /// How far each round's scale has gone from the start's to the end's, on a logarithmic scale.
-constexpr std::array kShrunk = {0.0,  0.0,  0.0,  0.1,  0.1,  0.22, 0.22, 0.3,  0.3, 0.4,
-                                0.4,  0.52, 0.52, 0.7,  0.7,  0.82, 0.92, 1.0,  1.0};
+constexpr std::array kShrunk = {0.0, 0.0,  0.0,  0.1, 0.1, 0.22, 0.22, 0.3, 0.3, 0.4,
+                                0.4, 0.52, 0.52, 0.7, 0.7, 0.82, 0.92, 1.0, 1.0};
 constexpr int kStepsARound = 3;
 constexpr double kFineScaleM = 0.15;  // below it walls count in full
 
@@ -116,8 +116,8 @@ void add_headings(const SonarBatch& batch, const SonarBatchOptions& options,
                   const std::vector<Pose2>& poses, Equations& equations) {
   for (std::size_t i = 0; i < batch.walls.size(); ++i) {
     const SeenWall& wall = batch.walls[i];
-    const double off = wrap_quarter(poses[wall.node].theta_rad + wall.normal_rad -
-                                    batch.direction_rad[i]);
+    const double off =
+        wrap_quarter(poses[wall.node].theta_rad + wall.normal_rad - batch.direction_rad[i]);
     const double sigma = std::hypot(options.wall_heading_rad, radians(1.0) / wall.length_m);
     const double variance = sigma * sigma;
     equations.add_heading(wall.node, off,
@@ -135,15 +135,14 @@ void add_pairs(const SonarBatch& batch, const SonarBatchOptions& options,
     const SeenWall& a = batch.walls[pair.first];
     const SeenWall& b = batch.walls[pair.second];
     if (a.node == b.node) continue;
-    const PairResidual across =
-        across_residual(poses[a.node], a, poses[b.node], b, pair.along_m);
+    const PairResidual across = across_residual(poses[a.node], a, poses[b.node], b, pair.along_m);
     const double one_wall = geman_mcclure(across.value * across.value, scale_m * scale_m);
     const double share =
         options.wall_weight * 2.0 / (partners[pair.first] + partners[pair.second]) * one_wall;
     equations.add(a.node, b.node, across,
                   share * std::min({1.0, a.length_m, b.length_m}) / variance);
-    const double turn = wrap_angle(poses[a.node].theta_rad + a.normal_rad -
-                                   poses[b.node].theta_rad - b.normal_rad);
+    const double turn =
+        wrap_angle(poses[a.node].theta_rad + a.normal_rad - poses[b.node].theta_rad - b.normal_rad);
     const double ends = std::hypot(radians(1.0) / a.length_m, radians(1.0) / b.length_m);
     const double sigma = std::hypot(options.wall_heading_rad, ends);
     const double parallel = options.parallel_weight * share / (sigma * sigma) *

@@ -27,13 +27,13 @@ struct SonarBatch {
 
 struct SonarBatchOptions {
   WallPairOptions pairs;
-  double start_scale_m = 1.0;      ///< smaller misses loops that are farther apart
-  double end_scale_m = 0.1;        ///< smaller lets noise decide which walls are one
-  double wall_sigma_m = 0.05;      ///< of one wall against all its partners
-  double wall_weight = 3.0;        ///< of a wall's partners together
+  double start_scale_m = 1.0;       ///< smaller misses loops that are farther apart
+  double end_scale_m = 0.1;         ///< smaller lets noise decide which walls are one
+  double wall_sigma_m = 0.05;       ///< of one wall against all its partners
+  double wall_weight = 3.0;         ///< of a wall's partners together
   double step_robust_sigmas = 3.0;  ///< Cauchy's loss of odometry
-  double heading_weight = 0.5;     ///< of a wall that follows the building
-  double parallel_weight = 0.3;    ///< of the partners' headings
+  double heading_weight = 0.5;      ///< of a wall that follows the building
+  double parallel_weight = 0.3;     ///< of the partners' headings
   double wall_heading_rad = 0.035;  ///< sigma of a wall's direction, and one over its length more
 };
 

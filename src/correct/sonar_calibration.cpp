@@ -13,12 +13,30 @@ constexpr double kNodeM = 0.3;
 constexpr double kNodeRad = 0.25;
 constexpr std::array kOneDirection = {0.0};
 
+/// How many readings the first search looks at: as many as hold some hundred metres of way.
+std::size_t coarse_readings(std::span<const RangeReading> readings) {
+  constexpr double kEnoughM = 300.0;
+  double way_m = 0.0;
+  std::size_t count = 1;
+  for (; count < readings.size() && way_m < kEnoughM; ++count) {
+    way_m += (readings[count].odom_from_robot.position() -
+              readings[count - 1].odom_from_robot.position())
+                 .norm();
+  }
+  return count;
+}
+
 /// Keeps the habits with the highest score.
 class Search {
  public:
   Search(std::span<const RangeReading> readings, const DriveDirections& directions,
-         const WallSegmentOptions& segments, const HeadingChainOptions& chain)
-      : readings_(readings), directions_(directions), segments_(segments), chain_(chain) {
+         const WallSegmentOptions& segments, const HeadingChainOptions& chain,
+         const OdometryHabits& start)
+      : readings_(readings),
+        directions_(directions),
+        segments_(segments),
+        chain_(chain),
+        best_(start) {
     score_ = score(best_);
   }
 
@@ -74,8 +92,7 @@ HeadingProblem heading_problem(std::span<const RangeReading> readings,
                                        segment.reading);
     const auto node = static_cast<std::size_t>(next - problem.node_readings.begin()) - 1;
     problem.sightings.push_back(
-        {node,
-         wrap_angle(path.odom_from_robot[segment.reading].theta_rad + segment.normal_rad),
+        {node, wrap_angle(path.odom_from_robot[segment.reading].theta_rad + segment.normal_rad),
          segment.length_m});
   }
   return problem;
@@ -85,12 +102,14 @@ OdometryHabits calibrate_odometry(std::span<const RangeReading> readings,
                                   const DriveDirections& directions,
                                   const WallSegmentOptions& segments,
                                   const HeadingChainOptions& chain) {
-  Search search(readings, directions, segments, chain);
+  const auto beginning = readings.first(std::min(readings.size(), coarse_readings(readings)));
+  Search coarse(beginning, directions, segments, chain, {});
   const auto deg = [](double value) { return radians(value); };
-  search.along(&OdometryHabits::bias_rad_per_m,
-               {deg(-4.0), deg(-3.5), deg(-3.0), deg(-2.5), deg(-2.0), deg(-1.5), deg(-1.0),
-                deg(-0.5), deg(0.5), deg(1.0), deg(1.5), deg(2.0), deg(2.5), deg(3.0), deg(3.5),
-                deg(4.0)});
+  coarse.along(
+      &OdometryHabits::bias_rad_per_m,
+      {deg(-4.0), deg(-3.5), deg(-3.0), deg(-2.5), deg(-2.0), deg(-1.5), deg(-1.0), deg(-0.5),
+       deg(0.5), deg(1.0), deg(1.5), deg(2.0), deg(2.5), deg(3.0), deg(3.5), deg(4.0)});
+  Search search(readings, directions, segments, chain, coarse.best());
   search.along(&OdometryHabits::bias_rad_per_m, {deg(-0.25), deg(0.25)});
   search.along(&OdometryHabits::turn_gain, {-0.06, -0.04, -0.02, 0.02, 0.04, 0.06});
   search.along(&OdometryHabits::turn_gain, {-0.01, 0.01});

@@ -18,12 +18,10 @@ std::array<PairResidual, 3> step_residuals(const Pose2& map_from_first,
   const double along = ahead.dot(step);
   const double across = left.dot(step);
   std::array<PairResidual, 3> residuals;
-  residuals[0] = {along - first_from_second.x_m,
-                  {-ahead.x(), -ahead.y(), across},
-                  {ahead.x(), ahead.y(), 0.0}};
-  residuals[1] = {across - first_from_second.y_m,
-                  {-left.x(), -left.y(), -along},
-                  {left.x(), left.y(), 0.0}};
+  residuals[0] = {
+      along - first_from_second.x_m, {-ahead.x(), -ahead.y(), across}, {ahead.x(), ahead.y(), 0.0}};
+  residuals[1] = {
+      across - first_from_second.y_m, {-left.x(), -left.y(), -along}, {left.x(), left.y(), 0.0}};
   residuals[2] = {wrap_angle(map_from_second.theta_rad - map_from_first.theta_rad -
                              first_from_second.theta_rad),
                   {0.0, 0.0, -1.0},
@@ -32,15 +30,14 @@ std::array<PairResidual, 3> step_residuals(const Pose2& map_from_first,
 }
 
 PairResidual across_residual(const Pose2& map_from_first, const SeenWall& first,
-                             const Pose2& map_from_second, const SeenWall& second,
-                             double along_m) {
+                             const Pose2& map_from_second, const SeenWall& second, double along_m) {
   const Point2 normal = direction(map_from_first.theta_rad + first.normal_rad);
   const Point2 to_middle = map_from_first * first.middle_node - map_from_first.position();
   const Point2 point_node =
       second.middle_node + along_m * turned_left(direction(second.normal_rad));
   const Point2 to_point = map_from_second * point_node - map_from_second.position();
-  const Point2 between = map_from_second.position() + to_point - map_from_first.position() -
-                         to_middle;
+  const Point2 between =
+      map_from_second.position() + to_point - map_from_first.position() - to_middle;
   PairResidual residual;
   residual.value = normal.dot(between);
   residual.by_first = {-normal.x(), -normal.y(),

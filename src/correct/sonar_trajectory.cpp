@@ -3,126 +3,194 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
+#include <string>
 #include <utility>
 
-#include "driven_path.hpp"
 #include "heading_chain.hpp"
 #include "roomatlas/match/contradiction.hpp"
-#include "sonar_batch.hpp"
 #include "sonar_calibration.hpp"
+#include "sonar_problem.hpp"
 
 namespace roomatlas {
 namespace {
 
-constexpr double kNodeM = 0.4;
-constexpr double kNodeRad = 0.35;
 const std::vector<double> kOneDirection = {0.0};
 
 using Readings = std::span<const RangeReading>;
 
-/// Of the chain's corrections, one a reading, those between nodes by way and turn.
-struct Headings {
-  std::vector<double> turn_rad;
-  std::vector<double> sigma_rad;
-};
-
-Headings headings_of(const HeadingProblem& problem, const HeadingChain& chain) {
-  Headings headings;
-  const std::size_t count = problem.path.path_m.size();
+/// The chain's values by node as values by reading, those between nodes by way and turn.
+std::vector<double> by_reading(const HeadingProblem& problem, const std::vector<double>& by_node) {
+  std::vector<double> values;
   const auto& nodes = problem.node_readings;
-  std::size_t node = 0;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0, node = 0; i < problem.path.path_m.size(); ++i) {
     while (node + 1 < nodes.size() && nodes[node + 1] <= i) ++node;
-    double turn_rad = chain.correction_rad[node];
+    double value = by_node[node];
     if (node + 1 < nodes.size()) {
       const double share = share_between(problem.path, nodes[node], nodes[node + 1], i);
-      turn_rad += share * (chain.correction_rad[node + 1] - turn_rad);
+      value += share * (by_node[node + 1] - value);
     }
-    headings.turn_rad.push_back(turn_rad);
-    headings.sigma_rad.push_back(chain.sigma_rad[node]);
+    values.push_back(value);
   }
-  return headings;
+  return values;
 }
 
-/// The batch and how its nodes stand among the readings.
-struct Prepared {
-  SonarBatch batch;
-  std::vector<std::size_t> node_readings;
-  std::vector<std::size_t> node_of;  ///< of each reading: the last one not behind it
-  std::vector<WallSegment> segments;
+/// The posterior's mean given that the heading went the other way: smoothed about a heading that
+/// has gone there already.
+std::vector<double> slipped(const HeadingProblem& problem, const HeadingChainOptions& options,
+                            const std::vector<double>& correction_rad, const HeadingSlip& slip) {
+  std::vector<double> prior_rad = correction_rad;
+  for (std::size_t k = slip.first_node; k < prior_rad.size(); ++k) {
+    const std::size_t at = std::min(k - slip.first_node, slip.more_rad.size() - 1);
+    prior_rad[k] += slip.more_rad[at];
+  }
+  std::vector<WallSighting> sightings = problem.sightings;
+  for (WallSighting& wall : sightings) {
+    wall.direction_rad = wrap_angle(wall.direction_rad + prior_rad[wall.node]);
+  }
+  const HeadingChain chain = smooth_heading(problem.nodes, sightings, kOneDirection, options);
+  for (std::size_t k = 0; k < prior_rad.size(); ++k) {
+    prior_rad[k] += chain.correction_rad[k];
+  }
+  return prior_rad;
+}
+
+/// A trajectory, and what its visits say of each other's walls.
+struct Attempt {
+  std::vector<double> correction_rad;  ///< of the heading, by node of the chain
+  std::vector<Pose2> map_from_robot;
+  SonarVariant variant;
+  double score_m = 0.0;  ///< of wall: confirmed, less what is contradicted
 };
 
-DrivenStep step_between(const DrivenPath& path, const std::vector<double>& undecided_m,
-                        std::size_t from, std::size_t to) {
-  constexpr double kPerSqrtM = 0.03;
-  constexpr double kPerRad = 0.02;
-  constexpr double kHeadingPerSqrtM = radians(1.0);
-  constexpr double kHeadingPerRad = 0.03;
-  const double way_m = path.path_m[to] - path.path_m[from];
-  const double turn_rad = path.turned_rad[to] - path.turned_rad[from];
-  const double across_variance = kPerSqrtM * kPerSqrtM * way_m + 1e-5 +
-                                 (kPerRad * turn_rad) * (kPerRad * turn_rad);
-  const double either_way_m = undecided_m[to] - undecided_m[from];
-  DrivenStep step;
-  step.before_from_here = inverse(path.odom_from_robot[from]) * path.odom_from_robot[to];
-  step.across_sigma_m = std::sqrt(across_variance);
-  step.along_sigma_m = std::sqrt(across_variance + either_way_m * either_way_m);
-  step.turn_sigma_rad = std::sqrt(kHeadingPerSqrtM * kHeadingPerSqrtM * way_m +
-                                  kHeadingPerRad * kHeadingPerRad * turn_rad * turn_rad + 1e-6);
-  return step;
+/// By more than noise.
+bool is_better(const Attempt& attempt, const Attempt& than) {
+  constexpr double kShare = 0.02;
+  constexpr double kLeastM = 10.0;
+  return attempt.score_m > than.score_m + std::max(kLeastM, kShare * than.score_m);
 }
 
-Prepared prepare(Readings readings, const DrivenPath& path, const DriveDirections& directions,
-                 const std::vector<Pose2>& start, const WallSegmentOptions& options) {
-  Prepared prepared;
-  prepared.node_readings = nodes_along(path, kNodeM, kNodeRad);
-  const auto& nodes = prepared.node_readings;
-  for (std::size_t k = 0; k < nodes.size(); ++k) {
-    prepared.batch.map_from_node.push_back(start[nodes[k]]);
-    prepared.batch.steps.push_back(
-        k == 0 ? DrivenStep{} : step_between(path, directions.undecided_m, nodes[k - 1], nodes[k]));
-  }
-  for (std::size_t i = 0, node = 0; i < readings.size(); ++i) {
-    if (node + 1 < nodes.size() && nodes[node + 1] <= i) ++node;
-    prepared.node_of.push_back(node);
-  }
-  prepared.segments = wall_segments(readings, start, path.path_m, options);
-  for (const WallSegment& segment : prepared.segments) {
-    const std::size_t node = prepared.node_of[segment.reading];
-    const Pose2 node_from_robot = inverse(path.odom_from_robot[nodes[node]]) *
-                                  path.odom_from_robot[segment.reading];
-    prepared.batch.walls.push_back({node,
-                                    wrap_angle(segment.normal_rad + node_from_robot.theta_rad),
-                                    node_from_robot * segment.middle_robot, segment.length_m,
-                                    path.path_m[segment.reading]});
-    prepared.batch.direction_rad.push_back(0.0);
-  }
-  return prepared;
+/// Solves the mission with one heading. Wall that is contradicted counts three times.
+Attempt solve(Readings readings, const DriveDirections& directions, const HeadingProblem& heading,
+              std::string name, std::vector<double> correction_rad,
+              const SonarTrajectoryOptions& options) {
+  constexpr double kContradictedCounts = 3.0;
+  Attempt attempt;
+  const DrivenPath& path = heading.path;
+  const auto start = with_headings(path, by_reading(heading, correction_rad));
+  const SonarProblem problem = sonar_problem(readings, path, directions, start, options.segments);
+  const SonarBatchResult solved = solve_sonar_batch(problem.batch, {});
+  attempt.map_from_robot = poses_of(path, problem, solved.map_from_node);
+  const Contradiction contradiction =
+      contradiction_of(readings, attempt.map_from_robot, path.path_m, problem.segments, {});
+  attempt.score_m = contradiction.confirmed_m - kContradictedCounts * contradiction.contradicted_m;
+  attempt.variant.name = std::move(name);
+  attempt.variant.pairs = solved.pairs;
+  attempt.variant.compared_m = contradiction.compared_m();
+  attempt.variant.contradiction = contradiction.share();
+  attempt.correction_rad = std::move(correction_rad);
+  return attempt;
 }
 
-/// Poses of all readings from those of the nodes: as driven, and what is missing at the next node
-/// spread over the way there.
-std::vector<Pose2> poses_of(const DrivenPath& path, const Prepared& prepared,
-                            const std::vector<Pose2>& map_from_node) {
-  const auto& nodes = prepared.node_readings;
-  std::vector<Pose2> poses;
-  for (std::size_t i = 0; i < path.odom_from_robot.size(); ++i) {
-    const std::size_t k = prepared.node_of[i];
-    const Pose2 node_from_odom = inverse(path.odom_from_robot[nodes[k]]);
-    Pose2 pose = map_from_node[k] * (node_from_odom * path.odom_from_robot[i]);
-    if (k + 1 < nodes.size()) {
-      const Pose2 driven =
-          map_from_node[k] * (node_from_odom * path.odom_from_robot[nodes[k + 1]]);
-      const double share = share_between(path, nodes[k], nodes[k + 1], i);
-      const Pose2& next = map_from_node[k + 1];
-      pose.x_m += share * (next.x_m - driven.x_m);
-      pose.y_m += share * (next.y_m - driven.y_m);
-      pose.theta_rad =
-          wrap_angle(pose.theta_rad + share * wrap_angle(next.theta_rad - driven.theta_rad));
+/// Habits, the heading that they make likely, and what came of it.
+struct Idea {
+  OdometryHabits habits;
+  HeadingChainOptions chain_options;
+  HeadingProblem problem;
+  HeadingChain chain;
+  Attempt attempt;
+};
+
+Idea idea_of(Readings readings, const DriveDirections& directions, const OdometryHabits& habits,
+             double drift, const SonarTrajectoryOptions& options) {
+  Idea idea;
+  idea.habits = habits;
+  idea.chain_options.drift_rad_per_sqrt_m *= drift;
+  idea.problem = heading_problem(readings, directions, habits, options.segments);
+  idea.chain =
+      smooth_heading(idea.problem.nodes, idea.problem.sightings, kOneDirection, idea.chain_options);
+  return idea;
+}
+
+/// Slips of the heading that a freer odometry would allow, the likeliest first.
+std::vector<HeadingSlip> possible_slips(const Idea& idea) {
+  constexpr double kLeastShare = 0.01;
+  constexpr std::size_t kMost = 12;
+  constexpr double kFreer = 2.5;
+  HeadingChainOptions loose = idea.chain_options;
+  loose.trust /= 2.0;
+  loose.drift_rad_per_sqrt_m *= kFreer;
+  loose.drift_per_turn *= kFreer;
+  std::vector<HeadingSlip> slips;
+  for (HeadingSlip& slip : find_slips(idea.problem.nodes, idea.problem.sightings, kOneDirection,
+                                      loose, idea.chain.correction_rad)) {
+    if (slip.share >= kLeastShare && slips.size() < kMost) slips.push_back(std::move(slip));
+  }
+  return slips;
+}
+
+/// Tries the other ways that the heading may have gone, and keeps what brings more walls together.
+void repair_slips(Readings readings, const DriveDirections& directions,
+                  const SonarTrajectoryOptions& options, Idea& idea, SonarTrajectory& result) {
+  constexpr int kMostTries = 12;
+  std::vector<HeadingSlip> slips = possible_slips(idea);
+  for (int tries = 0; !slips.empty() && tries < kMostTries;) {
+    std::optional<Attempt> better;
+    std::size_t better_slip = 0;
+    for (std::size_t i = 0; i < slips.size() && tries < kMostTries; ++i, ++tries) {
+      const double quarter = degrees(slips[i].more_rad.back());
+      const auto at_m = std::lround(idea.problem.nodes[slips[i].first_node].path_m);
+      std::string name = "turned by " + std::to_string(std::lround(quarter)) + " deg from " +
+                         std::to_string(at_m) + " m on";
+      Attempt attempt =
+          solve(readings, directions, idea.problem, std::move(name),
+                slipped(idea.problem, idea.chain_options, idea.attempt.correction_rad, slips[i]),
+                options);
+      attempt.variant.habits = idea.habits;
+      result.variants.push_back(attempt.variant);
+      if (!is_better(attempt, idea.attempt)) continue;
+      if (better && attempt.score_m <= better->score_m) continue;
+      better = std::move(attempt);
+      better_slip = i;
+      result.chosen = result.variants.size() - 1;
     }
-    poses.push_back(pose);
+    if (!better) break;
+    idea.attempt = std::move(*better);
+    slips.erase(slips.begin() + static_cast<std::ptrdiff_t>(better_slip));
+    ++result.slips_repaired;
   }
-  return poses;
+}
+
+/// A change of the likeliest habits, or of how far odometry is believed: where the heading's
+/// winding hangs in the balance, one of these finds it.
+struct Change {
+  const char* name;
+  double bias_deg_per_m;
+  double turn_gain;
+  double drift;
+};
+constexpr Change kChanges[] = {
+    {"as likely", 0.0, 0.0, 1.0},
+    {"bias +0.25 deg/m, gain -0.01", 0.25, -0.01, 1.0},
+    {"bias -0.25 deg/m, gain +0.01", -0.25, 0.01, 1.0},
+    {"gain -0.02", 0.0, -0.02, 1.0},
+    {"gain +0.02", 0.0, 0.02, 1.0},
+    {"drift 0.6 of the usual", 0.0, 0.0, 0.6},
+    {"drift 1.7 of the usual", 0.0, 0.0, 1.7},
+};
+
+OdometryHabits changed(OdometryHabits habits, const Change& change) {
+  habits.bias_rad_per_m += radians(change.bias_deg_per_m);
+  habits.turn_gain += change.turn_gain;
+  return habits;
+}
+
+/// Whether enough wall was seen by several visits and they agree about it.
+bool is_verified(const Attempt& attempt, const SonarTrajectoryOptions& options) {
+  const SonarVariant& variant = attempt.variant;
+  return variant.compared_m >= options.verified_m &&
+         variant.contradiction <= options.verified_share;
 }
 
 /// Moves a trajectory so that it begins where odometry does.
@@ -139,26 +207,39 @@ SonarTrajectory correct_sonar_trajectory(Readings readings, const SonarTrajector
   const DriveDirections directions = find_drive_directions(readings, options.directions);
   result.intervals_reversed = directions.intervals_reversed;
   result.undecided_m = directions.undecided_m.back();
-  const HeadingChainOptions chain_options;
-  if (options.calibrate) {
-    result.habits = calibrate_odometry(readings, directions, options.segments, chain_options);
+  OdometryHabits likely;
+  if (options.calibrate) likely = calibrate_odometry(readings, directions, options.segments, {});
+  std::optional<Idea> best;
+  const std::size_t ideas = options.calibrate ? std::size(kChanges) : 1;
+  for (const Change& change : std::span(kChanges).first(ideas)) {
+    Idea idea = idea_of(readings, directions, changed(likely, change), change.drift, options);
+    Attempt attempt =
+        solve(readings, directions, idea.problem, change.name, idea.chain.correction_rad, options);
+    attempt.variant.habits = idea.habits;
+    result.variants.push_back(attempt.variant);
+    if (best && !is_better(attempt, best->attempt)) continue;
+    result.chosen = result.variants.size() - 1;
+    idea.attempt = std::move(attempt);
+    best = std::move(idea);
   }
-  const HeadingProblem problem =
-      heading_problem(readings, directions, result.habits, options.segments);
-  const HeadingChain chain =
-      smooth_heading(problem.nodes, problem.sightings, kOneDirection, chain_options);
-  result.log_evidence = chain.log_evidence;
-  const Headings headings = headings_of(problem, chain);
-  result.heading_sigma_rad = headings.sigma_rad;
-  const std::vector<Pose2> start = with_headings(problem.path, headings.turn_rad);
-  const Prepared prepared = prepare(readings, problem.path, directions, start, options.segments);
-  result.segments = prepared.segments.size();
-  const SonarBatchResult solved = solve_sonar_batch(prepared.batch, {});
-  result.map_from_robot = poses_of(problem.path, prepared, solved.map_from_node);
-  const Contradiction contradiction = contradiction_of(
-      readings, result.map_from_robot, problem.path.path_m, prepared.segments, {});
-  result.variants.push_back({"default", result.habits, solved.pairs, contradiction.compared_m(),
-                             contradiction.share()});
+  {  // where walls have no common direction, odometry's own headings are better than any found
+    Idea plain = idea_of(readings, directions, {}, 1.0, options);
+    plain.chain.correction_rad.assign(plain.chain.correction_rad.size(), 0.0);
+    plain.attempt = solve(readings, directions, plain.problem, "odometry's headings",
+                          plain.chain.correction_rad, options);
+    result.variants.push_back(plain.attempt.variant);
+    if (is_better(plain.attempt, best->attempt)) {
+      result.chosen = result.variants.size() - 1;
+      best = std::move(plain);
+    }
+  }
+  if (options.repair_slips) repair_slips(readings, directions, options, *best, result);
+  result.habits = best->habits;
+  result.log_evidence = best->chain.log_evidence;
+  result.heading_sigma_rad = by_reading(best->problem, best->chain.sigma_rad);
+  result.segments = best->problem.segments.size();
+  result.loops_verified = is_verified(best->attempt, options);
+  result.map_from_robot = std::move(best->attempt.map_from_robot);
   begin_at(readings.front().odom_from_robot, result.map_from_robot);
   return result;
 }

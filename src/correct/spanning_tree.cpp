@@ -122,6 +122,7 @@ State headings_by_winding(const SolverGraph& graph, const SpanningTree& tree,
                           std::span<const double> weights) {
   const std::vector<double> along = unwrapped_headings(graph, tree);
   BlockCholesky<1> matrix(graph.supernodes);
+  matrix.clear();
   std::vector<double> headings(at(graph.variable_count), 0.0);
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     if (!is_used(weights, e)) continue;

@@ -47,7 +47,8 @@ std::optional<double> overlap_of(const SeenWall& a, const SeenWall& b, const Pla
     return std::nullopt;
   }
   const Point2 between = at_b.middle - at_a.middle;
-  const double gate_m = std::min(2.0 * scale_m, options.near_gate_m + options.gate_per_path * way_m);
+  const double gate_m =
+      std::min(2.0 * scale_m, options.near_gate_m + options.gate_per_path * way_m);
   if (std::abs(at_a.normal.dot(between)) > gate_m) return std::nullopt;
   const double along = at_a.normal.x() * between.y() - at_a.normal.y() * between.x();
   const double low = std::max(-a.length_m / 2.0, along - b.length_m / 2.0);

@@ -27,18 +27,17 @@ struct WallPair {
 };
 
 struct WallPairOptions {
-  double min_path_m = 1.0;         ///< nearer on the way: the same readings
-  double max_turn_rad = 0.175;     ///< between the normals
-  double near_gate_m = 0.1;        ///< across, of two stretches that were seen in one place
-  double gate_per_path = 0.04;     ///< and more for each metre of way between them
-  double min_overlap_m = 0.1;      ///< at a gate of 0
-  double overlap_per_gate = 0.5;   ///< less of it is asked the wider the gate, up to 0.4 m
+  double min_path_m = 1.0;        ///< nearer on the way: the same readings
+  double max_turn_rad = 0.175;    ///< between the normals
+  double near_gate_m = 0.1;       ///< across, of two stretches that were seen in one place
+  double gate_per_path = 0.04;    ///< and more for each metre of way between them
+  double min_overlap_m = 0.1;     ///< at a gate of 0
+  double overlap_per_gate = 0.5;  ///< less of it is asked the wider the gate, up to 0.4 m
 };
 
 /// All pairs within `scale_m` of twice the scale across, by first, then second.
 [[nodiscard]] std::vector<WallPair> find_wall_pairs(std::span<const SeenWall> walls,
                                                     std::span<const Pose2> map_from_node,
-                                                    double scale_m,
-                                                    const WallPairOptions& options);
+                                                    double scale_m, const WallPairOptions& options);
 
 }  // namespace roomatlas

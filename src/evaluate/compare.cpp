@@ -3,6 +3,7 @@
 
 #include "roomatlas/evaluate/time_ranges.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -29,12 +30,15 @@ class Judge {
  public:
   explicit Judge(const BootstrapOptions& options) : options_(options) {}
 
+  /// @param is_comparable false for a run of another mission than the first's
   JudgedErrors operator()(const std::vector<std::pair<double, double>>& keys,
-                          const std::vector<double>& errors) {
+                          const std::vector<double>& errors, bool is_comparable = true) {
     JudgedErrors judged;
     judged.statistics = statistics(errors);
     judged.interval = bootstrap_mean(errors, options_);
-    if (first_) {
+    if (first_ && !is_comparable) {
+      judged.shared = 0;
+    } else if (first_) {
       const std::vector<double> less = differences(keys, errors, *first_);
       judged.shared = std::ssize(less);
       judged.against_first = bootstrap_mean(less, options_);
@@ -55,7 +59,17 @@ struct Judges {
   explicit Judges(const BootstrapOptions& options)
       : translation(options), rotation(options), ape(options), rpe(options) {}
   Judge translation, rotation, ape, rpe;
+  const Trajectory* first_truth = nullptr;  ///< of the first run that has poses to be judged by
 };
+
+/// Whether two lists of true poses tell of one mission.
+bool is_same(const Trajectory& a, const Trajectory& b) {
+  return a.size() == b.size() &&
+         std::equal(a.begin(), a.end(), b.begin(), [](const StampedPose& x, const StampedPose& y) {
+           return x.timestamp_s == y.timestamp_s && x.pose.x_m == y.pose.x_m &&
+                  x.pose.y_m == y.pose.y_m && x.pose.theta_rad == y.pose.theta_rad;
+         });
+}
 
 JudgedRelations judge_relations(RelationErrors errors, Judges& judges) {
   std::vector<std::pair<double, double>> keys;
@@ -71,7 +85,8 @@ JudgedRelations judge_relations(RelationErrors errors, Judges& judges) {
   return judged;
 }
 
-JudgedPoses judge_poses(MatchedPoses matched, const CompareOptions& options, Judges& judges) {
+JudgedPoses judge_poses(MatchedPoses matched, const CompareOptions& options, bool is_comparable,
+                        Judges& judges) {
   JudgedPoses judged;
   judged.ape = ape(matched, options.ape);
   judged.rpe = rpe(matched, options.rpe);
@@ -83,18 +98,18 @@ JudgedPoses judge_poses(MatchedPoses matched, const CompareOptions& options, Jud
     }
     return keys;
   };
-  judged.ape_judged = judges.ape(keys_of(judged.ape), judged.ape.errors);
-  judged.rpe_judged = judges.rpe(keys_of(judged.rpe), judged.rpe.errors);
+  judged.ape_judged = judges.ape(keys_of(judged.ape), judged.ape.errors, is_comparable);
+  judged.rpe_judged = judges.rpe(keys_of(judged.rpe), judged.rpe.errors, is_comparable);
   judged.matched = std::move(matched);
   return judged;
 }
 
-void note_poses(const JudgedPoses& judged, const Run& run, const TrajectoryTruth& truth,
+void note_poses(const JudgedPoses& judged, const Run& run, const Trajectory& truth,
                 Issues& issues) {
   const std::size_t matched = judged.matched.size();
   if (matched == 0) {
     issues.push_back({Severity::error, run.name, 0, "true poses",
-                      explain_mismatch(times_of(run.trajectory), times_of(truth.poses))});
+                      explain_mismatch(times_of(run.trajectory), times_of(truth))});
   } else if (matched == 1) {
     issues.push_back({Severity::warning, run.name, 0, "true poses",
                       "one pose only has a true one: alignment makes its error 0, and there is no "
@@ -105,6 +120,10 @@ void note_poses(const JudgedPoses& judged, const Run& run, const TrajectoryTruth
                           " matched poses are --delta apart: choose a smaller --delta or a larger "
                           "--delta-tol"});
   }
+}
+
+const Trajectory& poses_for(const Run& run, const TrajectoryTruth& truth) {
+  return truth.poses.empty() ? run.truth : truth.poses;
 }
 
 JudgedRun judge(const Run& run, const TrajectoryTruth& truth, const CompareOptions& options,
@@ -122,10 +141,13 @@ JudgedRun judge(const Run& run, const TrajectoryTruth& truth, const CompareOptio
     }
     if (errors.matched > 0) judged.relations = judge_relations(std::move(errors), judges);
   }
-  if (!truth.poses.empty()) {
-    JudgedPoses poses = judge_poses(match_poses(run.trajectory, truth.poses, options.match, carry),
-                                    options, judges);
-    note_poses(poses, run, truth, judged.issues);
+  const Trajectory& true_poses = poses_for(run, truth);
+  judged.truth_poses = std::ssize(true_poses);
+  if (!true_poses.empty()) {
+    if (judges.first_truth == nullptr) judges.first_truth = &true_poses;
+    JudgedPoses poses = judge_poses(match_poses(run.trajectory, true_poses, options.match, carry),
+                                    options, is_same(true_poses, *judges.first_truth), judges);
+    note_poses(poses, run, true_poses, judged.issues);
     if (poses.matched.size() > 0) judged.true_poses = std::move(poses);
   }
   return judged;
@@ -147,7 +169,9 @@ Comparison compare(const std::vector<Run>& runs, const TrajectoryTruth& truth,
   comparison.options = options;
   comparison.carried = carry != nullptr;
   comparison.relations = std::ssize(truth.relations);
-  comparison.true_poses = std::ssize(truth.poses);
+  for (const Run& run : runs) {
+    if (comparison.true_poses == 0) comparison.true_poses = std::ssize(poses_for(run, truth));
+  }
   Judges judges(options.bootstrap);
   for (const Run& run : runs) comparison.runs.push_back(judge(run, truth, options, carry, judges));
   return comparison;

@@ -73,8 +73,9 @@ std::vector<Figure> figures(const Comparison& comparison) {
     for (const JudgedRun& run : comparison.runs) {
       if (!run.true_poses) continue;
       const std::int64_t of =
-          comparison.carried ? comparison.true_poses : std::min(run.poses, comparison.true_poses);
-      all.push_back(pose_figure(run, comparison.options, is_ape, of));
+          comparison.carried ? run.truth_poses : std::min(run.poses, run.truth_poses);
+      Figure figure = pose_figure(run, comparison.options, is_ape, of);
+      if (figure.statistics.count > 0) all.push_back(std::move(figure));
     }
   }
   return all;

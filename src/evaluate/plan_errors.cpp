@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "detection_score.hpp"
 #include "room_shapes.hpp"
 #include "roomatlas/core/geometry.hpp"
 #include "roomatlas/evaluate/assignment.hpp"
@@ -12,15 +13,6 @@
 
 namespace roomatlas {
 namespace {
-
-double ratio(double part, double whole) { return whole > 0.0 ? part / whole : 0.0; }
-
-DetectionScore score(std::int64_t matched, std::int64_t found, std::int64_t wanted) {
-  const auto m = static_cast<double>(matched);
-  const auto f = static_cast<double>(found);
-  const auto w = static_cast<double>(wanted);
-  return {matched, ratio(m, f), ratio(m, w), ratio(2.0 * m, f + w)};
-}
 
 using IndexPairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
@@ -55,11 +47,11 @@ void score_rooms(PlanErrors& errors, const PlanErrorOptions& options) {
     matched_iou_sum += pair.iou;
   }
   const std::int64_t matched = std::ssize(errors.room_matches);
-  const DetectionScore rooms = score(matched, errors.rooms, errors.true_rooms);
+  const DetectionScore rooms = detection_score(matched, errors.rooms, errors.true_rooms);
   errors.precision = rooms.precision;
   errors.recall = rooms.recall;
   errors.f1 = rooms.f1;
-  errors.strict = score(strict, errors.rooms, errors.true_rooms);
+  errors.strict = detection_score(strict, errors.rooms, errors.true_rooms);
   errors.mean_iou = ratio(matched_iou_sum, static_cast<double>(matched));
   errors.mean_true_iou = ratio(iou_sum, static_cast<double>(errors.true_rooms));
 }
@@ -135,7 +127,7 @@ void compare_doors(PlanErrors& errors, const FloorPlan& plan, const FloorPlan& t
   errors.true_doors = std::ssize(truth.doors);
   errors.door_matches = match_doors(plan, truth, truth_from_building, options.door_gate_m);
   const std::int64_t matched = std::ssize(errors.door_matches);
-  errors.door_score = score(matched, errors.doors, errors.true_doors);
+  errors.door_score = detection_score(matched, errors.doors, errors.true_doors);
   double sum_m = 0.0;
   for (const DoorMatch& match : errors.door_matches) sum_m += match.distance_m;
   if (matched > 0) errors.mean_door_distance_m = sum_m / static_cast<double>(matched);

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "detection_score.hpp"
+
 namespace roomatlas {
 namespace {
-
-double ratio(double part, double whole) { return whole > 0.0 ? part / whole : 0.0; }
 
 /// The correlation of two yes-or-no answers (B. W. Matthews 1975), from the areas where they agree
 /// and differ. Where one answer is the same everywhere it has no value: 1 if nothing differs,

@@ -75,6 +75,14 @@ Verdict vote_of(const FigureVote& vote, const VerdictOptions& options) {
   return change < 0.0 ? Verdict::better : Verdict::worse;
 }
 
+/// Odometry joins two ASRs without error at the door they share, so figures that see small errors
+/// there favour it. These do not.
+bool is_fair_to_corrections(ConsistencyFigure figure) {
+  return figure == ConsistencyFigure::doors_again || figure == ConsistencyFigure::corridor_bend ||
+         figure == ConsistencyFigure::rays_through_walls ||
+         figure == ConsistencyFigure::hits_in_free_space;
+}
+
 }  // namespace
 
 bool near(const Box2& a, const Box2& b, double reach_m) {
@@ -127,6 +135,7 @@ ConsistencyComparison compare(const SelfConsistency& before, const SelfConsisten
   double change = 0.0;
   int better = 0;
   int worse = 0;
+  bool may_be_worse = !options.before_is_odometry;
   for (std::size_t i = 0; i < before.figures.size() && i < after.figures.size(); ++i) {
     FigureVote vote{before.figures[i].figure, before.figures[i].value, after.figures[i].value,
                     Verdict::undecided};
@@ -135,11 +144,13 @@ ConsistencyComparison compare(const SelfConsistency& before, const SelfConsisten
     vote.vote = vote_of(vote, options);
     better += vote.vote == Verdict::better ? 1 : 0;
     worse += vote.vote == Verdict::worse ? 1 : 0;
+    may_be_worse =
+        may_be_worse || (vote.vote == Verdict::worse && is_fair_to_corrections(vote.figure));
     change += (vote.after - vote.before) / facts_of(vote.figure).typical;
     comparison.votes.push_back(vote);
   }
   if (change < 0.0 && better > worse) comparison.verdict = Verdict::better;
-  if (change > 0.0 && worse > better) comparison.verdict = Verdict::worse;
+  if (change > 0.0 && worse > better && may_be_worse) comparison.verdict = Verdict::worse;
   return comparison;
 }
 

@@ -7,21 +7,13 @@
 #include <set>
 
 #include "corners.hpp"
+#include "detection_score.hpp"
 #include "segment_index.hpp"
 
 namespace roomatlas {
 namespace {
 
 constexpr double kDoorDepthM = 0.3;  ///< a boundary this near a door line is the door
-
-double ratio(double part, double whole) { return whole > 0.0 ? part / whole : 0.0; }
-
-DetectionScore score(std::int64_t matched, std::int64_t found, std::int64_t wanted) {
-  const auto m = static_cast<double>(matched);
-  const auto f = static_cast<double>(found);
-  const auto w = static_cast<double>(wanted);
-  return {matched, ratio(m, f), ratio(m, w), ratio(2.0 * m, f + w)};
-}
 
 /// A plan's rooms and doors in the truth's frame.
 struct Walls {
@@ -106,8 +98,8 @@ void compare_corners(WallErrors& errors, const std::vector<Corner>& ours,
   for (const CornerMatch& match : matches) {
     if (same_directions(ours[match.ours], theirs[match.theirs], radians(angle_gate_deg))) ++right;
   }
-  errors.corner_score = score(std::ssize(matches), errors.corners, errors.true_corners);
-  errors.angle_score = score(right, errors.corners, errors.true_corners);
+  errors.corner_score = detection_score(std::ssize(matches), errors.corners, errors.true_corners);
+  errors.angle_score = detection_score(right, errors.corners, errors.true_corners);
 }
 
 void compare_areas(WallErrors& errors, const FloorPlan& plan, const FloorPlan& truth,

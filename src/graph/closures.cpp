@@ -11,6 +11,26 @@ constexpr double kPathStepM = 0.4;
 
 }  // namespace
 
+const char* to_string(ClosureVerdict verdict) {
+  switch (verdict) {
+    case ClosureVerdict::accepted:
+      return "accepted";
+    case ClosureVerdict::too_little_in_common:
+      return "too little in common";
+    case ClosureVerdict::contradicted:
+      return "contradicted by readings";
+    case ClosureVerdict::left_out:
+      return "left out as asked";
+  }
+  return "unknown";
+}
+
+ClosureVerdict judge(const MapMatch& match, int min_agreeing, double min_agreement) {
+  if (match.agreeing < min_agreeing) return ClosureVerdict::too_little_in_common;
+  return match.agreement() < min_agreement ? ClosureVerdict::contradicted
+                                           : ClosureVerdict::accepted;
+}
+
 AsrShape shape_of(const Asr& asr, const ClosureOptions& options) {
   AsrShape shape;
   shape.id = asr.id;

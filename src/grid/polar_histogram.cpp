@@ -20,9 +20,10 @@ std::vector<double> polar_histogram(const HimmGrid& grid, const Point2& center,
   const Cell high = grid.frame().cell_of(center + reach);
   for_each_cell({low, {high.x + 1, high.y + 1}}, [&](const Cell& cell) {
     const double certainty = grid.value(cell);
+    if (certainty <= 0.0) return;
     const Point2 offset = grid.frame().center_of(cell) - center;
     const double distance_m = offset.norm();
-    if (certainty <= 0.0 || distance_m >= options.window_radius_m || distance_m == 0.0) return;
+    if (distance_m >= options.window_radius_m || distance_m == 0.0) return;
     // (1) beta = arctan((j - y0) / (i - x0)), over the full circle
     double beta_deg = degrees(std::atan2(offset.y(), offset.x()));
     if (beta_deg <= 0.0) beta_deg += 360.0;

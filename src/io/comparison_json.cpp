@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "json_number.hpp"
+#include "plan_evaluation_json.hpp"
+
 #include "roomatlas/evaluate/figures.hpp"
 #include "roomatlas/io/comparison_text.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace roomatlas {
@@ -10,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+using io::finite;
 
 Json json_of(const ConfidenceInterval& interval) {
   return {{"mean", finite(interval.mean)},
@@ -77,9 +79,17 @@ Json json_of(const JudgedRun& run, const std::vector<Figure>& all) {
   return json;
 }
 
+Json json_of(const JudgedPlan& plan) {
+  Json json = {{"name", plan.name}};
+  io::add_plan_evaluation(json, plan.evaluation);
+  json["issues"] = Json::array();
+  for (const Issue& issue : plan.evaluation.issues) json["issues"].push_back(to_string(issue));
+  return json;
+}
+
 }  // namespace
 
-std::string to_json(const Comparison& comparison) {
+std::string to_json(const Comparison& comparison, const std::vector<JudgedPlan>& plans) {
   const std::vector<Figure> all = figures(comparison);
   Json json = {{"truth", comparison.truth},
                {"relations", comparison.relations},
@@ -87,6 +97,8 @@ std::string to_json(const Comparison& comparison) {
                {"used", used(comparison)}};
   json["runs"] = Json::array();
   for (const JudgedRun& run : comparison.runs) json["runs"].push_back(json_of(run, all));
+  json["plans"] = Json::array();
+  for (const JudgedPlan& plan : plans) json["plans"].push_back(json_of(plan));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

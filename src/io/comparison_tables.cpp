@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numbers.hpp"
+#include "plan_tables.hpp"
+#include "table_text.hpp"
 
 #include "roomatlas/evaluate/figures.hpp"
 #include "roomatlas/io/comparison_text.hpp"
 
-#include <cmath>
-#include <cstdio>
+#include <optional>
 
 namespace roomatlas {
 namespace {
 
-std::string csv_text(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-void add_csv(std::string& line, double value) {
-  line += ',';
-  if (std::isfinite(value)) io::append_number(line, value);
-}
+using io::add_csv;
+using io::csv_text;
+using io::latex_text;
+using io::short_number;
 
 void add_csv(std::string& line, const std::optional<ConfidenceInterval>& interval, bool with_mean) {
   const ConfidenceInterval none;
@@ -28,31 +21,6 @@ void add_csv(std::string& line, const std::optional<ConfidenceInterval>& interva
   if (with_mean) add_csv(line, shown.mean);
   add_csv(line, shown.low);
   add_csv(line, shown.high);
-}
-
-std::string latex_text(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '\\') {
-      escaped += "\\textbackslash{}";
-    } else if (c == '~' || c == '^') {
-      escaped += std::string("\\") + c + "{}";
-    } else {
-      if (std::string("&%$#_{}").find(c) != std::string::npos) escaped += '\\';
-      escaped += c;
-    }
-  }
-  return escaped;
-}
-
-/// Three figures after the first one that counts, so that 0.0581 and 6.50 both read well.
-std::string short_number(double value) {
-  if (!std::isfinite(value)) return "--";
-  char text[64];
-  const double size = std::abs(value);
-  const int decimals = size >= 100.0 ? 1 : size >= 1.0 ? 2 : size >= 0.1 ? 3 : 4;
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
 }
 
 /// The figures that have an interval, each once: the columns of the table.
@@ -90,9 +58,27 @@ std::string cell_of(const JudgedRun& run, const Figure& column, const std::vecto
   return "--";
 }
 
+std::string trajectories_latex(const Comparison& comparison) {
+  const std::vector<Figure> all = figures(comparison);
+  const std::vector<const Figure*> columns = columns_of(all);
+  std::string text =
+      "% mean error [95 % interval by block bootstrap] against " + latex_text(comparison.truth) +
+      "; times: " + latex_text(describe(comparison.options.match, comparison.carried)) +
+      "\n\\begin{tabular}{l" + std::string(columns.size(), 'r') + "}\n\\toprule\n";
+  text += "run";
+  for (const Figure* column : columns) text += " & " + heading_of(*column);
+  text += " \\\\\n\\midrule\n";
+  for (const JudgedRun& run : comparison.runs) {
+    text += latex_text(run.name);
+    for (const Figure* column : columns) text += " & " + cell_of(run, *column, all);
+    text += " \\\\\n";
+  }
+  return text + "\\bottomrule\n\\end{tabular}\n";
+}
+
 }  // namespace
 
-std::string to_csv(const Comparison& comparison) {
+std::string to_csv(const Comparison& comparison, const std::vector<JudgedPlan>& plans) {
   std::string text =
       "run,metric,subset,quantity,unit,covered,of,count,rmse,mean,median,std,min,max,sse,squared,"
       "mean_low,mean_high,less_first,less_first_low,less_first_high,shared\r\n";
@@ -110,25 +96,11 @@ std::string to_csv(const Comparison& comparison) {
     line += figure.against_first ? "," + std::to_string(figure.shared) : ",";
     text += line + "\r\n";
   }
-  return text;
+  return text + io::plan_csv_lines(plans);
 }
 
-std::string to_latex(const Comparison& comparison) {
-  const std::vector<Figure> all = figures(comparison);
-  const std::vector<const Figure*> columns = columns_of(all);
-  std::string text =
-      "% mean error [95 % interval by block bootstrap] against " + latex_text(comparison.truth) +
-      "; times: " + latex_text(describe(comparison.options.match, comparison.carried)) +
-      "\n\\begin{tabular}{l" + std::string(columns.size(), 'r') + "}\n\\toprule\n";
-  text += "run";
-  for (const Figure* column : columns) text += " & " + heading_of(*column);
-  text += " \\\\\n\\midrule\n";
-  for (const JudgedRun& run : comparison.runs) {
-    text += latex_text(run.name);
-    for (const Figure* column : columns) text += " & " + cell_of(run, *column, all);
-    text += " \\\\\n";
-  }
-  return text + "\\bottomrule\n\\end{tabular}\n";
+std::string to_latex(const Comparison& comparison, const std::vector<JudgedPlan>& plans) {
+  return (comparison.has_figures() ? trajectories_latex(comparison) : "") + io::plan_latex(plans);
 }
 
 }  // namespace roomatlas

@@ -113,8 +113,10 @@ void write_plan(Database& db, const FloorPlan& plan) {
 
 void write_correction(Database& db, const Correction& correction) {
   for (const AsrCorrection& asr : correction.asrs) {
-    db.run("INSERT INTO corrections VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", asr.asr, asr.component,
-           asr.building_from_asr_before, asr.building_from_asr, asr.moved_m, asr.turned_rad);
+    db.run("INSERT INTO corrections VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", asr.asr,
+           asr.component, asr.building_from_asr_before, asr.building_from_asr, asr.moved_m,
+           asr.turned_rad, asr.chi_square_before, asr.chi_square_after,
+           asr.cause ? stored_name(kFactorKinds, *asr.cause) : "", asr.cause_asr);
   }
   for (const FactorReport& factor : correction.factors) {
     db.run("INSERT INTO factors VALUES (NULL, ?, ?, ?, ?, ?, ?)",
@@ -124,6 +126,18 @@ void write_correction(Database& db, const Correction& correction) {
 }
 
 }  // namespace
+
+void GeoPackageStore::put_closures(const std::vector<Closure>& closures) {
+  state_->transaction([&](Database& db) {
+    db.execute("DELETE FROM closures");
+    for (const Closure& closure : closures) {
+      const MapMatch& match = closure.match;
+      db.run("INSERT INTO closures VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", closure.from,
+             closure.to, match.first_from_second, match.agreeing, match.contradicting, match.unseen,
+             closure.score(), to_string(closure.verdict), closure.was_given);
+    }
+  });
+}
 
 void GeoPackageStore::put_assembly(const Correction& correction, const FloorPlan& plan,
                                    const std::map<AsrId, RoomId>& room_of_asr) {

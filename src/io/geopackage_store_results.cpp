@@ -61,6 +61,11 @@ AsrCorrection asr_correction_of(Row& row) {
   asr.building_from_asr = row.pose();
   asr.moved_m = row.real();
   asr.turned_rad = row.real();
+  asr.chi_square_before = row.real();
+  asr.chi_square_after = row.real();
+  const std::string cause = row.text();
+  if (!cause.empty()) asr.cause = value_of_stored_name(kFactorKinds, cause);
+  asr.cause_asr = row.integer();
   return asr;
 }
 

@@ -183,7 +183,25 @@ CREATE TABLE corrections (
   after_y_m REAL,
   after_theta_rad REAL,
   moved_m REAL,
-  turned_rad REAL);
+  turned_rad REAL,
+  chi_square_before REAL,
+  chi_square_after REAL,
+  cause TEXT,
+  cause_asr INTEGER);
+
+CREATE TABLE closures (
+  id INTEGER PRIMARY KEY,
+  from_asr INTEGER NOT NULL,
+  to_asr INTEGER NOT NULL,
+  x_m REAL,
+  y_m REAL,
+  theta_rad REAL,
+  agreeing INTEGER NOT NULL,
+  contradicting INTEGER NOT NULL,
+  unseen INTEGER NOT NULL,
+  score INTEGER NOT NULL,
+  verdict TEXT NOT NULL,
+  was_given BOOLEAN NOT NULL);
 
 CREATE TABLE factors (
   id INTEGER PRIMARY KEY,

@@ -33,9 +33,9 @@ inline constexpr std::array<TableContents, 17> kTables = {{
 }};
 
 /// The tables that an assembly fills and the next one replaces.
-inline constexpr std::array<const char*, 10> kResultTables = {
-    "rooms", "doors",    "walls",       "free_space", "furniture",
-    "path",  "assembly", "corrections", "factors",    "plan_issues"};
+inline constexpr std::array<const char*, 11> kResultTables = {
+    "rooms",    "doors",       "walls",   "free_space",  "furniture", "path",
+    "assembly", "corrections", "factors", "plan_issues", "closures"};
 
 extern const char* const kGeoPackageSql;  ///< the tables that the standard asks for
 extern const char* const kMissionSql;     ///< what the online stage writes

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plan_evaluation_json.hpp"
 
-#include <cmath>
+#include "json_number.hpp"
 
 namespace roomatlas::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json json_of(const DetectionScore& score) {
   return {{"matched", score.matched},
@@ -129,22 +127,42 @@ Json json_of(const ConsistencyComparison& comparison) {
           {"figures", figures}};
 }
 
-void add_plan_errors(Json& json, const PlanErrors& errors) {
-  json["strict"] = json_of(errors.strict);
-  json["mean_true_iou"] = errors.mean_true_iou;
-  json["segmentation"] = json_of(errors.segmentation);
+Json json_of(const PlanErrors& errors) {
+  Json rooms = Json::array();
+  for (const RoomMatch& match : errors.room_matches) {
+    rooms.push_back({{"room", match.room}, {"true_room", match.true_room}, {"iou", match.iou}});
+  }
+  Json doors = Json::array();
+  for (const DoorMatch& match : errors.door_matches) {
+    doors.push_back(
+        {{"door", match.door}, {"true_door", match.true_door}, {"distance_m", match.distance_m}});
+  }
+  Json json = {{"rooms", errors.rooms},
+               {"true_rooms", errors.true_rooms},
+               {"precision", finite(errors.precision)},
+               {"recall", finite(errors.recall)},
+               {"f1", finite(errors.f1)},
+               {"mean_iou", finite(errors.mean_iou)},
+               {"room_matches", rooms},
+               {"door_matches", doors},
+               {"used_true_doors", errors.used_true_doors},
+               {"missed_used_doors", errors.missed_used_doors},
+               {"strict", json_of(errors.strict)},
+               {"mean_true_iou", errors.mean_true_iou},
+               {"segmentation", json_of(errors.segmentation)}};
   if (errors.doors_known) {
     json["doors"] = json_of(errors.door_score);
     json["mean_door_distance_m"] = finite(errors.mean_door_distance_m);
   }
   if (errors.graph) json["graph"] = json_of(*errors.graph);
+  return json;
 }
 
 }  // namespace
 
 void add_plan_evaluation(Json& json, const Evaluation& evaluation) {
   if (evaluation.plan) {
-    add_plan_errors(json["plan"], *evaluation.plan);
+    json["plan"] = json_of(*evaluation.plan);
     json["plan"]["alignment"] = json_of(evaluation.plan_alignment);
   }
   if (evaluation.walls) json["walls"] = json_of(*evaluation.walls);

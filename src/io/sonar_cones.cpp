@@ -58,8 +58,8 @@ bool throws_back(const SonarCones& cones, const std::vector<float>& ranges_m, st
   for (const std::size_t side : {right, left}) {
     if (!(std::abs(static_cast<double>(ranges_m[side]) - range_m) <= kEdgeM)) return true;
   }
-  const Point2 along = poses[left] * Point2(ranges_m[left], 0.0) -
-                       poses[right] * Point2(ranges_m[right], 0.0);
+  const Point2 along =
+      poses[left] * Point2(ranges_m[left], 0.0) - poses[right] * Point2(ranges_m[right], 0.0);
   const Point2 ray = direction(poses[beam].theta_rad);
   const double incidence =
       std::atan2(std::abs(along.dot(ray)), std::abs(along.x() * ray.y() - along.y() * ray.x()));

@@ -2,9 +2,9 @@
 #include "roomatlas/io/summary.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "json_number.hpp"
 #include "plan_evaluation_json.hpp"
 
 namespace roomatlas {
@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;  // keeps the order below, so that files can be compared
 
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+using io::finite;
 
 Json json_of(const Issues& issues) {
   Json list = Json::array();
@@ -51,28 +51,6 @@ Json json_of(const TruePoseErrors& errors) {
           {"heading_deg", json_of(errors.heading_deg)}};
 }
 
-Json json_of(const PlanErrors& errors) {
-  Json rooms = Json::array();
-  for (const RoomMatch& match : errors.room_matches) {
-    rooms.push_back({{"room", match.room}, {"true_room", match.true_room}, {"iou", match.iou}});
-  }
-  Json doors = Json::array();
-  for (const DoorMatch& match : errors.door_matches) {
-    doors.push_back(
-        {{"door", match.door}, {"true_door", match.true_door}, {"distance_m", match.distance_m}});
-  }
-  return {{"rooms", errors.rooms},
-          {"true_rooms", errors.true_rooms},
-          {"precision", finite(errors.precision)},
-          {"recall", finite(errors.recall)},
-          {"f1", finite(errors.f1)},
-          {"mean_iou", finite(errors.mean_iou)},
-          {"room_matches", rooms},
-          {"door_matches", doors},
-          {"used_true_doors", errors.used_true_doors},
-          {"missed_used_doors", errors.missed_used_doors}};
-}
-
 Json json_of(const Evaluation& evaluation) {
   Json json = Json::object();
   if (evaluation.relations) {
@@ -83,7 +61,6 @@ Json json_of(const Evaluation& evaluation) {
     json["true_poses"] = {{"before", json_of(evaluation.true_poses->before)},
                           {"after", json_of(evaluation.true_poses->after)}};
   }
-  if (evaluation.plan) json["plan"] = json_of(*evaluation.plan);
   io::add_plan_evaluation(json, evaluation);
   json["issues"] = json_of(evaluation.issues);
   return json;
@@ -127,7 +104,11 @@ Json json_of(const Correction& correction) {
     asrs.push_back({{"asr", asr.asr},
                     {"component", asr.component},
                     {"moved_m", asr.moved_m},
-                    {"turned_deg", degrees(asr.turned_rad)}});
+                    {"turned_deg", degrees(asr.turned_rad)},
+                    {"chi_square_before", asr.chi_square_before},
+                    {"chi_square_after", asr.chi_square_after},
+                    {"cause", asr.cause ? Json(to_string(*asr.cause)) : Json(nullptr)},
+                    {"cause_asr", asr.cause_asr}});
   }
   Json factors = Json::array();
   for (const FactorReport& factor : correction.factors) {

@@ -70,8 +70,7 @@ Equations equations_at(std::span<const ConeReturn> returns, double half_cone_rad
     const double cos_off = std::max(normal.dot(echo), 0.17);
     const Point2 arm = one.sonar - pivot;
     const Point2 point = arm + one.range_m * echo;
-    const double residual =
-        (normal.dot(point) + normal.dot(pivot) - line.offset_m) / cos_off;
+    const double residual = (normal.dot(point) + normal.dot(pivot) - line.offset_m) / cos_off;
     const double j0 = tangent.dot(inside ? arm : point) / cos_off;
     const double j1 = -1.0 / cos_off;
     sums.h00 += j0 * j0;

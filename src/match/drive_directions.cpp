@@ -14,7 +14,8 @@ constexpr double kLeastRangeM = 0.2;
 constexpr double kMostRangeM = 4.0;
 constexpr double kSameThingM = 0.3;  // a return farther off under both motions tells nothing
 
-constexpr double kLeastIntervalS = 0.15;  // shorter steps of a fast sensor would all look like stops
+constexpr double kLeastIntervalS =
+    0.15;  // shorter steps of a fast sensor would all look like stops
 
 /// Readings of one sensor, not too close in time.
 struct Keys {
@@ -39,9 +40,9 @@ Keys keys_of(std::span<const RangeReading> mission) {
   Keys keys;
   for (std::size_t i = 0; i < mission.size(); ++i) {
     if (mission[i].sensor != chosen->sensor) continue;
-    const bool soon = !keys.readings.empty() &&
-                      std::abs(mission[i].timestamp_s - keys.readings.back()->timestamp_s) <
-                          kLeastIntervalS;
+    const bool soon =
+        !keys.readings.empty() &&
+        std::abs(mission[i].timestamp_s - keys.readings.back()->timestamp_s) < kLeastIntervalS;
     if (soon) continue;
     keys.readings.push_back(&mission[i]);
     keys.number.push_back(i);

@@ -109,7 +109,7 @@ Pose2 SearchableMap::search(const std::vector<ScanPoint>& points, const Pose2& g
   const int turns = static_cast<int>(std::ceil(window.reach_rad / step_rad));
   const int reach = static_cast<int>(std::ceil(window.reach_m / cell_m));
   const auto penalty = [](double off, double reached) {
-    const double sigmas = kWindowSigmas * off / reached;
+    const double sigmas = reached > 0.0 ? kWindowSigmas * off / reached : 0.0;
     return kPenalty * sigmas * sigmas;
   };
   constexpr int kTop = kLevels - 1;

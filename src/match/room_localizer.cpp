@@ -40,6 +40,7 @@ bool RoomLocalizer::is_at_ease(const ScanAlignment& aligned, const PosePrior& pr
 void RoomLocalizer::clear() {
   map_ = LocalMap(options_.cell_m);
   last_added_.reset();
+  recent_turn_rad_ = 0.0;
 }
 
 void RoomLocalizer::insert(const Scan& scan, const Pose2& map_from_robot) {

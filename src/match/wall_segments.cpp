@@ -9,11 +9,11 @@
 namespace roomatlas {
 namespace {
 
-constexpr std::size_t kSeed = 5;           // returns that a segment grows from
-constexpr double kSeedMaxPathM = 0.8;      // of a seed; a longer one has gaps
-constexpr double kSeedMinPathM = 0.12;     // a shorter one shows no direction
-constexpr double kSigmaShare = 0.7;        // of the tolerance: largest sigma of a segment
-constexpr std::size_t kRefitAlways = 10;   // returns up to which each one is fitted anew
+constexpr std::size_t kSeed = 4;          // returns that a segment grows from
+constexpr double kSeedMaxPathM = 1.2;     // of a seed; a longer one has gaps
+constexpr double kSeedMinPathM = 0.12;    // a shorter one shows no direction
+constexpr double kSigmaShare = 0.7;       // of the tolerance: largest sigma of a segment
+constexpr std::size_t kRefitAlways = 10;  // returns up to which each one is fitted anew
 constexpr std::size_t kRefitEvery = 4;
 
 /// Readings of one sensor that are far enough apart to tell anything new.
@@ -118,9 +118,8 @@ class Grower {
     int misses = 0;
     for (; k < beam_.returns.size() && within(from, k, options_.max_path_m); ++k) {
       const ConeReturn& one = beam_.returns[k];
-      const auto expected_m = one.range_m > 0.0
-                                  ? range_to_line(one, beam_.half_cone_rad, line_)
-                                  : std::optional<double>();
+      const auto expected_m = one.range_m > 0.0 ? range_to_line(one, beam_.half_cone_rad, line_)
+                                                : std::optional<double>();
       if (!expected_m || std::abs(*expected_m - one.range_m) >= options_.tolerance_m) {
         if (++misses > options_.max_misses) break;
         continue;

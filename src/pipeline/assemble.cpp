@@ -64,7 +64,7 @@ CorrectedGraph correct_by_matching(const AsrSource& source, const std::vector<As
   ClosedLoops loops = close_loops(asrs, shapes_of(source, asrs, options.closures), result.graph,
                                   options.correct, options.closures);
   for (const Closure& closure : loops.closures) {
-    if (closure.accepted) add_edge(result.graph, edge_of(closure));
+    if (closure.verdict == ClosureVerdict::accepted) add_edge(result.graph, edge_of(closure));
   }
   result.closures = std::move(loops.closures);
   result.correction = correct(asrs, result.graph, options.correct, loops.placement);
@@ -101,7 +101,7 @@ CorrectedGraph correct_from(const std::vector<Asr>& asrs, const Placement& known
   for (const PassageEdge& edge : recognise_doorways(asrs, known, options.recognise)) {
     add_edge(result.graph, edge);
   }
-  result.correction = correct(asrs, result.graph, options.correct, known);
+  result.correction = correct_to(asrs, result.graph, known, options.correct);
   return result;
 }
 
@@ -224,10 +224,8 @@ Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
 
   report(progress, "correct sonars", 0.0);
   SonarTrajectory trajectory = correct_sonar_trajectory(sonars, options.sonars);
-  RecordedAgain again =
-      record_again(sonars, trajectory.map_from_robot, footprint, options.record);
-  Assembly assembly =
-      assemble_rooms(again.asrs, again.placement, footprint, options, progress);
+  RecordedAgain again = record_again(sonars, trajectory.map_from_robot, footprint, options.record);
+  Assembly assembly = assemble_rooms(again.asrs, again.placement, footprint, options, progress);
   assembly.mapped_again = std::move(again.asrs.asrs);
   trajectory.map_from_robot.clear();
   trajectory.heading_sigma_rad.clear();

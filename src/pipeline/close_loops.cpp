@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "roomatlas/core/issue.hpp"
 #include "roomatlas/correct/optimize.hpp"
 
 namespace roomatlas {
@@ -41,7 +42,6 @@ class PlacedGraph {
                   const Eigen::Matrix3d& information) {
     graph_.edges.push_back({static_cast<std::int32_t>(from), static_cast<std::int32_t>(to),
                             EdgeKind::odometry, pose, information, 0.0});
-    ++driven_;
   }
   void add(std::size_t from, std::size_t to, const MapMatch& match) {
     graph_.edges.push_back({static_cast<std::int32_t>(from), static_cast<std::int32_t>(to),
@@ -77,12 +77,10 @@ class PlacedGraph {
     return inverse(graph_.guess[pair.first]) * graph_.guess[pair.second];
   }
   [[nodiscard]] const Pose2& pose(std::size_t i) const { return graph_.guess[i]; }
-  [[nodiscard]] std::size_t size() const { return graph_.ids.size(); }
 
  private:
   double robust_sigmas_;
   PoseGraph graph_;
-  std::size_t driven_ = 0;
 };
 
 SearchWindow window_of(const Uncertainty& between, const ClosureOptions& options) {
@@ -157,7 +155,7 @@ class LoopCloser {
       const MapMatch match = SearchableMap(shapes_[pair.first].map, options_.match)
                                  .find(shapes_[pair.second].points, placed_.first_from_second(pair),
                                        window_of(between, options_));
-      if (!is_good(match, options_.min_agreeing)) continue;
+      if (verdict_on(match, options_.min_agreeing) != ClosureVerdict::accepted) continue;
       placed_.add(pair.first, pair.second, match);
       any = true;
     }
@@ -175,25 +173,65 @@ class LoopCloser {
     std::vector<Uncertainty> uncertainties(pairs.size());
     if (!is_last) uncertainties = placed_.uncertainties(pairs);
     closures_.clear();
+    pairs_ = pairs;
     std::optional<SearchableMap> map;
     std::size_t map_of = asrs_.size();
-    std::vector<MapMatch> matches;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       if (map_of != pairs[k].first) {
         map.emplace(shapes_[pairs[k].first].map, options_.match);
         map_of = pairs[k].first;
       }
-      const SearchWindow window = window_of(uncertainties[k], options_);
       const MapMatch match =
-          map->find(shapes_[pairs[k].second].points, placed_.first_from_second(pairs[k]), window);
-      closures_.push_back({asrs_[pairs[k].first].id, asrs_[pairs[k].second].id, match, window,
-                           is_good(match, options_.again_min_agreeing)});
+          map->find(shapes_[pairs[k].second].points, placed_.first_from_second(pairs[k]),
+                    window_of(uncertainties[k], options_));
+      closures_.push_back({asrs_[pairs[k].first].id, asrs_[pairs[k].second].id, match,
+                           verdict_on(match, options_.again_min_agreeing), false});
     }
+    try_given();
+    if (is_last) leave_out_best();
     placed_.remove_closures();
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-      if (closures_[k].accepted) placed_.add(pairs[k].first, pairs[k].second, closures_[k].match);
+    for (std::size_t k = 0; k < pairs_.size(); ++k) {
+      if (closures_[k].verdict != ClosureVerdict::accepted) continue;
+      placed_.add(pairs_[k].first, pairs_[k].second, closures_[k].match);
     }
     placed_.solve();
+  }
+
+  [[nodiscard]] std::size_t index_of(AsrId id) const {
+    const auto at =
+        std::find_if(asrs_.begin(), asrs_.end(), [&](const Asr& asr) { return asr.id == id; });
+    if (at == asrs_.end()) {
+      throw InputError("added closure: there is no ASR " + std::to_string(id) +
+                       "; the store has 1 to " + std::to_string(asrs_.back().id));
+    }
+    return static_cast<std::size_t>(at - asrs_.begin());
+  }
+
+  /// Measurements of the user, sought where they say.
+  void try_given() {
+    for (const GivenClosure& given : options_.given) {
+      const Pair pair{index_of(given.from), index_of(given.to), 0.0};
+      const MapMatch match =
+          SearchableMap(shapes_[pair.first].map, options_.match)
+              .find(shapes_[pair.second].points, given.from_from_to, options_.min_window);
+      pairs_.push_back(pair);
+      closures_.push_back(
+          {given.from, given.to, match, verdict_on(match, options_.again_min_agreeing), true});
+    }
+  }
+
+  void leave_out_best() {
+    std::vector<Closure*> best;
+    for (Closure& closure : closures_) {
+      if (closure.verdict == ClosureVerdict::accepted) best.push_back(&closure);
+    }
+    std::stable_sort(best.begin(), best.end(), [](const Closure* first, const Closure* second) {
+      return first->score() > second->score();
+    });
+    const auto count = static_cast<std::size_t>(std::max(0, options_.without_best));
+    for (std::size_t i = 0; i < std::min(count, best.size()); ++i) {
+      best[i]->verdict = ClosureVerdict::left_out;
+    }
   }
 
   void consider(std::size_t first, std::size_t second, double reach_m, std::vector<Pair>& pairs) {
@@ -206,8 +244,8 @@ class LoopCloser {
     if (pair.apart_m <= reach_m) pairs.push_back(pair);
   }
 
-  [[nodiscard]] bool is_good(const MapMatch& match, int min_agreeing) const {
-    return match.agreeing >= min_agreeing && match.agreement() >= options_.min_agreement;
+  [[nodiscard]] ClosureVerdict verdict_on(const MapMatch& match, int min_agreeing) const {
+    return judge(match, min_agreeing, options_.min_agreement);
   }
 
   const std::vector<Asr>& asrs_;
@@ -216,7 +254,8 @@ class LoopCloser {
   PlacedGraph placed_;
   std::vector<std::optional<DrivenInto>> into_;
   std::vector<int> component_;
-  std::vector<Closure> closures_;
+  std::vector<Closure> closures_;  ///< of the last round
+  std::vector<Pair> pairs_;        ///< parallel to `closures_`
 };
 
 }  // namespace

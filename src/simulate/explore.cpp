@@ -68,8 +68,8 @@ ExploreSummary explore(const FloorPlan& world, const SimulationOptions& simulati
     if (!steering || summary.duration_s >= options.max_time_s) break;
 
     std::vector<Motion> motions(2);
-    motions[0].turn_rad = steering->turn_rad;
-    motions[1].length_m = steering->length_m;
+    motions[steering->drives_first ? 1 : 0].turn_rad = steering->turn_rad;
+    motions[steering->drives_first ? 0 : 1].length_m = steering->length_m;
     const bool contact = robot.would_touch(motions);
     if (contact) motions.clear();
     if (contact && !in_contact) ++summary.collisions;

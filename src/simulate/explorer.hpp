@@ -42,8 +42,12 @@ class Explorer {
   void look_behind(const Pose2& map_from_robot);
   [[nodiscard]] std::optional<ExplorerRooms::Room> known_room_here(const Point2& position);
 
-  [[nodiscard]] bool is_shuffling(const Pose2& map_from_robot);
+  [[nodiscard]] std::optional<Steering> step_back(const Point2& position);
+  [[nodiscard]] Steering next_step(const Pose2& map_from_robot);
+  [[nodiscard]] bool is_caught(const Pose2& map_from_robot);
+  void get_away(bool bumped, const Point2& position);
   [[nodiscard]] std::optional<Goal> next_goal(const Point2& position);
+  [[nodiscard]] std::optional<Goal> next_new_goal(const Point2& position);
   [[nodiscard]] std::optional<Goal> frontier_goal(const Point2& position);
   [[nodiscard]] std::optional<Goal> door_goal(ExplorerRooms::Door door, const Point2& position);
   [[nodiscard]] std::optional<Polyline> way_through(ExplorerRooms::Door door,
@@ -53,10 +57,13 @@ class Explorer {
   [[nodiscard]] std::optional<Goal> leftover_goal(const Point2& position);
   bool find_doorway_on(const Polyline& way, const Point2& position);
   [[nodiscard]] bool is_done(const Goal& goal) const;
+  [[nodiscard]] bool is_around(const Goal& goal, const Point2& position);
   [[nodiscard]] bool renew(Goal& goal, const Point2& position);
   void give_up(const Goal& goal, const Point2& position);
   [[nodiscard]] bool is_wanted_frontier(const Cell& cell) const;
   [[nodiscard]] double deadline_s(const Polyline& way) const;
+
+  static constexpr double kStuckM = 0.15;  ///< a robot that moved less is where it was
 
   SimulationOptions options_;
   SteeringLimits limits_;
@@ -70,7 +77,9 @@ class Explorer {
   Polyline track_;  ///< where the robot has been lately
   Point2 last_moved_ = Point2::Zero();
   CloseEchoes echoes_;
-  Steering last_step_;
+  Trace trace_;
+  std::optional<Steering> last_step_;  ///< to be added to the trace, once made
+  bool is_retreating_ = false;
   Pose2 last_progress_;      ///< where the robot was when it last got on ...
   double progress_s_ = 0.0;  ///< ... and when
   double shuffle_end_s_ = 0.0;
@@ -81,6 +90,7 @@ class Explorer {
   double renew_s_ = 0.0;
   std::int64_t goals_given_up_ = 0;
   int given_up_here_ = 0;  ///< without moving
+  bool has_tried_again_ = false;
   bool is_stuck_ = false;
 };
 

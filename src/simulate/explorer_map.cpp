@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 namespace roomatlas {
 namespace {
@@ -18,7 +19,9 @@ constexpr double kLaserM = 5.0;
 constexpr double kTouchingMarginM = 0.04;  // beyond the robot's half width
 constexpr double kTurningMarginM = 0.05;   // beyond the robot's half diagonal
 constexpr int kLookAroundCells = 2;
-constexpr int kFrontierUnknownCells = 6;  // of the 24 around; fewer are specks between beams
+constexpr int kFrontierUnknownCells = 6;  // of the 24 around; fewer may be specks between beams ...
+constexpr int kGapUnknownCells = 3;       // ... unless they belong to something large:
+constexpr std::size_t kLargeUnknownCells = 120;  // 0.3 m2
 
 std::vector<Cell> disc(double radius_m) {
   const int reach = static_cast<int>(std::floor(radius_m / kCellM));
@@ -145,10 +148,29 @@ bool ExplorerMap::is_tight(const Cell& cell) const {
 bool ExplorerMap::is_frontier(const Cell& cell) const {
   if (!is_passable(cell)) return false;
   int unknown = 0;
+  Cell one = cell;
   const int reach = kLookAroundCells;
   for_each_cell({{cell.x - reach, cell.y - reach}, {cell.x + reach + 1, cell.y + reach + 1}},
-                [&](const Cell& at) { unknown += himm_.raw(at) == 0 ? 1 : 0; });
-  return unknown >= kFrontierUnknownCells;
+                [&](const Cell& at) {
+                  if (himm_.raw(at) != 0) return;
+                  ++unknown;
+                  one = at;
+                });
+  return unknown >= kFrontierUnknownCells ||
+         (unknown >= kGapUnknownCells && is_in_large_unknown(one));
+}
+
+bool ExplorerMap::is_in_large_unknown(const Cell& cell) const {
+  std::vector<Cell> found = {cell};
+  std::unordered_set<std::int64_t> seen = {key_of(cell)};
+  for (std::size_t i = 0; i < found.size() && found.size() < kLargeUnknownCells; ++i) {
+    const Cell at = found[i];
+    for (const Cell& next :
+         {Cell{at.x + 1, at.y}, Cell{at.x - 1, at.y}, Cell{at.x, at.y + 1}, Cell{at.x, at.y - 1}}) {
+      if (himm_.raw(next) == 0 && seen.insert(key_of(next)).second) found.push_back(next);
+    }
+  }
+  return found.size() >= kLargeUnknownCells;
 }
 
 std::vector<Point2> ExplorerMap::obstacles_within(const Point2& center, double radius_m) const {

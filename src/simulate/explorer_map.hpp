@@ -24,7 +24,8 @@ class ExplorerMap {
   [[nodiscard]] bool is_passable(const Cell& cell) const;
   /// So near an obstacle that the robot could not turn freely.
   [[nodiscard]] bool is_tight(const Cell& cell) const;
-  /// Passable, and beside enough unknown cells that there is something to see.
+  /// Passable, and beside enough unknown cells, or a large enough unknown, that there is something
+  /// to see.
   [[nodiscard]] bool is_frontier(const Cell& cell) const;
   /// The centres of obstacle cells within a distance.
   [[nodiscard]] std::vector<Point2> obstacles_within(const Point2& center, double radius_m) const;
@@ -36,6 +37,7 @@ class ExplorerMap {
     bool is_obstacle = false;
   };
 
+  [[nodiscard]] bool is_in_large_unknown(const Cell& cell) const;
   void grow();
   void update(const Cell& cell);
   [[nodiscard]] const Nearness* nearness(const Cell& cell) const;

@@ -2,6 +2,8 @@
 #include "explorer_paths.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <queue>
 #include <tuple>
 
@@ -13,6 +15,15 @@ constexpr float kImpassablePrice = 20.0F;
 constexpr float kTightPrice = 8.0F;
 
 }  // namespace
+
+Pose2 pose_on_way(const Polyline& way, std::size_t i) {
+  constexpr std::size_t kReach = 5;
+  const Point2& from = way[i - std::min(i, kReach)];
+  const Point2& to = way[std::min(i + kReach, way.size() - 1)];
+  return {way[i].x(), way[i].y(), std::atan2(to.y() - from.y(), to.x() - from.x())};
+}
+
+Point2 a_metre_before(const Pose2& map_from_way) { return map_from_way * Point2(-1.0, 0.0); }
 
 void PathFinder::follow(const CellBox& box) {
   if (box.min == box_.min && box.max == box_.max) return;
@@ -65,10 +76,11 @@ std::optional<Polyline> PathFinder::way(const ExplorerMap& map, const Point2& st
       return way;
     }
     for_each_cell({{x - 1, y - 1}, {x + 2, y + 2}}, [&, cost = cost_m](const Cell& next) {
-      if (next == cell || !box_.contains(next) || is_closed(next)) return;
+      if (next == cell || !box_.contains(next) || reached(next)) return;
       const float share = price(next);
-      if (share == 0.0F) return;
-      const double step_m = frame.cell_m * distance_cells(cell, next);
+      if (share == 0.0F || is_closed(next)) return;
+      const bool is_straight = next.x == cell.x || next.y == cell.y;
+      const double step_m = frame.cell_m * (is_straight ? 1.0 : std::numbers::sqrt2);
       open(next, cost + share * static_cast<float>(step_m), cell);
     });
   }

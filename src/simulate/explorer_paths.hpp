@@ -39,4 +39,10 @@ class PathFinder {
   std::uint32_t search_ = 0;
 };
 
+/// A pose on the way's i-th point, along its direction there.
+[[nodiscard]] Pose2 pose_on_way(const Polyline& way, std::size_t i);
+
+/// On the near side of a doorway in which a way's pose stands.
+[[nodiscard]] Point2 a_metre_before(const Pose2& map_from_way);
+
 }  // namespace roomatlas

@@ -65,9 +65,7 @@ bool ExplorerRooms::is_untaken(const KnownDoor& door) const {
 std::vector<ExplorerRooms::Door> ExplorerRooms::untaken() const {
   std::vector<Door> found;
   for (Door door = 0; door < doors_.size(); ++door) {
-    const KnownDoor& known = doors_[door];
-    const bool is_here = known.ahead == current_ || known.behind == current_;
-    if (is_here && is_untaken(known)) found.push_back(door);
+    if (is_here(door) && is_untaken(doors_[door])) found.push_back(door);
   }
   return found;
 }

@@ -34,12 +34,20 @@ class ExplorerRooms {
   /// Adds a doorway of the current room, seen from `viewer`; false when it was known.
   bool add(const Doorway& doorway, const Point2& viewer);
   void note_failure(Door door) { ++doors_[door].failures; }
+  void forget_failures() {
+    for (KnownDoor& door : doors_) door.failures = 0;
+  }
 
   /// The door in whose zone the robot stands: there it is in no room.
   [[nodiscard]] std::optional<Door> door_at(const Point2& point) const;
 
   /// Whether a cell lies on a door's line; that of `open` does not count.
   [[nodiscard]] bool is_closed(const Cell& cell, std::optional<Door> open) const;
+
+  /// Whether the current room is on one side of the door.
+  [[nodiscard]] bool is_here(Door door) const {
+    return doors_[door].ahead == current_ || doors_[door].behind == current_;
+  }
 
   /// Signed distance beyond a door's line: positive on the side away from the current room.
   [[nodiscard]] double beyond_m(Door door, const Point2& point) const;

@@ -24,9 +24,10 @@ Odometer::Odometer(const OdometryErrors& errors, std::uint64_t seed)
 Odometer::Increment Odometer::add(double length_m, double turn_rad) {
   Increment reported{length_m * (1.0 + errors_.length_share),
                      turn_rad * (1.0 + errors_.turn_share)};
-  if (length_m > 0.0) {
-    reported.turn_rad += radians(errors_.heading_bias_deg_per_m * length_m);
-    reported.turn_rad += radians(errors_.heading_noise_deg_per_sqrt_m * std::sqrt(length_m)) *
+  const double driven_m = std::abs(length_m);
+  if (driven_m > 0.0) {
+    reported.turn_rad += radians(errors_.heading_bias_deg_per_m * driven_m);
+    reported.turn_rad += radians(errors_.heading_noise_deg_per_sqrt_m * std::sqrt(driven_m)) *
                          heading_noise_.normal();
   }
   // The heading error builds up along the way: half of it bends the first part of the step.

@@ -24,6 +24,7 @@ constexpr double kLeastTurnRad = 1e-3;
 constexpr double kNearM = 0.8;       // what may be touched in one step or a few
 constexpr double kCloseEchoM = 0.5;  // nearly where a cone's axis says
 constexpr std::size_t kRememberedSweeps = 8;
+constexpr std::size_t kRememberedSteps = 1000;
 constexpr int kWayOutSteps = 40;
 
 /// The point of the way some distance ahead of the way's point nearest to the robot.
@@ -69,15 +70,18 @@ double open_direction(const ExplorerMap& map, const Point2& position, double wan
 class Surroundings {
  public:
   Surroundings(const ExplorerMap& map, const std::vector<Point2>& echoes_map,
-               const Pose2& map_from_robot, const RobotFootprint& footprint, double relaxed_m)
+               const Pose2& map_from_robot, const RobotFootprint& footprint)
       : cells_(map.obstacles_within(map_from_robot.position(), kNearM)),
         echoes_(echoes_map),
-        half_size_(footprint.length_m / 2.0 - relaxed_m, footprint.width_m / 2.0 - relaxed_m) {}
+        half_size_(footprint.length_m / 2.0, footprint.width_m / 2.0) {}
 
-  /// Whether a step ends clear of obstacles, or at least clearer than it began.
+  /// Whether a step ends clear of obstacles, or at least clearer than it began: less of them
+  /// inside the robot's margins, and none deeper than the deepest was.
   [[nodiscard]] bool allow(const Pose2& map_from_robot, const Steering& step) const {
-    const double there_m = intrusion_m(after(map_from_robot, step));
-    return there_m == 0.0 || there_m < intrusion_m(map_from_robot);
+    const Intrusion there = intrusion(after(map_from_robot, step));
+    if (there.sum_m == 0.0) return true;
+    const Intrusion here = intrusion(map_from_robot);
+    return there.sum_m < here.sum_m && there.deepest_m <= here.deepest_m;
   }
 
   [[nodiscard]] static Pose2 after(const Pose2& map_from_robot, const Steering& step) {
@@ -85,18 +89,25 @@ class Surroundings {
   }
 
  private:
-  /// How deep obstacles stand inside the robot's rectangle, summed up.
-  [[nodiscard]] double intrusion_m(const Pose2& map_from_robot) const {
+  /// How deep obstacles stand inside the robot's rectangle and its margins.
+  struct Intrusion {
+    double sum_m = 0.0;
+    double deepest_m = 0.0;
+  };
+  [[nodiscard]] Intrusion intrusion(const Pose2& map_from_robot) const {
     const Pose2 robot_from_map = inverse(map_from_robot);
-    const auto depth_m = [&](const std::vector<Point2>& obstacles, double margin_m) {
-      double sum_m = 0.0;
+    Intrusion found;
+    const auto add = [&](const std::vector<Point2>& obstacles, double margin_m) {
       for (const Point2& obstacle : obstacles) {
         const Point2 inside = half_size_ - (robot_from_map * obstacle).cwiseAbs();
-        sum_m += std::max(0.0, inside.minCoeff() + margin_m);
+        const double depth_m = std::max(0.0, inside.minCoeff() + margin_m);
+        found.sum_m += depth_m;
+        found.deepest_m = std::max(found.deepest_m, depth_m);
       }
-      return sum_m;
     };
-    return depth_m(cells_, kCellMarginM) + depth_m(echoes_, kEchoMarginM);
+    add(cells_, kCellMarginM);
+    add(echoes_, kEchoMarginM);
+    return found;
   }
 
   std::vector<Point2> cells_;
@@ -124,6 +135,19 @@ Steering way_out(const Surroundings& around, const Pose2& map_from_robot, double
 }
 
 }  // namespace
+
+void Trace::add(const Steering& made) {
+  if (made.turn_rad == 0.0 && made.length_m == 0.0) return;
+  steps_.push_back(made);
+  if (steps_.size() > kRememberedSteps) steps_.pop_front();
+}
+
+std::optional<Steering> Trace::take_back() {
+  if (steps_.empty()) return std::nullopt;
+  const Steering last = steps_.back();
+  steps_.pop_back();
+  return Steering{-last.turn_rad, -last.length_m, !last.drives_first};
+}
 
 void CloseEchoes::add(const RangeReading& reading, const Pose2& map_from_robot) {
   std::vector<Point2> points;
@@ -154,7 +178,7 @@ Steering steer(const ExplorerMap& map, const std::vector<Point2>& echoes_map,
   const double misfit = std::abs(error_rad) / radians(kTurnOnSpotDeg);
   const double length_m = misfit >= 1.0 ? 0.0 : limits.max_length_m * (1.0 - 0.7 * misfit);
 
-  const Surroundings around(map, echoes_map, map_from_robot, footprint, limits.relaxed_m);
+  const Surroundings around(map, echoes_map, map_from_robot, footprint);
   const double creep_m = limits.max_length_m / 3.0;
   for (const Steering& step :
        {Steering{turn_rad, length_m}, Steering{turn_rad, length_m / 3.0}, Steering{turn_rad, 0.0},
@@ -169,7 +193,7 @@ Steering steer(const ExplorerMap& map, const std::vector<Point2>& echoes_map,
 Steering shuffle(const ExplorerMap& map, const std::vector<Point2>& echoes_map,
                  const Pose2& map_from_robot, const RobotFootprint& footprint, bool back_first,
                  const SteeringLimits& limits) {
-  const Surroundings around(map, echoes_map, map_from_robot, footprint, limits.relaxed_m);
+  const Surroundings around(map, echoes_map, map_from_robot, footprint);
   const double length_m = limits.max_length_m / (back_first ? -2.0 : 2.0);
   for (const double step_m : {length_m, -length_m}) {
     if (around.allow(map_from_robot, {0.0, step_m})) return {0.0, step_m};

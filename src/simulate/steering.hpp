@@ -5,21 +5,21 @@
 #include "route.hpp"
 
 #include <deque>
+#include <optional>
 #include <vector>
 
 namespace roomatlas {
 
-/// What the robot does in one period: it turns, then drives.
+/// What the robot does in one period: it turns, then drives; or the other way round.
 struct Steering {
   double turn_rad = 0.0;
   double length_m = 0.0;
+  bool drives_first = false;
 };
 
 struct SteeringLimits {
   double max_length_m = 0.04;  ///< in one period
   double max_turn_rad = 0.08;  ///< in one period
-  double relaxed_m = 0.0;      ///< by which obstacles are believed farther than they seem: for a
-                               ///< robot that is caught between noisy echoes
 };
 
 /// One step along a way, by the polar histogram (paper II.A, equations (1) to (3)): of the
@@ -35,6 +35,18 @@ struct SteeringLimits {
 [[nodiscard]] Steering shuffle(const ExplorerMap& map, const std::vector<Point2>& echoes_map,
                                const Pose2& map_from_robot, const RobotFootprint& footprint,
                                bool back_first, const SteeringLimits& limits);
+
+/// The steps that led to where the robot is. Taking them back, one by one, touches nothing: the
+/// robot has been there. It needs no map and no pose for that.
+class Trace {
+ public:
+  void add(const Steering& made);
+  /// The step that takes the last one back, which is then forgotten; nothing where none is left.
+  [[nodiscard]] std::optional<Steering> take_back();
+
+ private:
+  std::deque<Steering> steps_;
+};
 
 /// Echoes from close by, of the last second or so. They are too exact to be forgotten at once, and
 /// no later beam wears them away as in the map.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "apps/program.hpp"
 
@@ -20,6 +21,15 @@ std::string tum(double error_m, double offset_s = 0.0, double per_second = 1.0, 
             " " + std::to_string(error_m * std::sin(0.5 * i)) + " 0 0 0 0 1\n";
   }
   return text;
+}
+
+std::string without_lines_of(const std::string& text, const std::string& tag) {
+  std::istringstream lines(text);
+  std::string left;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(tag)) left += line + "\n";
+  }
+  return left;
 }
 
 constexpr const char* kRelations = "100 110 3 0 0 0 0 0\n105 150 13.5 0 0 0 0 0\n";
@@ -78,6 +88,84 @@ TEST(Evaluate, NamesTheLikelyCauseWhenNothingCanBeJudged) {
   EXPECT_THAT(failure(tum(0.1), "t.relations", kRelations, 2, "--pose-offset 0,0,45"),
               HasSubstr("looks like degrees"));
   EXPECT_THAT(failure(tum(0.1), "t.tum", tum(0.0), 2, "--delta 1.5"), HasSubstr("--delta"));
+}
+
+const std::string kWorld = std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/two_rooms.geojson";
+
+/// A small simulated mission, mapped: building.gpkg and mission/truth.geojson.
+const Folder& two_rooms() {
+  static const Folder folder;
+  static const bool is_made = [] {
+    const std::string at = folder / "";
+    EXPECT_EQ(run("-q simulate " + kWorld + " --sensor laser -o " + at + "mission").exit_code, 0);
+    EXPECT_EQ(run("-q build " + at + "mission/mission.clf -o " + at + "a").exit_code, 0);
+    EXPECT_EQ(
+        run("-q build " + at + "mission/mission.clf --model rotation -o " + at + "b").exit_code, 0);
+    return true;
+  }();
+  EXPECT_TRUE(is_made);
+  return folder;
+}
+
+TEST(Evaluate, OfOneStoreHasTheShapeOfAComparisonWithIntervals) {
+  const std::string at = two_rooms() / "";
+  const Outcome outcome =
+      run("evaluate --json " + at + "a/building.gpkg --truth " + at + "mission/truth.geojson");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(json["runs"].size(), 2U);
+  EXPECT_EQ(json["runs"][1]["name"], "building.gpkg corrected");
+  EXPECT_TRUE(json["runs"][0]["figures"][0].contains("interval"));
+  EXPECT_TRUE(json["runs"][1]["figures"][0].contains("less_first"));
+  ASSERT_EQ(json["plans"].size(), 1U);
+  EXPECT_EQ(json["plans"][0]["plan"]["true_rooms"], 2);
+  EXPECT_TRUE(json["plans"][0].contains("consistency"));
+}
+
+TEST(Evaluate, OfAStoreWithoutAnyTruthStillHasThatShape) {
+  const Folder folder;
+  const std::string log = two_rooms() / "mission/mission.clf";
+  const std::string blind = folder.write("blind.clf", without_lines_of(content_of(log), "TRUEPOS"));
+  ASSERT_EQ(run("-q build " + blind + " -o " + (folder / "out").string()).exit_code, 0);
+  const std::string store = folder / "out/building.gpkg";
+  const auto json = nlohmann::json::parse(run("evaluate --json " + store).out);
+  EXPECT_TRUE(json["runs"][0]["figures"].empty());
+  EXPECT_EQ(json["plans"][0]["consistency"]["figures"].size(), 8U);
+  const Outcome plots = run("evaluate " + store + " --plots " + (folder / "plots").string());
+  EXPECT_EQ(plots.exit_code, 2);
+  EXPECT_THAT(plots.err, HasSubstr("there are none"));
+}
+
+TEST(Evaluate, PutsPlansOfSeveralRunsAndToolsIntoOneTable) {
+  const Folder folder;
+  const std::string at = two_rooms() / "";
+  const std::string csv = folder / "o.csv";
+  const std::string latex = folder / "o.tex";
+  const Outcome outcome =
+      run("evaluate " + at + "a/building.gpkg " + at + "b/building.gpkg " + kWorld + " --truth " +
+          at + "mission/truth.geojson --csv " + csv + " --latex " + latex);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("rooms: f1 at IoU 0.5"));
+  EXPECT_THAT(outcome.out, HasSubstr("walls: plan to truth, median (m)"));
+  EXPECT_THAT(outcome.out, HasSubstr("two_rooms.geojson: laid on the truth by"));
+  const std::string table = content_of(csv);
+  EXPECT_THAT(table, HasSubstr("two_rooms.geojson,rooms,,f1 at IoU 0.5,,,,,,1,"));
+  EXPECT_THAT(table, HasSubstr("two_rooms.geojson,graph,,edits,,,,,,0,"));
+  EXPECT_THAT(table, HasSubstr("two_rooms.geojson,doors,,recall,,1,1,,,1,"));
+  EXPECT_THAT(content_of(latex), HasSubstr("graph: isomorphic & "));
+}
+
+TEST(Evaluate, RefusesAPlanWithoutATrueOneAndATrueOneWithoutRooms) {
+  const Folder folder;
+  const std::string empty =
+      folder.write("empty.geojson", R"({"type":"FeatureCollection","features":[],)"
+                                    R"("roomatlas":{"schema":"plan","version":1,"units":"m"}})");
+  const Outcome alone = run("evaluate " + kWorld);
+  EXPECT_EQ(alone.exit_code, 2);
+  EXPECT_THAT(alone.err, HasSubstr("judged by a true plan"));
+  const Outcome against_nothing = run("evaluate " + kWorld + " --truth " + empty);
+  EXPECT_EQ(against_nothing.exit_code, 3);
+  EXPECT_THAT(against_nothing.err, HasSubstr("holds no room"));
 }
 
 TEST(Evaluate, TellsWhenOnePoseOnlyIsJudged) {

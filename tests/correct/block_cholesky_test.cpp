@@ -37,6 +37,7 @@ System random_system(std::size_t nodes, std::size_t more, std::uint64_t seed) {
 template <int Size>
 MatrixXd fill(const System& system, BlockCholesky<Size>& matrix, std::uint64_t seed) {
   test::Dice dice(seed);
+  matrix.clear();
   const auto n = static_cast<Index>(system.nodes);
   MatrixXd dense = MatrixXd::Identity(n * Size, n * Size) * 40.0;
   const auto& position = matrix.nodes().position;
@@ -86,6 +87,7 @@ TEST(BlockCholesky, SolvesLikeADenseFactorisation) {
     expect_solves_like_dense<1>(system);
     expect_solves_like_dense<2>(system);
     expect_solves_like_dense<3>(system);
+    expect_solves_like_dense<4>(system);
   }
 }
 

@@ -120,6 +120,9 @@ TEST(Optimize, EachComponentHasItsOwnFixedNodeThatKeepsItsGuess) {
   EXPECT_EQ(result.poses[0], (Pose2{5.0, -3.0, 0.7}));
   EXPECT_EQ(result.poses[40], (Pose2{5.0, -3.0, 0.7}));
   EXPECT_EQ(result.component[69], 1);
+  EXPECT_TRUE(result.trusted);
+  ASSERT_FALSE(result.issues.empty());
+  EXPECT_THAT(to_string(result.issues.front()), HasSubstr("each is solved by itself"));
   EXPECT_TRUE(result.converged);
 }
 
@@ -172,6 +175,28 @@ TEST(Judgement, ChiSquareOfHonestNoiseIsInItsRange) {
     EXPECT_LT(result.chi_square, result.expected.high);
     EXPECT_TRUE(result.trusted);
     EXPECT_TRUE(result.issues.empty());
+  }
+}
+
+TEST(Judgement, AMinimumThatMayNotBeTheLowestIsSaidLoudly) {
+  int wrong = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {  // headings say next to nothing
+    test::GeneratedGraph g = test::walk_graph(250, 0.1, 0.5, seed);
+    const OptimizeResult result = optimize(g.graph, {});
+    g.graph.guess = g.truth;
+    const double near_truth = optimize(g.graph, {}).chi_square;
+    if (result.chi_square < near_truth * (1.0 + 1e-4)) continue;
+    ++wrong;
+    EXPECT_FALSE(result.trusted) << "seed " << seed;
+    EXPECT_THAT(to_string(result.issues.front()), HasSubstr("may not be the lowest"));
+  }
+  EXPECT_LE(wrong, 4);
+}
+
+TEST(Judgement, NoiseThatLeavesNoDoubtGivesNoWarning) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    EXPECT_TRUE(optimize(test::walk_graph(250, 0.1, 0.2, seed).graph, {}).trusted);
+    EXPECT_TRUE(optimize(test::ring_graph(400, 0.05, 0.1, seed).graph, {}).trusted);
   }
 }
 

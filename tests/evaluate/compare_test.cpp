@@ -152,6 +152,25 @@ TrajectoryTruth truth_of(const Trajectory& drive) {
   return truth;
 }
 
+TEST(Compare, JudgesRunsOfDifferentMissionsEachByItsOwnTruth) {
+  const Trajectory first = test::bent(400);
+  const Trajectory second = test::bent(300, 900.0);
+  const std::vector<roomatlas::Run> runs = {
+      {"first", test::disturbed(first, 0.1, {}), first},
+      {"second", test::disturbed(second, 0.01, {}), second},
+      {"first again", test::disturbed(first, 0.01, {}), first}};
+  const Comparison comparison = compare(runs, {"own", {}, {}}, {});
+  EXPECT_EQ(comparison.true_poses, 400);
+  const std::vector<Figure> all = figures(comparison);
+  ASSERT_EQ(all.size(), 6U);  // APE and RPE
+  EXPECT_EQ(all[0].of, 400);
+  EXPECT_EQ(all[1].of, 300);
+  EXPECT_EQ(all[1].covered, 300);
+  EXPECT_FALSE(all[1].against_first);  // another mission: a difference would say nothing
+  EXPECT_EQ(all[2].shared, 400);
+  EXPECT_TRUE(all[2].against_first);
+}
+
 TEST(Compare, PutsRunsBelowEachOtherAndTheirDifferenceOverWhatBothCover) {
   const Trajectory drive = test::bent(400);
   Trajectory good = test::disturbed(drive, 0.01, {});

@@ -177,6 +177,19 @@ TEST(SelfConsistency, ComparesPlacementsAndSaysWhichFiguresAgree) {
             better.votes.size() + 1);
 }
 
+TEST(SelfConsistency, CallsNoCorrectionWorseThanOdometryForCentimetresAtDoorsAlone) {
+  SelfConsistency odometry;
+  SelfConsistency corrected;
+  odometry.figures = {{F::negative_walls, 0.0, 1.0}, {F::doubled_walls, 0.04, 1.0}};
+  corrected.figures = {{F::negative_walls, 0.01, 1.0}, {F::doubled_walls, 0.06, 1.0}};
+  EXPECT_EQ(compare(odometry, corrected, {}).verdict, Verdict::undecided);
+  EXPECT_EQ(compare(odometry, corrected, {.before_is_odometry = false}).verdict, Verdict::worse);
+  EXPECT_EQ(compare(corrected, odometry, {}).verdict, Verdict::better);
+  odometry.figures.push_back({F::hits_in_free_space, 0.0, 1.0});
+  corrected.figures.push_back({F::hits_in_free_space, 0.1, 1.0});
+  EXPECT_EQ(compare(odometry, corrected, {}).verdict, Verdict::worse);
+}
+
 TEST(SelfConsistency, OfNothingIsUnmeasured) {
   const SelfConsistency result = self_consistency({}, {}, {}, {});
   EXPECT_EQ(result.figures.size(), static_cast<std::size_t>(kConsistencyFigures));

@@ -44,5 +44,9 @@ INSTANTIATE_TEST_SUITE_P(
              (std::get<1>(shown.param) == SensorKind::sonar ? "Sonar" : "Laser");
     });
 
+// With this seed the robot drives so far into a corner of a room that it cannot turn there.
+INSTANTIATE_TEST_SUITE_P(Cornered, ExploredWorlds,
+                         testing::Values(Case{"nine_rooms", SensorKind::sonar, 17U}));
+
 }  // namespace
 }  // namespace roomatlas

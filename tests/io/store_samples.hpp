@@ -67,6 +67,7 @@ inline Asr sample_asr(AsrId id, int readings = 20) {
   asr.exits.push_back(
       {PassageKind::doorway, false, {1.5, 5.0, 1.5}, 0.8, jambs, std::nullopt, asr.end_s});
   asr.reference_point_asr = {2.0 / 3.0, 2.5};
+  asr.is_localized = id % 2 == 1;
   const auto laser = sample_sensor(SensorKind::laser, 9);
   const auto sonar = sample_sensor(SensorKind::sonar, 4);
   for (int i = 0; i < readings; ++i) {
@@ -135,6 +136,7 @@ inline void expect_same_geometry(const Asr& a, const Asr& b) {
   ASSERT_EQ(a.exits.size(), b.exits.size());
   for (std::size_t i = 0; i < a.exits.size(); ++i) expect_same(a.exits[i], b.exits[i]);
   EXPECT_EQ(a.reference_point_asr, b.reference_point_asr);
+  EXPECT_EQ(a.is_localized, b.is_localized);
   const AsrCounters& m = a.counters;
   const AsrCounters& n = b.counters;
   EXPECT_EQ(m.grid_cells, n.grid_cells);
@@ -165,6 +167,7 @@ inline Correction sample_correction(AsrId asrs) {
     correction.factors.push_back({FactorKind::wall_direction, id, 0, -1.0, -1.0, 1.0 / 3.0});
   }
   correction.factors.push_back({FactorKind::doorway, 1, asrs, 99.0, 98.0, 0.001});
+  correction.factors.push_back({FactorKind::closure, 1, asrs, 5.0 / 3.0, 0.2, 0.9});
   return correction;
 }
 

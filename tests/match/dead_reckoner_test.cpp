@@ -121,6 +121,30 @@ TEST(DeadReckoner, HoldsFewReadingsHoweverLongTheDrive) {
   EXPECT_LE(reckon(drive(steps(400, 0.0), steps(400, 0.04))).most_waiting, 64U);
 }
 
+TEST(DeadReckoner, NeedsEvidenceFromEachPairOnAverageHoweverManyThereAre) {
+  const auto forth_stop = joined(steps(15, 0.1), steps(2, 0.0));
+  const auto truth = joined(forth_stop, steps(12, -0.1));
+  const auto reported = joined(forth_stop, steps(12, 0.1));
+  const auto readings = drive(truth, reported);
+  // what the pairs of the reversed interval say, each by itself; it begins at the last stop
+  double sum = 0.0;
+  int pairs = 0;
+  const DeadReckonerOptions usual;
+  for (std::size_t i = 17; i < readings.size(); ++i) {
+    for (std::size_t k = i + 1; k < readings.size(); ++k) {
+      const double apart_m = 0.1 * static_cast<double>(k - i);
+      if (apart_m < usual.min_apart_m || apart_m > usual.max_apart_m) continue;
+      sum += reverse_log_odds(readings[i], readings[k], usual);
+      ++pairs;
+      EXPECT_GT(sum / pairs, 9.0) << "a true reversal is clear";
+    }
+  }
+  DeadReckonerOptions strict;
+  strict.flip_log_odds_per_pair = 1000.0;  // more than any pair can give
+  EXPECT_EQ(reckon(readings, usual).reversed, 1);
+  EXPECT_EQ(reckon(readings, strict).reversed, 0);
+}
+
 TEST(DeadReckoner, CannotTellWithoutReturnsAndThenBelievesOdometry) {
   auto readings = drive(steps(10, 0.1), steps(10, 0.1));
   for (RangeReading& reading : readings) {

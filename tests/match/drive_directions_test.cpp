@@ -12,7 +12,7 @@ namespace roomatlas {
 namespace {
 
 std::vector<test::WallLine> room() {
-  return test::walls_along({{0, 0}, {7, 0}, {7, 5}, {4, 5}, {4, 4}, {0, 4}}, true);
+  return test::walls_along({{0, 0}, {5, 0}, {5, 3.5}, {3, 3.5}, {3, 3}, {0, 3}}, true);
 }
 
 /// Forth, a stop, and back; odometry reports the way back with a sign, or as forwards.

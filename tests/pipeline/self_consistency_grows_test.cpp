@@ -2,10 +2,13 @@
 // The figures without truth get worse, in order, as known wrong corrections grow.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "pipeline/known_placement.hpp"
 #include "pipeline/memory_mission.hpp"
 #include "roomatlas/evaluate/self_consistency.hpp"
 #include "roomatlas/io/formats.hpp"
+#include "roomatlas/simulate/explore.hpp"
 #include "support/shared_data.hpp"
 
 namespace roomatlas {
@@ -43,29 +46,53 @@ KnownMission known(MemoryStore store, const Trajectory& truth,
 }
 
 KnownMission recorded(const std::filesystem::path& log, const Trajectory& truth,
-                      const ConsistencyOptions& consistency = {}, bool find_reverse = true) {
+                      const ConsistencyOptions& consistency = {}, bool localize = true) {
   MapOptions options;
-  options.reckon.find_reverse = find_reverse;
+  options.localize.enabled = localize;
   MemoryStore store;
   const auto mission = open_mission(log, {});
   (void)map_mission(*mission, store, options);
   return known(std::move(store), truth, consistency);
 }
 
-KnownMission driven(const std::string& world) {
-  const Path file = Path(ROOMATLAS_SOURCE_DIR) / "data" / "worlds" / world;
-  std::vector<MissionEvent> events;
-  simulate(read_plan(file.string() + ".geojson"), read_drive(file.string() + ".drive"), {},
-           [&](const SimulatedStep& step) {
-             events.emplace_back(step.reading);
-             events.emplace_back(step.truth);
-           });
+FloorPlan world_of(const std::string& name) {
+  return read_plan(Path(ROOMATLAS_SOURCE_DIR) / "data" / "worlds" / (name + ".geojson"));
+}
+
+KnownMission simulated(const std::vector<MissionEvent>& events) {
   MemoryStore store = mapped(events);
   Trajectory truth;
   for (const TruePose& pose : store.true_poses) {
     truth.push_back({pose.timestamp_s, pose.world_from_robot});
   }
   return known(std::move(store), truth);
+}
+
+/// Adds a simulator's steps to a mission.
+auto into(std::vector<MissionEvent>& events) {
+  return [&events](const SimulatedStep& step) {
+    events.emplace_back(step.reading);
+    events.emplace_back(step.truth);
+  };
+}
+
+KnownMission driven(const std::string& world) {
+  const Path drive = Path(ROOMATLAS_SOURCE_DIR) / "data" / "worlds" / (world + ".drive");
+  std::vector<MissionEvent> events;
+  simulate(world_of(world), read_drive(drive), {}, into(events));
+  return simulated(events);
+}
+
+/// A robot with a laser explores by itself, ten minutes at most.
+KnownMission explored(const std::string& world) {
+  SimulationOptions options;
+  options.sensor = SensorKind::laser;
+  options.odometry = odometry_errors(OdometryPreset::typical);
+  ExploreOptions ten_minutes;
+  ten_minutes.max_time_s = 600.0;
+  std::vector<MissionEvent> events;
+  (void)explore(world_of(world), options, ten_minutes, into(events));
+  return simulated(events);
 }
 
 SelfConsistency judged(const KnownMission& mission, const Placement& placement) {
@@ -92,9 +119,13 @@ void expect_growth(const KnownMission& mission, const std::vector<double>& sizes
 
 void expect_order(const KnownMission& mission) {
   const std::vector<double> angles_deg = {1, 2, 5, 10};
-  expect_growth(mission, angles_deg, [&](double angle_deg) {
-    return rooms_turned(mission.truth, mission.rooms, angle_deg);
-  });
+  std::set<RoomId> rooms;
+  for (const auto& [asr, room] : mission.rooms) rooms.insert(room);
+  if (rooms.size() > 1) {  // the only room of a building, turned as a whole, is the same map
+    expect_growth(mission, angles_deg, [&](double angle_deg) {
+      return rooms_turned(mission.truth, mission.rooms, angle_deg);
+    });
+  }
   expect_growth(mission, angles_deg, [&](double angle_deg) {
     return visits_turned(mission.truth, mission.rooms, angle_deg);
   });
@@ -120,6 +151,21 @@ TEST(SelfConsistencyGrows, WithTheErrorsOfASimulatedWorld) {
   expect_better_than_odometry(mission, corrected(mission));
 }
 
+class SelfConsistencyOfWorlds : public testing::TestWithParam<const char*> {};
+
+TEST_P(SelfConsistencyOfWorlds, GrowsWithTheErrors) {
+  const KnownMission mission = explored(GetParam());
+  expect_order(mission);
+  // Two pieces and one door: nothing was seen again that odometry could have misplaced, and the
+  // verdict on it is chance.
+  if (mission.truth.size() > 2) expect_better_than_odometry(mission, mission.truth);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, SelfConsistencyOfWorlds,
+                         testing::Values("two_rooms", "nine_rooms", "identical_rooms",
+                                         "slanted_and_curved", "open_hall", "afit_floor"),
+                         [](const auto& world) { return std::string(world.param); });
+
 TEST(SelfConsistencyGrows, WithTheErrorsOfFr079) {
   const auto raw = shared_data("logs/fr079/fr079.clf.gz");
   const auto truth = shared_data("logs/fr079/fr079.gfs-corrected.log.gz");
@@ -143,7 +189,8 @@ TEST(SelfConsistencyGrows, WithTheErrorsOfMitCsail) {
   const auto raw = shared_data("logs/mit-csail/mit-csail.clf.gz");
   const auto truth = shared_data("logs/mit-csail/mit-csail.corrected-poses.txt");
   if (!raw || !truth) return;
-  // This robot reports its direction rightly; looking for reversed drives bends its pieces.
+  // The poses beside this log are a mapper's and place localized rooms no better than to 2 degrees:
+  // the sum would not tell 1 from 2 degrees. Rooms as odometry bent them are judged here.
   const KnownMission mission = recorded(*raw, poses_of_table(*truth), {}, false);
   expect_order(mission);
   expect_better_than_odometry(mission, mission.truth);

@@ -28,9 +28,10 @@ const Point2 kDoor(4.95, 2.25);                            ///< in the middle of
 const double kAreas[] = {15 * 13 * 0.09, 17 * 13 * 0.09};  ///< of the two rooms
 
 void expect_two_rooms_and_their_door(const std::vector<MissionEvent>& events,
-                                     const Pose2& world_from_first) {
-  const MemoryStore store = mapped(events);
+                                     const Pose2& world_from_first, double door_tolerance_m) {
+  MemoryStore store = mapped(events);
   const Assembly assembly = assemble(store, {}, {});
+  if (!assembly.mapped_again.empty()) store.asrs = assembly.mapped_again;  // of sonars
   const FloorPlan& plan = assembly.plan;
   ASSERT_EQ(plan.rooms.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -39,7 +40,7 @@ void expect_two_rooms_and_their_door(const std::vector<MissionEvent>& events,
   ASSERT_EQ(plan.doors.size(), 1U);
   const Pose2 to_world = world_from_building(place(store, assembly.correction), world_from_first);
   const Segment2& jambs = plan.doors[0].jambs;
-  EXPECT_LT((to_world * Point2((jambs.a + jambs.b) / 2.0) - kDoor).norm(), 0.3);
+  EXPECT_LT((to_world * Point2((jambs.a + jambs.b) / 2.0) - kDoor).norm(), door_tolerance_m);
   EXPECT_NEAR(plan.doors[0].width_m, 0.9, 0.2);
   EXPECT_EQ(plan.doors[0].room_a, plan.rooms[0].id);
   EXPECT_EQ(plan.doors[0].room_b, plan.rooms[1].id);
@@ -56,13 +57,15 @@ TEST(Pipeline, DrawsTwoRoomsAndTheirDoorFromALaser) {
   robot.noise_m = 0.02;
   robot.odom_from_world = {2.0, -3.0, radians(20.0)};
   const auto readings = readings_in(kTwoRooms, robot);
-  expect_two_rooms_and_their_door(events_of(readings),
-                                  inverse(robot.odom_from_world) * readings[0].odom_from_robot);
+  expect_two_rooms_and_their_door(
+      events_of(readings), inverse(robot.odom_from_world) * readings[0].odom_from_robot, 0.3);
 }
 
 TEST(Pipeline, DrawsTwoRoomsAndTheirDoorFromARingOfSonars) {
   const auto events = sonar_mission(kTwoRooms);
-  expect_two_rooms_and_their_door(events, std::get<TruePose>(events[1]).world_from_robot);
+  // A cone of 30 degrees blurs the jambs along the way through; and the map is laid on the world
+  // by the first pose alone.
+  expect_two_rooms_and_their_door(events, std::get<TruePose>(events[1]).world_from_robot, 0.4);
 }
 
 TEST(Pipeline, GivesTheSamePlanTwice) {

@@ -128,5 +128,37 @@ TEST(Explore, OdometryErrorsDoNotChangeTheDriveUnlessItBelievesThem) {
   EXPECT_NE(path_of(OdometryPreset::mild, true), path_of(OdometryPreset::hard, true));
 }
 
+TEST(Explore, OnOdometryItComesToAnEndCountsContactsAndRepeatsItself) {
+  SimulationOptions simulation;
+  simulation.odometry = odometry_errors(OdometryPreset::hard);
+  ExploreOptions options;
+  options.on_odometry = true;
+  options.max_time_s = 1200.0;
+  const auto run = [&] {
+    std::vector<Pose2> path;
+    const ExploreSummary summary =
+        explore(two_rooms(), simulation, options,
+                [&](const SimulatedStep& step) { path.push_back(step.truth.world_from_robot); });
+    // The second route to the contacts: a robot that touches something stands still for a period,
+    // and it never stands in a wall.
+    for (const Pose2& pose : path) {
+      for (const Polygon& wall : two_rooms().walls) EXPECT_FALSE(contains(wall, pose.position()));
+    }
+    return std::pair{summary, path};
+  };
+  const auto [summary, path] = run();
+  EXPECT_LE(summary.duration_s, options.max_time_s + 0.11);
+  EXPECT_TRUE(summary.entered.contains(1));
+  EXPECT_GE(summary.collisions, 0);
+  std::int64_t standstills = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) standstills += path[i] == path[i - 1] ? 1 : 0;
+  EXPECT_LE(summary.collisions, standstills);
+
+  const auto [again, same_path] = run();
+  EXPECT_EQ(again.collisions, summary.collisions);
+  EXPECT_EQ(again.duration_s, summary.duration_s);
+  EXPECT_EQ(same_path, path);
+}
+
 }  // namespace
 }  // namespace roomatlas

@@ -57,6 +57,24 @@ TEST(Laser, LosesTheGivenShareOfBeams) {
   EXPECT_NEAR(lost / beams, 0.05, 4.0 * std::sqrt(0.05 * 0.95 / beams));
 }
 
+TEST(Laser, RangeNoiseHasTheGivenDeviationAndNoMean) {
+  SimulationOptions options = laser();
+  options.laser.range_noise_m = 0.02;
+  options.speed_m_per_s = 0.001;
+  double count = 0.0;
+  double sum = 0.0;
+  double sum_of_squares = 0.0;
+  for (const SimulatedStep& step : run(square_room(), {{2, 2}, {2.2, 2}}, options)) {
+    const double error_m = static_cast<double>(step.reading.ranges_m[0]) - 2.0;  // the right wall
+    count += 1.0;
+    sum += error_m;
+    sum_of_squares += error_m * error_m;
+  }
+  ASSERT_GT(count, 1900.0);
+  EXPECT_NEAR(sum / count, 0.0, 4.0 * 0.02 / std::sqrt(count));
+  EXPECT_NEAR(std::sqrt(sum_of_squares / count), 0.02, 4.0 * 0.02 / std::sqrt(2.0 * count));
+}
+
 TEST(Crosstalk, GivesTheGivenShareOfReadingsTheirNeighboursNearerEcho) {
   SimulationOptions options = exact();
   const auto alone_m = run(square_room(), kFromTheMiddle, options).front().reading.ranges_m;

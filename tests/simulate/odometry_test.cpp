@@ -118,5 +118,17 @@ TEST(Odometry, NoiseDoesNotDependOnTheRate) {
   EXPECT_NEAR(variance, 25.0, 25.0 * 4.0 * std::sqrt(2.0 / kRuns));
 }
 
+TEST(Odometry, ThePresetsAreWhatTheyAreSaidToBe) {
+  const OdometryErrors mild = odometry_errors(OdometryPreset::mild);
+  EXPECT_EQ(mild.length_share, 0.005);
+  EXPECT_EQ(mild.heading_bias_deg_per_m, 0.1);
+  EXPECT_EQ(mild.heading_noise_deg_per_sqrt_m, 1.0);
+  const OdometryErrors typical = odometry_errors(OdometryPreset::typical);
+  EXPECT_EQ(typical.length_share, 0.01);
+  EXPECT_EQ(typical.heading_bias_deg_per_m, 0.3);
+  EXPECT_EQ(typical.heading_noise_deg_per_sqrt_m, 2.0);
+  EXPECT_GT(odometry_errors(OdometryPreset::hard).heading_bias_deg_per_m, 3.0);
+}
+
 }  // namespace
 }  // namespace roomatlas

@@ -50,6 +50,13 @@ struct CorrectOptions {
 [[nodiscard]] Correction correct(const std::vector<Asr>& asrs, const RoomGraph& graph,
                                  const CorrectOptions& options, const Placement& start = {});
 
+/// The correction of ASRs that have been placed by other means, such as a whole trajectory: they
+/// stay there, but for the turn that makes the walls' direction the x axis; the graph's
+/// measurements are reported, not solved.
+/// @param placement of every ASR
+[[nodiscard]] Correction correct_to(const std::vector<Asr>& asrs, const RoomGraph& graph,
+                                    const Placement& placement, const CorrectOptions& options);
+
 /// How much a measurement of the graph is trusted: inverse covariance of x, y, theta in the frame
 /// of `to`, 1/m^2 and 1/rad^2.
 [[nodiscard]] Eigen::Matrix3d information_of(const PassageEdge& edge,

@@ -3,6 +3,7 @@
 
 #include "roomatlas/asr/asr.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,13 @@ struct AsrCorrection {
   Pose2 building_from_asr;         ///< corrected
   double moved_m = 0.0;            ///< distance between the two origins
   double turned_rad = 0.0;         ///< [-pi, pi)
+  /// Of the measurements that touch this ASR, the sum before and after ...
+  double chi_square_before = 0.0;
+  double chi_square_after = 0.0;
+  /// ... and the one that the correction settled most: why the ASR moved. Nothing where none got
+  /// better.
+  std::optional<FactorKind> cause = std::nullopt;
+  AsrId cause_asr = 0;  ///< on the other side of it; 0 for a wall direction
 };
 
 /// Systematic errors of the odometry's heading, as the mission itself shows them.

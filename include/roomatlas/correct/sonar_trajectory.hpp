@@ -26,10 +26,11 @@ struct OdometryHabits {
 struct SonarTrajectoryOptions {
   DriveDirectionOptions directions;
   WallSegmentOptions segments;
-  bool calibrate = true;           ///< off: odometry's habits are taken to be none
-  int variants = 5;                ///< settings of the batch that are tried, [1, 5]
-  bool repair_slips = true;        ///< tries headings turned by 90 degrees where they are unsure
-  double verified_share = 0.35;    ///< contradiction above which loops count as not verified
+  bool calibrate = true;         ///< off: odometry's habits are taken to be none
+  bool repair_slips = true;      ///< tries headings turned by 90 degrees where they are unsure
+  double verified_m = 10.0;      ///< of wall that several visits must have seen; less proves no
+                                 ///< loop
+  double verified_share = 0.06;  ///< contradiction above which loops count as not verified
 };
 
 /// One setting of the batch that was tried.

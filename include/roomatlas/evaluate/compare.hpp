@@ -16,9 +16,11 @@ namespace roomatlas {
 struct Run {
   std::string name;
   Trajectory trajectory;
+  /// Its own true poses, as a simulated mission has them; used where the common truth has none.
+  Trajectory truth = {};
 };
 
-/// What trajectories are judged against; either may be empty.
+/// What all trajectories are judged against; either may be empty.
 struct TrajectoryTruth {
   std::string name;
   std::vector<Relation> relations;
@@ -37,7 +39,8 @@ struct CompareOptions {
 struct JudgedErrors {
   Statistics statistics;
   ConfidenceInterval interval;
-  /// Mean of (this run less the first run) over what both cover; nothing for the first run.
+  /// Mean of (this run less the first run) over what both cover; nothing for the first run, nor for
+  /// a run with other true poses, which is another mission.
   std::optional<ConfidenceInterval> against_first;
   std::int64_t shared = 0;  ///< how many errors both have
 };
@@ -59,6 +62,7 @@ struct JudgedPoses {
 struct JudgedRun {
   std::string name;
   std::int64_t poses = 0;
+  std::int64_t truth_poses = 0;  ///< that it was judged by
   std::optional<JudgedRelations> relations;
   std::optional<JudgedPoses> true_poses;
   Issues issues;
@@ -67,9 +71,9 @@ struct JudgedRun {
 struct Comparison {
   std::string truth;
   CompareOptions options;
-  bool carried = false;        ///< gaps were filled by odometry
-  std::int64_t relations = 0;  ///< of the truth
-  std::int64_t true_poses = 0;
+  bool carried = false;         ///< gaps were filled by odometry
+  std::int64_t relations = 0;   ///< of the truth
+  std::int64_t true_poses = 0;  ///< of the truth; of the first run with its own where that has none
   std::vector<JudgedRun> runs;
 
   /// Whether any run has a figure.

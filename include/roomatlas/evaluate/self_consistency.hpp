@@ -112,9 +112,12 @@ struct ConsistencyComparison {
 };
 
 struct VerdictOptions {
-  double clear_share = 0.1;        ///< a figure votes when it changes by more than this share ...
-  double clear_fraction = 0.02;    ///< ... and by this fraction of its typical size
-  bool before_is_odometry = true;  ///< `door_sides` then has no vote
+  double clear_share = 0.1;      ///< a figure votes when it changes by more than this share ...
+  double clear_fraction = 0.02;  ///< ... and by this fraction of its typical size
+  /// `door_sides` then has no vote, and "worse" needs the vote of a figure that does not depend on
+  /// the last centimetres at a door: doors again, corridor bend, rays through walls, hits in free
+  /// space.
+  bool before_is_odometry = true;
 };
 
 /// Compares two placements of the same ASRs. Better or worse is decided by the sum of changes of

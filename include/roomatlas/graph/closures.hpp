@@ -10,6 +10,13 @@
 
 namespace roomatlas {
 
+/// A measurement that the user adds. It is judged like any other.
+struct GivenClosure {
+  AsrId from = 0;
+  AsrId to = 0;
+  Pose2 from_from_to;
+};
+
 struct ClosureOptions {
   LocalizeOptions map;  ///< how readings become the maps that are matched
   MatchMapsOptions match;
@@ -21,10 +28,12 @@ struct ClosureOptions {
   SearchWindow max_window{8.0, radians(20.0)};  ///< ... and no more than this
   int min_agreeing = 80;                        ///< points on common walls; fewer prove nothing
   double min_agreement = 0.65;                  ///< of the points that can tell
-  double again_near_m = 4.0;    ///< rooms this near are matched again once all are placed ...
-  int again_min_agreeing = 60;  ///< ... and fewer points suffice then
-  int rounds = 3;               ///< of matching again
-  double robust_sigmas = 2.0;   ///< closures off by more lose weight (Cauchy)
+  double again_near_m = 4.0;        ///< rooms this near are matched again once all are placed ...
+  int again_min_agreeing = 60;      ///< ... and fewer points suffice then
+  int rounds = 3;                   ///< of matching again
+  double robust_sigmas = 2.0;       ///< closures off by more lose weight (Cauchy)
+  int without_best = 0;             ///< the best this many accepted closures are left out
+  std::vector<GivenClosure> given;  ///< tried beside those that are found
 };
 
 /// What is needed of an ASR to match it with others.
@@ -42,13 +51,29 @@ struct AsrShape {
 [[nodiscard]] double path_distance_m(const AsrShape& first, const AsrShape& second,
                                      const Pose2& first_from_second);
 
+/// What became of a match that was tried.
+enum class ClosureVerdict {
+  accepted,
+  too_little_in_common,  ///< fewer points on common walls than prove anything
+  contradicted,          ///< too many points where the other saw free space
+  left_out,              ///< good, but left out as asked
+};
+
+/// The verdict in words.
+[[nodiscard]] const char* to_string(ClosureVerdict verdict);
+
 /// A match of two ASRs, tried.
 struct Closure {
   AsrId from = 0;
   AsrId to = 0;
   MapMatch match;
-  SearchWindow window;
-  bool accepted = false;
+  ClosureVerdict verdict = ClosureVerdict::too_little_in_common;
+  bool was_given = false;  ///< by the user, not found
+
+  /// How much speaks for it: points on common walls, less those that contradict.
+  [[nodiscard]] int score() const { return match.agreeing - match.contradicting; }
 };
+
+[[nodiscard]] ClosureVerdict judge(const MapMatch& match, int min_agreeing, double min_agreement);
 
 }  // namespace roomatlas

@@ -3,6 +3,7 @@
 
 #include "roomatlas/asr/store.hpp"
 #include "roomatlas/correct/correction.hpp"
+#include "roomatlas/graph/closures.hpp"
 #include "roomatlas/merge/floor_plan.hpp"
 
 #include <filesystem>
@@ -39,6 +40,9 @@ class GeoPackageStore : public AsrSink, public AsrSource {
 
   /// Puts other ASRs in the place of all that are there, in one transaction.
   void replace_asrs(const std::vector<Asr>& asrs);
+  /// The matches of rooms that were tried, with what became of them; after `put_assembly`, which
+  /// deletes those of an earlier run.
+  void put_closures(const std::vector<Closure>& closures);
   /// What `assemble` found: replaces what an earlier run left, in one transaction. Also writes
   /// each ASR's room and the corrected path as a feature layer.
   void put_assembly(const Correction& correction, const FloorPlan& plan,

@@ -11,11 +11,11 @@ namespace roomatlas {
 
 struct ContradictionOptions {
   double cell_m = 0.1;
-  double sample_m = 0.1;         ///< along walls
-  double ray_step_m = 0.15;      ///< of the robot, between readings that are looked at
-  double max_range_m = 3.0;      ///< of a return whose ray frees cells
+  double sample_m = 0.1;           ///< along walls
+  double ray_step_m = 0.15;        ///< of the robot, between readings that are looked at
+  double max_range_m = 3.0;        ///< of a return whose ray frees cells
   double short_of_return_m = 0.3;  ///< where its ray ends
-  double same_visit_m = 10.0;    ///< of way: nearer, walls and rays share their pose error
+  double same_visit_m = 10.0;      ///< of way: nearer, walls and rays share their pose error
 };
 
 /// What the visits of a mission say of each other's walls.

@@ -9,12 +9,12 @@
 namespace roomatlas {
 
 struct DriveDirectionOptions {
-  bool find_reverse = true;    ///< off: odometry is taken as it is
-  double stop_step_m = 0.03;   ///< a shorter step ends an interval: only there can a robot turn
-                               ///< from forwards to backwards
-  double min_apart_m = 0.18;   ///< pairs of readings nearer than this cannot tell
-  double max_apart_m = 0.55;   ///< farther ones hear different things
-  double max_turn_rad = 0.9;   ///< between the two
+  bool find_reverse = true;   ///< off: odometry is taken as it is
+  double stop_step_m = 0.03;  ///< a shorter step ends an interval: only there can a robot turn
+                              ///< from forwards to backwards
+  double min_apart_m = 0.18;  ///< pairs of readings nearer than this cannot tell
+  double max_apart_m = 0.55;  ///< farther ones hear different things
+  double max_turn_rad = 0.9;  ///< between the two
   double range_sigma_m = 0.08;
   double other_share = 0.3;    ///< likelihood of a return on something else, the peak being 1
   double independence = 0.3;   ///< share of the evidence that is new: pairs overlap
@@ -24,10 +24,10 @@ struct DriveDirectionOptions {
 
 /// Which way the robot went in each step, where its odometry does not say.
 struct DriveDirections {
-  std::vector<bool> reversed;        ///< of the step that leads to each reading
-  std::vector<double> undecided_m;   ///< path up to each reading in intervals that stay undecided
+  std::vector<bool> reversed;       ///< of the step that leads to each reading
+  std::vector<double> undecided_m;  ///< path up to each reading in intervals that stay undecided
   int intervals_reversed = 0;
-  bool odometry_is_signed = false;   ///< it reports backward steps itself: nothing was looked for
+  bool odometry_is_signed = false;  ///< it reports backward steps itself: nothing was looked for
 };
 
 /// Some robots' odometry never reports a backward step, so that each counts double. Between two

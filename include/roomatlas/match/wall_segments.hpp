@@ -52,17 +52,17 @@ struct WallSegment {
 };
 
 struct WallSegmentOptions {
-  double step_m = 0.04;            ///< readings nearer to the one before are passed over
-  double turn_rad = 0.05;          ///< unless the robot has turned by this
-  int min_returns = 6;             ///< fewer make walls out of furniture
-  double tolerance_m = 0.05;       ///< of a return: 1.7 to 2.5 sigmas of the range noise
-  double max_path_m = 2.0;         ///< longer bends by the drift of the heading
-  double min_path_m = 0.3;         ///< shorter shows no direction
-  double max_turn_rad = 0.35;      ///< of the robot, along one segment
-  double min_length_m = 0.4;       ///< of the wall that was touched
+  double step_m = 0.04;        ///< readings nearer to the one before are passed over
+  double turn_rad = 0.05;      ///< unless the robot has turned by this
+  int min_returns = 4;         ///< fewer make walls out of furniture
+  double tolerance_m = 0.05;   ///< of a return: 1.7 to 2.5 sigmas of the range noise
+  double max_path_m = 2.0;     ///< longer bends by the drift of the heading
+  double min_path_m = 0.3;     ///< shorter shows no direction
+  double max_turn_rad = 0.35;  ///< of the robot, along one segment
+  double min_length_m = 0.4;   ///< of the wall that was touched
   double min_range_m = 0.15;
-  double max_range_m = 4.0;        ///< farther returns come from many things at once
-  int max_misses = 2;              ///< returns in a row that may lie elsewhere
+  double max_range_m = 4.0;  ///< farther returns come from many things at once
+  int max_misses = 2;        ///< returns in a row that may lie elsewhere
 };
 
 /// Walls from consecutive returns of each sonar, ordered by reading. Lasers are passed over.

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sonar mission as the batch sees it, and back.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "driven_path.hpp"
+#include "sonar_batch.hpp"
+
+namespace roomatlas {
+
+/// The batch and how its nodes stand among the readings.
+struct SonarProblem {
+  SonarBatch batch;
+  std::vector<std::size_t> node_readings;
+  std::vector<std::size_t> node_of;  ///< of each reading: the last one not behind it
+  std::vector<WallSegment> segments;
+};
+
+/// @param start poses to extract the walls at and to start from, one a reading
+[[nodiscard]] SonarProblem sonar_problem(std::span<const RangeReading> readings,
+                                         const DrivenPath& path, const DriveDirections& directions,
+                                         const std::vector<Pose2>& start,
+                                         const WallSegmentOptions& options);
+
+/// Poses of all readings from those of the nodes: as driven, and what is missing at the next node
+/// spread over the way there.
+[[nodiscard]] std::vector<Pose2> poses_of(const DrivenPath& path, const SonarProblem& problem,
+                                          const std::vector<Pose2>& map_from_node);
+
+}  // namespace roomatlas

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "program.hpp"
+
+namespace roomatlas::test {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string kWorlds = std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/";
+
+std::vector<std::string> file_names(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// Runs `simulate` with these arguments into a folder; the exit code must be 0.
+Outcome simulated(const std::string& arguments, const std::filesystem::path& out) {
+  const Outcome outcome = run("-q --json simulate " + arguments + " -o " + out.string());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return outcome;
+}
+
+bool same_files(const std::filesystem::path& a, const std::filesystem::path& b) {
+  const auto names = file_names(a);
+  return names == file_names(b) && std::all_of(names.begin(), names.end(), [&](const auto& name) {
+           return content_of(a / name) == content_of(b / name);
+         });
+}
+
+/// A room of 4 m x 4 m with a wall around it, and whatever else is given.
+std::string world_of(const std::string& more_features, const std::string& units = "m") {
+  return R"({"type":"FeatureCollection","roomatlas":{"schema":"plan","version":1,"units":")" +
+         units + R"(","title":"Test"},"features":[
+    {"type":"Feature","properties":{"kind":"room","id":1},"geometry":{"type":"Polygon",
+     "coordinates":[[[0,0],[4,0],[4,4],[0,4],[0,0]]]}},
+    {"type":"Feature","properties":{"kind":"wall"},"geometry":{"type":"Polygon",
+     "coordinates":[[[-0.2,-0.2],[4.2,-0.2],[4.2,4.2],[-0.2,4.2],[-0.2,-0.2]],
+                    [[0,0],[0,4],[4,4],[4,0],[0,0]]]}})" +
+         more_features + "]}";
+}
+
+/// The refusal must be one line on stderr, and no mission may be left behind.
+void expect_refusal(const std::string& world, const std::string& flags, int exit_code,
+                    const std::string& mentions) {
+  const Folder folder;
+  const auto file = folder.write("world.geojson", world);
+  const Outcome outcome =
+      run("-q simulate " + file.string() + " " + flags + " -o " + (folder / "out").string());
+  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_NE(outcome.err.find(mentions), std::string::npos) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out" / "mission.clf"));
+}
+
+TEST(Simulate, TheSameSeedGivesTheSameBytesAndAnotherSeedOthers) {
+  const Folder folder;
+  simulated(kWorlds + "two_rooms.geojson --seed 3", folder / "a");
+  simulated(kWorlds + "two_rooms.geojson --seed 3", folder / "b");
+  simulated(kWorlds + "two_rooms.geojson --seed 4", folder / "c");
+  EXPECT_EQ(file_names(folder / "a"),
+            (std::vector<std::string>{"mission.clf", "truth.geojson", "truth.tum"}));
+  EXPECT_TRUE(same_files(folder / "a", folder / "b"));
+  EXPECT_NE(content_of(folder / "a" / "mission.clf"), content_of(folder / "c" / "mission.clf"));
+}
+
+TEST(Simulate, AnExploringRobotReportsWhatItEnteredAndTouched) {
+  const Folder folder;
+  for (const char* belief : {"truth", "odometry"}) {
+    const Json report = Json::parse(
+        simulated(kWorlds + "two_rooms.geojson --explore-on " + belief, folder / belief).out);
+    EXPECT_TRUE(report.contains("collisions")) << report;
+    EXPECT_EQ(report["rooms"], 2);
+    EXPECT_GT(report["duration_s"].get<double>(), 10.0);
+    EXPECT_LE(report["duration_s"].get<double>(), 21600.1);
+  }
+}
+
+TEST(Simulate, AClosedOffRoomIsSaidAndTheRestExplored) {
+  const Folder folder;
+  const auto world = folder.write("world.geojson", world_of(R"(,
+    {"type":"Feature","properties":{"kind":"room","id":2},"geometry":{"type":"Polygon",
+     "coordinates":[[[4.4,0],[8,0],[8,4],[4.4,4],[4.4,0]]]}},
+    {"type":"Feature","properties":{"kind":"room","id":3},"geometry":{"type":"Polygon",
+     "coordinates":[[[-4,0],[-0.4,0],[-0.4,4],[-4,4],[-4,0]]]}},
+    {"type":"Feature","properties":{"kind":"door","id":1,"width_m":0.9,
+     "jambs":[[4.3,1],[4.3,1.9]],"rooms":[1,2]},"geometry":{"type":"Polygon",
+     "coordinates":[[[4.2,1],[4.4,1],[4.4,1.9],[4.2,1.9],[4.2,1]]]}})"));
+  const Outcome outcome =
+      run("--json simulate " + world.string() + " -o " + (folder / "out").string());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("closed off"), std::string::npos) << outcome.err;
+  EXPECT_EQ(Json::parse(outcome.out)["entered"], 1);
+}
+
+TEST(Simulate, AWorldThatCannotBeDrivenThroughGetsOneLine) {
+  expect_refusal(world_of("", "ft"), "", 3, "ft");
+  expect_refusal(world_of(R"(,{"type":"Feature","properties":{"kind":"room","id":2},
+    "geometry":{"type":"Polygon","coordinates":[[[3,0],[8,0],[8,4],[3,4],[3,0]]]}})"),
+                 "", 3, "overlaps room 2");
+  expect_refusal(world_of(""), "--start 4.1,2,0", 3, "wall");
+  expect_refusal(world_of(""), "--start 40,2,0", 3, "outside of all rooms");
+}
+
+TEST(Simulate, ARandomBuildingIsAStoreThatAssembleTakes) {
+  const Folder folder;
+  simulated("--random-rooms 12 --seed 5", folder / "a");
+  EXPECT_EQ(file_names(folder / "a"),
+            (std::vector<std::string>{"building.gpkg", "truth.geojson", "truth.tum"}));
+  const Json truth = Json::parse(content_of(folder / "a" / "truth.geojson"));
+  const auto& features = truth["features"];
+  EXPECT_EQ(std::count_if(features.begin(), features.end(),
+                          [](const Json& feature) {
+                            const std::string kind = feature["properties"]["kind"];
+                            return kind == "room" || kind == "corridor" || kind == "hall";
+                          }),
+            12);
+  const Outcome assembled = run("-q assemble " + (folder / "a" / "building.gpkg").string());
+  EXPECT_EQ(assembled.exit_code, 0) << assembled.err;
+  const Outcome judged = run("-q --json evaluate " + (folder / "a" / "building.gpkg").string() +
+                             " --truth " + (folder / "a" / "truth.geojson").string());
+  ASSERT_EQ(judged.exit_code, 0) << judged.err;
+  EXPECT_EQ(Json::parse(judged.out)["plans"][0]["plan"]["true_rooms"], 12);
+}
+
+TEST(Simulate, ARandomBuildingOfTheSameSeedHasTheSameBytes) {
+  const Folder folder;
+  simulated("--random-rooms 12 --seed 5", folder / "a");
+  simulated("--random-rooms 12 --seed 5", folder / "b");
+  simulated("--random-rooms 12 --seed 6", folder / "c");
+  EXPECT_TRUE(same_files(folder / "a", folder / "b"));
+  EXPECT_NE(content_of(folder / "a" / "truth.tum"), content_of(folder / "c" / "truth.tum"));
+}
+
+TEST(Simulate, EitherAWorldOrANumberOfRoomsIsAskedFor) {
+  const Folder folder;
+  const std::string out = " -o " + (folder / "out").string();
+  EXPECT_EQ(run("-q simulate" + out).exit_code, 2);
+  EXPECT_EQ(run("-q simulate " + kWorlds + "two_rooms.geojson --random-rooms 3" + out).exit_code,
+            2);
+  const Outcome none = run("-q simulate --random-rooms 0" + out);
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_NE(none.err.find("--random-rooms: expected 1 or more"), std::string::npos) << none.err;
+}
+
+}  // namespace
+}  // namespace roomatlas::test

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/match/room_localizer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "match/swept_room.hpp"
+
+namespace roomatlas {
+namespace {
+
+using namespace test;
+
+/// Odometry that reports each step longer and each turn larger, and that drifts as it drives.
+Pose2 reported(const Pose2& true_step) {
+  return {1.02 * true_step.x_m, 1.02 * true_step.y_m,
+          1.03 * true_step.theta_rad + radians(1.5) * true_step.position().norm()};
+}
+
+struct Drive {
+  double worst_m = 0.0;
+  double worst_deg = 0.0;
+  double odometry_m = 0.0;  ///< off at the end
+};
+
+Drive localized(const std::vector<RangeReading>& readings, Localizer& localizer,
+                std::size_t jump_at = 0) {
+  Drive drive;
+  Pose2 pose = readings.front().odom_from_robot;
+  Pose2 odometry = pose;
+  localizer.add(readings.front(), pose);
+  for (std::size_t i = 1; i < readings.size(); ++i) {
+    const Pose2& truth = readings[i].odom_from_robot;
+    Pose2 step = reported(inverse(readings[i - 1].odom_from_robot) * truth);
+    if (i == jump_at) step = step * Pose2{0.1, 0.1, radians(3.0)};
+    pose = localizer.locate(readings[i], pose * step, step);
+    odometry = odometry * step;
+    drive.worst_m = std::max(drive.worst_m, (pose.position() - truth.position()).norm());
+    drive.worst_deg = std::max(drive.worst_deg, turn_deg(pose, truth));
+  }
+  const Point2 end = readings.back().odom_from_robot.position();
+  drive.odometry_m = (odometry.position() - end).norm();
+  return drive;
+}
+
+/// Around the room, again and again.
+std::vector<RangeReading> laps(int count) {
+  LaserRobot robot;
+  robot.noise_m = 0.01;
+  Polyline way;
+  for (int lap = 0; lap < count; ++lap) {
+    for (const Point2& point : way_points_of(kUnevenRoom)) way.push_back(point);
+  }
+  return readings_along(surfaces_of(kUnevenRoom), way, robot);
+}
+
+TEST(RoomLocalizer, StaysWithTheTruthWhileOdometryDriftsAway) {
+  RoomLocalizer localizer{LocalizeOptions{}};
+  const Drive drive = localized(laps(2), localizer);
+  EXPECT_GT(drive.odometry_m, 0.5);
+  EXPECT_LT(drive.worst_m, 0.04);
+  EXPECT_LT(drive.worst_deg, 1.0);
+}
+
+TEST(RoomLocalizer, FindsTheRobotAgainAfterAJumpOfOdometry) {
+  const auto readings = laps(1);
+  RoomLocalizer localizer{LocalizeOptions{}};
+  const Drive drive = localized(readings, localizer, readings.size() / 2);
+  EXPECT_LT(drive.worst_m, 0.06);
+  EXPECT_LT(drive.worst_deg, 1.0);
+}
+
+TEST(RoomLocalizer, GivesTheSameBitsTwice) {
+  const auto readings = every(3, laps(1));
+  RoomLocalizer one{LocalizeOptions{}};
+  RoomLocalizer other{LocalizeOptions{}};
+  for (const RangeReading& reading : readings) {
+    const Pose2 predicted = reading.odom_from_robot * Pose2{0.02, 0.01, 0.01};
+    EXPECT_EQ(one.locate(reading, predicted, {0.05, 0.0, 0.01}),
+              other.locate(reading, predicted, {0.05, 0.0, 0.01}));
+  }
+}
+
+TEST(RoomLocalizer, BelievesThePredictionUntilItHasSeenTheRoomAndAfterForgettingIt) {
+  const auto readings = laps(1);
+  RoomLocalizer localizer{LocalizeOptions{}};
+  const Pose2 odd{11.0, -4.0, 0.6};
+  EXPECT_EQ(localizer.locate(readings[0], odd, {}), odd);
+  EXPECT_NE(localizer.locate(readings[0], odd * Pose2{0.05, 0.05, 0.02}, {}),
+            (odd * Pose2{0.05, 0.05, 0.02}));
+  localizer.clear();
+  EXPECT_EQ(localizer.locate(readings[0], odd, {}), odd);
+}
+
+TEST(RoomLocalizer, BelievesThePredictionWhereTheSweepShowsSomethingElse) {
+  const auto readings = laps(1);
+  RoomLocalizer localizer{LocalizeOptions{}};
+  localizer.add(readings[0], readings[0].odom_from_robot);
+  const Pose2 far{50.0, 0.0, 0.0};
+  EXPECT_EQ(localizer.locate(readings[1], far, {0.05, 0.0, 0.0}), far);
+}
+
+TEST(RoomLocalizer, LeavesSonarsAlone) {
+  auto readings = laps(1);
+  auto ring = std::make_shared<RangeSensor>(*readings[0].sensor);
+  ring->kind = SensorKind::sonar;
+  RoomLocalizer localizer{LocalizeOptions{}};
+  RangeReading sonar = readings[0];
+  sonar.sensor = ring;
+  EXPECT_FALSE(can_be_matched(sonar));
+  localizer.add(sonar, sonar.odom_from_robot);
+  const Pose2 off = readings[0].odom_from_robot * Pose2{0.06, 0.06, 0.03};
+  EXPECT_EQ(localizer.locate(sonar, off, {}), off);
+  // a sonar did not enter the map either: the first laser has nothing to be matched with
+  EXPECT_EQ(localizer.locate(readings[0], off, {}), off);
+  EXPECT_EQ(localizer.locate(sonar, Pose2{}, {}), Pose2{});
+}
+
+TEST(IsNewView, NeedsMotionOrATurn) {
+  const LocalizeOptions options;
+  EXPECT_FALSE(is_new_view({1.0, 1.0, 3.1}, {1.05, 1.05, 3.1}, options));
+  EXPECT_TRUE(is_new_view({1.0, 1.0, 3.1}, {1.08, 1.08, 3.1}, options));
+  EXPECT_FALSE(is_new_view({1.0, 1.0, 3.1}, {1.0, 1.0, 3.1 + radians(3.9) - 2.0 * kPi}, options));
+  EXPECT_TRUE(is_new_view({1.0, 1.0, 3.1}, {1.0, 1.0, 3.1 + radians(4.1) - 2.0 * kPi}, options));
+}
+
+}  // namespace
+}  // namespace roomatlas
