@@ -68,7 +68,7 @@ void build(const Settings& settings, const Path& log, const Path& out,
              options, out);
   const Evaluation evaluation = evaluation_of(settings, store, truth, flags);
   write_summary(store, evaluation, out);
-  write_report(store, evaluation, out / "report.html");
+  write_report(settings, store, evaluation, out / "report.html");
   if (settings.json) {
     fmt::print("{}", to_json(evaluation));
   } else {

@@ -47,7 +47,8 @@ void evaluate(const Settings& settings, const std::vector<Path>& judged,
 /// The report page as one file.
 void report(const Settings& settings, const Path& store, const std::vector<Path>& truth,
             const TrajectoryFlags& flags, const Path& out);
-void write_report(const Path& store, const Evaluation& evaluation, const Path& out);
+void write_report(const Settings& settings, const Path& store, const Evaluation& evaluation,
+                  const Path& out);
 void rename(const Settings& settings, const Path& store, const std::string& room,
             const std::string& name);
 void inspect(const Settings& settings, const Path& store, AsrId id, const Path& out);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "export_options.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <cmath>
 
 #include "roomatlas/core/issue.hpp"
@@ -19,6 +21,12 @@ std::optional<GeoReference> ExportOptions::reference() const {
   return reference;
 }
 
+std::optional<double> ExportOptions::north_deg() const {
+  if (north) return north;
+  if (const auto on_earth = reference()) return -on_earth->heading_deg;
+  return std::nullopt;
+}
+
 void add_export_options(CLI::App* command, ExportOptions& options) {
   command
       ->add_option("--georef", options.georef,
@@ -26,6 +34,18 @@ void add_export_options(CLI::App* command, ExportOptions& options) {
                    "y axis, in deg; plan.geojson is then on the earth")
       ->delimiter(',')
       ->expected(3)
+      ->configurable(false);
+  command
+      ->add_option("--north", options.north,
+                   "deg, clockwise from up the plan: where north is; as --georef says without it")
+      ->check(CLI::Range(-360.0, 360.0))
+      ->configurable(false);
+}
+
+void add_ogr_option(CLI::App* command, ExportOptions& options) {
+  command
+      ->add_option("--ogr", options.ogr_driver,
+                   "vector format of GDAL for -f ogr, such as GML or \"ESRI Shapefile\"")
       ->configurable(false);
 }
 

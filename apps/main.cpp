@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+
 #include <fmt/format.h>
 #include <glog/logging.h>
 #include <spdlog/spdlog.h>
@@ -158,6 +160,7 @@ void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
       ->configurable(false);
   output(exported, a.out, "folder for the files");
   apps::add_export_options(exported, a.exported);
+  apps::add_ogr_option(exported, a.exported);
 
   CLI::App* evaluate =
       command("evaluate", "errors of stores, trajectories or logs, against truth and without any",

@@ -11,20 +11,23 @@
 
 namespace roomatlas::apps {
 
-void write_report(const Path& store_file, const Evaluation& evaluation, const Path& out) {
+void write_report(const Settings& settings, const Path& store_file, const Evaluation& evaluation,
+                  const Path& out) {
   const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
   const Metadata metadata = store.metadata();
   const Correction correction = store.correction();
   const FloorPlan plan = store.plan();
-  const std::string data =
-      report_data(metadata, date_of(metadata), correction, plan, graph_of(store, correction),
-                  place(store, correction), evaluation);
+  const RoomGraph graph = graph_of(store, correction);
+  const VisitUncertainty uncertainty =
+      uncertainty_of(graph, store.closures(), correction, settings.assemble.correct);
+  const std::string data = report_data(metadata, date_of(metadata), correction, plan, graph,
+                                       place(store, correction), uncertainty, evaluation);
   write_file(out, report_page(plan.title.empty() ? "Floor plan" : plan.title, data));
 }
 
 void report(const Settings& settings, const Path& store, const std::vector<Path>& truth,
             const TrajectoryFlags& flags, const Path& out) {
-  write_report(store, evaluation_of(settings, store, truth, flags), out);
+  write_report(settings, store, evaluation_of(settings, store, truth, flags), out);
   spdlog::info("the report is {}: open it in a browser", out.string());
 }
 

@@ -50,7 +50,7 @@ void add_lines(pugi::xml_node node, const RoomLabel& label, bool has_halo) {
 }  // namespace
 
 void add_labels(pugi::xml_node svg, const std::vector<RoomLabel>& labels, bool has_halo) {
-  pugi::xml_node group = add_group(svg, "labels");
+  pugi::xml_node group = add_layer(svg, "labels");
   for (const RoomLabel& label : labels) {
     pugi::xml_node node = add(group, "g", {{"data-room", std::to_string(label.room)}});
     if (label.leader_to_mm) {
@@ -68,7 +68,7 @@ void add_labels(pugi::xml_node svg, const std::vector<RoomLabel>& labels, bool h
 
 void add_dimensions(pugi::xml_node svg, const Box2& building_m, const Sheet& sheet) {
   pugi::xml_node group =
-      add_group(svg, "dimensions", {{"stroke", kFaintInk}, {"stroke-width", kHairline_mm}});
+      add_layer(svg, "dimensions", true, {{"stroke", kFaintInk}, {"stroke-width", kHairline_mm}});
   const Box2& box = sheet.content_mm;
   const double below = box.max.y() + 7.0;
   const double beside = box.min.x() - 7.0;

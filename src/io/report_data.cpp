@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/io/report_data.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "geojson_geometry.hpp"
+#include "roomatlas/draw/plots.hpp"
 #include "roomatlas/io/summary.hpp"
+#include "roomatlas/merge/unexplored.hpp"
+#include "stored_names.hpp"
 
 namespace roomatlas {
 namespace {
@@ -67,7 +74,28 @@ Json doors_of(const FloorPlan& plan) {
   return doors;
 }
 
-Json visits_of(const Correction& correction, const RoomGraph& graph) {
+/// The ellipse that holds the place with a probability of 95 %: radii in metres, and the angle of
+/// the first, counter-clockwise from x.
+Json ellipse_of(const Eigen::Matrix2d& covariance_m2) {
+  constexpr double kQuantile95 = 2.4477;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance_m2);
+  const Eigen::Vector2d radii = kQuantile95 * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+  const Eigen::Vector2d longest = axes.eigenvectors().col(1);
+  return Json::array({to_millimetre(radii[1]), to_millimetre(radii[0]),
+                      to_millimetre(std::atan2(longest.y(), longest.x()))});
+}
+
+Json cause_of(const AsrCorrection& asr) {
+  if (!asr.cause) return nullptr;
+  return {{"kind", to_string(*asr.cause)}, {"asr", asr.cause_asr}};
+}
+
+Json visits_of(const Correction& correction, const RoomGraph& graph,
+               const VisitUncertainty& uncertainty) {
+  std::map<AsrId, Json> ellipse;
+  for (const VisitEstimate& visit : uncertainty.visits) {
+    ellipse[visit.asr] = ellipse_of(visit.covariance_m2);
+  }
   std::map<AsrId, RoomId> room_of;
   for (std::size_t i = 0; i < boost::num_vertices(graph); ++i)
     room_of[graph[i].asr] = graph[i].room;
@@ -78,7 +106,11 @@ Json visits_of(const Correction& correction, const RoomGraph& graph) {
                       {"before", to_json(asr.building_from_asr_before.position())},
                       {"after", to_json(asr.building_from_asr.position())},
                       {"moved_m", to_millimetre(asr.moved_m)},
-                      {"turned_deg", degrees(asr.turned_rad)}});
+                      {"turned_deg", degrees(asr.turned_rad)},
+                      {"chi_square_before", asr.chi_square_before},
+                      {"chi_square_after", asr.chi_square_after},
+                      {"cause", cause_of(asr)},
+                      {"ellipse", ellipse[asr.asr]}});
   }
   return visits;
 }
@@ -108,11 +140,51 @@ void add_mission(const PlacedMission& placed, Json& data) {
   data["after"] = {{"walls", walls_after}, {"path", json_of(after)}};
 }
 
+Json issues_of(const Issues& issues) {
+  Json list = Json::array();
+  for (const Issue& issue : issues) {
+    list.push_back(
+        {{"severity", stored_name(kSeverities, issue.severity)}, {"text", to_string(issue)}});
+  }
+  return list;
+}
+
+PlotSeries series_of(const char* name, const RelationErrors& errors) {
+  PlotSeries series{name, {}, {}};
+  double first_s = std::numeric_limits<double>::infinity();
+  for (const RelationError& error : errors.errors) first_s = std::min(first_s, error.t2_s);
+  for (const RelationError& error : errors.errors) {
+    series.x.push_back(error.t2_s - first_s);
+    series.y.push_back(error.translation_m);
+  }
+  return series;
+}
+
+/// Errors over time and how they are spread, where there is truth for single ones.
+Json charts_of(const std::optional<Evaluation>& evaluation) {
+  Json charts = Json::array();
+  const auto add = [&](const std::string& what, const std::vector<PlotSeries>& series) {
+    charts.push_back(
+        {{"title", what + " over time"},
+         {"svg", plot_over({what + " over time", "time (s)", "error (m)"}, series, false)}});
+    charts.push_back(
+        {{"title", what + ", how often"},
+         {"svg", plot_histogram({what + ", how often", "error (m)", "share (%)"}, series)}});
+  };
+  if (!evaluation) return charts;
+  if (evaluation->relations && !evaluation->relations->after.errors.empty()) {
+    add("Translation error of relations", {series_of("odometry", evaluation->relations->before),
+                                           series_of("corrected", evaluation->relations->after)});
+  }
+  return charts;
+}
+
 }  // namespace
 
 std::string report_data(const std::map<std::string, std::string>& metadata, const std::string& date,
                         const Correction& correction, const FloorPlan& plan, const RoomGraph& graph,
-                        const PlacedMission& placed, const std::optional<Evaluation>& evaluation) {
+                        const PlacedMission& placed, const VisitUncertainty& uncertainty,
+                        const std::optional<Evaluation>& evaluation) {
   const auto text = [&](const char* key) {
     const auto entry = metadata.find(key);
     return entry == metadata.end() ? std::string() : entry->second;
@@ -126,7 +198,15 @@ std::string report_data(const std::map<std::string, std::string>& metadata, cons
   data["doors"] = doors_of(plan);
   data["walls"] = json_of(plan.walls);
   data["furniture"] = json_of(plan.furniture);
-  data["visits"] = visits_of(correction, graph);
+  data["issues"] = issues_of(plan.issues);
+  data["unexplored"] = Json::array();
+  for (const Polyline& line : unexplored_boundary(plan, placed.walls_after)) {
+    data["unexplored"].push_back(json_of(line));
+  }
+  data["visits"] = visits_of(correction, graph, uncertainty);
+  data["accuracy_m"] =
+      uncertainty.typical_m ? Json(to_millimetre(*uncertainty.typical_m)) : Json(nullptr);
+  data["charts"] = charts_of(evaluation);
   add_mission(placed, data);
   return data.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -50,9 +50,11 @@ TEST(DrawPlan, IsWellFormedAndMeasuredInMillimetresOfPaper) {
 TEST(DrawPlan, HasTheLayersUnderTheirIds) {
   const auto document = parsed(draw_plan(office(), annotations(), {}));
   for (const char* id : {"rooms", "walls", "doors", "trajectory", "room-graph", "labels",
-                         "furniture", "title", "dimensions", "scale-bar", "legend"}) {
+                         "furniture", "title", "dimensions", "scale-bar", "legend", "unexplored",
+                         "corrections", "uncertainty", "door-widths", "axes"}) {
     EXPECT_TRUE(group(document, id)) << id;
   }
+  EXPECT_STREQ(group(document, "walls").attribute("class").value(), "layer");
 }
 
 TEST(DrawPlan, WritesEveryNameAsText) {
@@ -78,13 +80,19 @@ TEST(DrawPlan, TitleBlockDoesNotNameTheMissionTwice) {
   EXPECT_THAT(text, testing::HasSubstr("Floor plan\nMission office.clf.gz\n"));
 }
 
-TEST(DrawPlan, DrawsPathAndGraphOnlyWhenAsked) {
-  const auto without = parsed(draw_plan(office(), annotations(), {}));
-  EXPECT_FALSE(group(without, "trajectory").first_child());
-  EXPECT_FALSE(group(without, "room-graph").first_child());
-  const auto with = parsed(draw_plan(office(), annotations(), {true, true}));
-  EXPECT_TRUE(group(with, "trajectory").child("path"));
-  EXPECT_EQ(group(with, "room-graph").select_nodes("path").size(), 1U);  // 99 is not in the plan
+TEST(DrawPlan, HoldsEveryLayerButDisplaysPathAndGraphOnlyWhenAsked) {
+  const auto is_displayed = [](const pugi::xml_node& layer) { return !layer.attribute("display"); };
+  const auto plain = parsed(draw_plan(office(), annotations(), {}));
+  const auto full = parsed(draw_plan(office(), annotations(), {true, true, true, true, {}}));
+  for (const char* id : {"trajectory", "room-graph", "corrections", "uncertainty"}) {
+    EXPECT_FALSE(is_displayed(group(plain, id))) << id;
+    EXPECT_TRUE(is_displayed(group(full, id))) << id;
+  }
+  EXPECT_TRUE(group(plain, "trajectory").child("path"));
+  EXPECT_EQ(group(plain, "room-graph").select_nodes("path").size(), 1U);  // 99 is not in the plan
+  for (const char* id : {"rooms", "walls", "doors", "labels", "door-widths", "title"}) {
+    EXPECT_TRUE(is_displayed(group(plain, id))) << id;
+  }
 }
 
 TEST(DrawPlan, TurnsTheBuildingsYUp) {
@@ -108,7 +116,9 @@ TEST(DrawPlan, ChoosesPaperAndARoundScaleThatFit) {
   EXPECT_EQ(sheet(140, 60).scale, 200);
   EXPECT_EQ(sheet(53, 53).paper, "A3 landscape");
   EXPECT_EQ(sheet(53, 53).scale, 250);
-  EXPECT_EQ(sheet(900, 60).scale, 2000);
+  EXPECT_EQ(sheet(40, 14).paper, "A3 landscape");
+  EXPECT_EQ(sheet(40, 14).scale, 125);
+  EXPECT_EQ(sheet(900, 60).scale, 1250);
   for (const double size : {3.0, 17.0, 66.0, 412.0, 5000.0}) {
     const Sheet chosen = sheet(size, size / 2.0);
     EXPECT_TRUE((chosen.content_mm.min.array() > chosen.drawing_mm.min.array()).all());
@@ -167,15 +177,15 @@ TEST(DrawPlan, AnEmptyPlanGivesAPageThatSaysSo) {
 }
 
 TEST(DrawPlan, IsTheSameEveryTime) {
-  EXPECT_EQ(draw_plan(office(), annotations(), {true, true}),
-            draw_plan(office(), annotations(), {true, true}));
+  EXPECT_EQ(draw_plan(office(), annotations(), {true, true, true, true, {}}),
+            draw_plan(office(), annotations(), {true, true, true, true, {}}));
 }
 
 TEST(DrawPlan, NeverWritesNotANumber) {
   PlanAnnotations notes = annotations();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   notes.trajectory.insert(notes.trajectory.begin(), Point2(nan, 0));
-  const std::string svg = draw_plan(office(), notes, {true, true});
+  const std::string svg = draw_plan(office(), notes, {true, true, true, true, {}});
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   EXPECT_EQ(svg.find("inf"), std::string::npos);
 }

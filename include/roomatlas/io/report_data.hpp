@@ -6,6 +6,7 @@
 #include <string>
 
 #include "roomatlas/pipeline/pipeline.hpp"
+#include "roomatlas/pipeline/visit_graph.hpp"
 
 namespace roomatlas {
 
@@ -17,6 +18,7 @@ namespace roomatlas {
                                       const std::string& date, const Correction& correction,
                                       const FloorPlan& plan, const RoomGraph& graph,
                                       const PlacedMission& placed,
+                                      const VisitUncertainty& uncertainty,
                                       const std::optional<Evaluation>& evaluation);
 
 }  // namespace roomatlas

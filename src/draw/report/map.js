@@ -11,6 +11,8 @@ function makeMap(data, onSelect) {
     crs: L.CRS.Simple, attributionControl: false, minZoom: -4, maxZoom: 9, zoomSnap: 0.25,
     zoomAnimation: false, fadeAnimation: false, markerZoomAnimation: false,
   });
+  const home = L.latLngBounds(data.rooms.flatMap((room) => room.parts.flatMap((part) => ring(part[0]))));
+  if (!home.isValid()) home.extend([0, 0]).extend([10, 10]);
   const planPane = map.createPane('plan');
   planPane.style.zIndex = 410;
   map.createPane('missions').style.zIndex = 420;
@@ -67,6 +69,25 @@ function makeMap(data, onSelect) {
       .addTo(corrections);
   }
 
+  // Ellipses as rings: the circle that holds 95 %, stretched and turned.
+  const uncertainty = L.featureGroup();
+  for (const visit of data.visits) {
+    if (!visit.ellipse) continue;
+    const [long, short, angle] = visit.ellipse;
+    const points = [];
+    for (let i = 0; i < 36; ++i) {
+      const [u, v] = [long * Math.cos(i * Math.PI / 18), short * Math.sin(i * Math.PI / 18)];
+      points.push([visit.after[0] + u * Math.cos(angle) - v * Math.sin(angle),
+        visit.after[1] + u * Math.sin(angle) + v * Math.cos(angle)]);
+    }
+    L.polygon(ring(points), { pane: 'missions', color: '#00795c', weight: 1.5, fillOpacity: 0.1 })
+      .bindTooltip(`visit ${visit.asr}: 95 % within ${long.toFixed(2)} m`)
+      .addTo(uncertainty);
+  }
+  const unexplored = L.featureGroup(data.unexplored.map((line) =>
+    L.polyline(ring(line), { ...plan, interactive: false, color: '#fff', weight: 3 })).concat(data.unexplored.map((line) =>
+    L.polyline(ring(line), { ...plan, interactive: false, color: '#5f6b7a', weight: 1.5, dashArray: '6 5' }))));
+
   // How far from odometry (0) to the corrected map (1) walls and path are shown.
   function setMoment(share) {
     const between = (before, after) => before.map((point, i) => latLng(blend(point, after[i], share)));
@@ -92,38 +113,59 @@ function makeMap(data, onSelect) {
     if (!selected) return;
     selected.setStyle({ color: '#0072b2', weight: 4 });
     selected.bringToFront();
+    isMoved = true;
     if (!isFromMap) map.fitBounds(selected.getBounds().pad(1.5), { maxZoom: 6 });
   }
 
   const layers = [
     ['rooms', 'Rooms', rooms, true], ['walls', 'Walls', walls, true], ['doors', 'Doors', doors, true],
-    ['furniture', 'Furniture', furniture, data.furniture.length > 0], ['graph', 'Graph of rooms', graph, false],
+    ['furniture', 'Furniture', furniture, data.furniture.length > 0],
+    ['unexplored', 'Unexplored', unexplored, data.unexplored.length > 0], ['graph', 'Graph of rooms', graph, false],
     ['seen', 'Walls as seen', seen, false], ['trajectory', 'Path', path, false],
-    ['corrections', 'Corrections', corrections, false],
+    ['corrections', 'Corrections', corrections, false], ['uncertainty', 'Uncertainty (95 %)', uncertainty, false],
   ];
   // The plan's bodies keep their order whatever is switched on first.
   function restack() {
-    for (const layer of [furniture, walls, doors, graph]) if (map.hasLayer(layer)) layer.bringToFront();
+    for (const layer of [furniture, walls, unexplored, doors, graph]) if (map.hasLayer(layer)) layer.bringToFront();
   }
   function show(layer, isShown) {
     if (isShown) layer.addTo(map); else layer.remove();
     restack();
     showFittingLabels();
   }
-  const home = L.latLngBounds(data.rooms.flatMap((room) => room.parts.flatMap((part) => ring(part[0]))));
-  if (!home.isValid()) home.extend([0, 0]).extend([10, 10]);
-  map.fitBounds(home, { padding: [12, 12] });
+  // The map is as high as the plan needs, and shows all of it until somebody moves or zooms it.
+  const container = map.getContainer();
+  const fitting = { padding: [12, 12], animate: false };
+  let isMoved = false;
+  let isPrinting = false;
+  function refit() {
+    if (isPrinting) return;
+    const shape = (home.getNorth() - home.getSouth()) / Math.max(0.1, home.getEast() - home.getWest());
+    const height = Math.min(0.72 * window.innerHeight, Math.max(window.innerWidth > 960 ? 0.55 * window.innerHeight : 288, container.clientWidth * shape + 24));
+    container.style.height = `${Math.round(height)}px`;
+    map.invalidateSize({ animate: false });
+    if (!isMoved) map.fitBounds(home, fitting);
+  }
+  for (const moved of ['mousedown', 'wheel', 'touchstart', 'keydown']) {
+    container.addEventListener(moved, () => { isMoved = true; }, { passive: true });
+  }
+  map.fitBounds(home, fitting);
+  refit();
+  window.addEventListener('resize', refit);
   for (const [, , layer, isShown] of layers) if (isShown) show(layer, true);
   map.on('zoomend', showFittingLabels);
-  function resize(width, height) {
-    const style = map.getContainer().style;
-    style.width = width;
-    style.height = height;
+  window.addEventListener('beforeprint', () => {
+    isPrinting = true;
+    container.style.width = '180mm';
+    container.style.height = '150mm';
     map.invalidateSize({ animate: false });
-    map.fitBounds(home, { padding: [12, 12], animate: false });
-  }
-  window.addEventListener('beforeprint', () => resize('180mm', '150mm'));
-  window.addEventListener('afterprint', () => resize('', ''));
+    map.fitBounds(home, fitting);
+  });
+  window.addEventListener('afterprint', () => {
+    isPrinting = false;
+    container.style.width = '';
+    refit();
+  });
   setMoment(1);
   return { map, layers, show, select, setMoment };
 }

@@ -12,6 +12,7 @@
   const area = data.rooms.reduce((sum, room) => sum + room.area_m2, 0);
   const facts = [`${data.rooms.length} rooms`, `${data.doors.length} doors`, `${area.toFixed(1)} m²`];
   if (mission.path_length_m > 0) facts.push(`${mission.path_length_m.toFixed(0)} m driven`);
+  if (typeof data.accuracy_m === 'number') facts.push(`rooms placed to ± ${data.accuracy_m.toFixed(2)} m (1 σ, estimated)`);
   if (data.date) facts.push(`recorded ${data.date}`);
   element('facts').textContent = facts.join(' · ');
   element('origin').textContent = `Roomatlas ${data.tool_version}` +
@@ -90,7 +91,7 @@
   });
 
   // Warnings
-  const warnings = [...(mission.issues || []), ...summary.plan.issues,
+  const warnings = [...(mission.issues || []), ...data.issues.filter((issue) => issue.severity !== 'note').map((issue) => issue.text),
     ...((summary.evaluation && summary.evaluation.issues) || [])];
   if (!summary.correction.converged) warnings.push(`The correction did not converge: ${summary.correction.message}`);
   for (const warning of warnings) {
@@ -99,6 +100,14 @@
     element('warnings').appendChild(item);
   }
   if (!warnings.length) hide('warnings-section');
+  const notes = data.issues.filter((issue) => issue.severity === 'note');
+  for (const note of notes) {
+    const item = document.createElement('li');
+    item.textContent = note.text;
+    element('notes').appendChild(item);
+  }
+  element('notes-count').textContent = `${notes.length} notes on how the plan was put together`;
+  if (!notes.length) hide('notes-section');
 
   // Errors
   function bars(td, row) {
@@ -114,7 +123,7 @@
     { label, value: (row) => row.what }, { label: 'Unit', value: (row) => row.unit },
     { label: 'Odometry', value: (row) => row.before, text: (row) => fixed(row.before, 3), number: true },
     { label: 'Corrected', value: (row) => row.after, text: (row) => fixed(row.after, 3), number: true },
-    { label: 'Odometry (grey), corrected (blue)', cell: bars },
+    { label: 'Odometry (blue), corrected (orange)', cell: bars },
   ];
   const evaluation = summary.evaluation || {};
   const errors = [];
@@ -135,6 +144,12 @@
     addErrors('true poses: position', 'm', before.position_m, after.position_m);
     addErrors('true poses: heading', 'deg', before.heading_deg, after.heading_deg);
   }
+  for (const chart of data.charts) {
+    const picture = document.createElement('img');
+    picture.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(chart.svg)}`;
+    picture.alt = chart.title;
+    element('charts').appendChild(picture);
+  }
   if (errors.length) fillTable(element('errors'), comparison('Error'), errors);
   else hide('errors-section');
   const consistency = evaluation.consistency;
@@ -149,13 +164,19 @@
   // Correction
   const correction = summary.correction;
   element('correction').textContent = `Model ${correction.model}: ${correction.iterations} iterations, cost ${fixed(correction.initial_cost, 1)} before and ${fixed(correction.final_cost, 1)} after.`;
+  const because = (cause) => (!cause ? '–' : cause.asr ? `${cause.kind}, visit ${cause.asr}` : cause.kind);
   fillTable(element('visits'), [
     { label: 'Visit', value: (visit) => visit.asr, number: true },
     { label: 'Room', value: (visit) => (roomOf.get(visit.room) || { name: '–' }).name },
     { label: 'Moved m', value: (visit) => visit.moved_m, text: (visit) => fixed(visit.moved_m, 2), number: true },
     { label: 'Turned deg', value: (visit) => visit.turned_deg, text: (visit) => fixed(visit.turned_deg, 1), number: true },
+    { label: 'Chi-square before', value: (visit) => visit.chi_square_before, text: (visit) => fixed(visit.chi_square_before, 1), number: true },
+    { label: 'after', value: (visit) => visit.chi_square_after, text: (visit) => fixed(visit.chi_square_after, 1), number: true },
+    { label: 'Because of', value: (visit) => because(visit.cause) },
   ], data.visits);
   const chi = (value) => (value < 0 ? '–' : fixed(value, 2));
+  const rejected = correction.factors.filter((factor) => factor.weight < 0.1).length;
+  element('ledger-count').textContent = `${correction.factors.length} measurements, ${rejected} of them rejected; on the screen each has a line.`;
   fillTable(element('ledger'), [
     { label: 'Kind', value: (factor) => factor.kind },
     { label: 'From visit', value: (factor) => factor.from, number: true },
