@@ -5,6 +5,8 @@
 #include "console.hpp"
 #include "roomatlas/io/closures_file.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
+#include "roomatlas/io/room_names.hpp"
+#include "roomatlas/merge/carry_over.hpp"
 #include "store_metadata.hpp"
 
 namespace roomatlas::apps {
@@ -34,6 +36,7 @@ void report(const SonarTrajectory& sonars) {
 }  // namespace
 
 void assemble(const Settings& settings, const Path& store_file) {
+  const std::vector<PlanRoom> former = former_rooms(store_file);
   GeoPackageStore store(store_file, GeoPackageStore::Mode::update);
   const Metadata metadata = store.metadata();
   AssembleOptions options = settings.assemble;
@@ -43,8 +46,10 @@ void assemble(const Settings& settings, const Path& store_file) {
   const auto mission = metadata.find("mission_file");
   assembly.plan.title = mission == metadata.end() ? "" : mission->second;
   if (!assembly.mapped_again.empty()) store.replace_asrs(assembly.mapped_again);
+  (void)carry_over(former, assembly.plan, assembly.room_of_asr);
   store.put_assembly(assembly.correction, assembly.plan, assembly.room_of_asr);
   store.put_closures(assembly.closures);
+  put_former_rooms(store_file, {});
   store.finish();
   show(assembly.plan.issues);
   if (assembly.sonars) report(*assembly.sonars);

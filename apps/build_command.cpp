@@ -45,7 +45,9 @@ Path topmost_missing(const Path& folder) {
 }  // namespace
 
 void build(const Settings& settings, const Path& log, const Path& out,
-           const std::vector<Path>& truth, const TrajectoryFlags& flags) {
+           const std::vector<Path>& truth, const TrajectoryFlags& flags,
+           const ExportOptions& options) {
+  (void)options.reference();                  // wrong options and
   (void)open_mission(log, settings.mission);  // an unreadable log leaves no folder behind
   const Path new_folder = topmost_missing(out);
   std::filesystem::create_directories(out);
@@ -61,9 +63,12 @@ void build(const Settings& settings, const Path& log, const Path& out,
     }
   }
   assemble(settings, store);
-  export_all(settings, store, {"svg", "png", "geojson", "tum", "dot"}, out);
+  export_all(settings, store,
+             {"svg", "pdf", "png", "geojson", "tum", "dot", "graphml", "g2o", "csv", "nav2"},
+             options, out);
   const Evaluation evaluation = evaluation_of(settings, store, truth, flags);
   write_summary(store, evaluation, out);
+  write_report(settings, store, evaluation, out / "report.html");
   if (settings.json) {
     fmt::print("{}", to_json(evaluation));
   } else {

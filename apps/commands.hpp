@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "comparison_report.hpp"
+#include "export_options.hpp"
 #include "roomatlas/correct/optimize.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "settings.hpp"
@@ -33,14 +34,23 @@ struct SimulateArguments {
 
 void info(const Settings& settings, const Path& log);
 void build(const Settings& settings, const Path& log, const Path& out,
-           const std::vector<Path>& truth, const TrajectoryFlags& flags);
+           const std::vector<Path>& truth, const TrajectoryFlags& flags,
+           const ExportOptions& options);
 void map(const Settings& settings, const Path& log, const Path& store);
 void assemble(const Settings& settings, const Path& store);
 void export_all(const Settings& settings, const Path& store,
-                const std::vector<std::string>& formats, const Path& out);
+                const std::vector<std::string>& formats, const ExportOptions& options,
+                const Path& out);
 void evaluate(const Settings& settings, const std::vector<Path>& judged,
               const std::vector<Path>& truth, const TrajectoryFlags& flags,
               const ComparisonFiles& files);
+/// The report page as one file.
+void report(const Settings& settings, const Path& store, const std::vector<Path>& truth,
+            const TrajectoryFlags& flags, const Path& out);
+void write_report(const Settings& settings, const Path& store, const Evaluation& evaluation,
+                  const Path& out);
+void rename(const Settings& settings, const Path& store, const std::string& room,
+            const std::string& name);
 void inspect(const Settings& settings, const Path& store, AsrId id, const Path& out);
 void simulate(const Settings& settings, const SimulateArguments& arguments);
 void simulate_rooms(const Settings& settings, std::int64_t rooms, const Path& out);

@@ -7,7 +7,14 @@
 #include "commands.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
+#include "roomatlas/io/nav2_export.hpp"
+#include "roomatlas/io/ogr_export.hpp"
+#include "roomatlas/io/pdf.hpp"
+#include "roomatlas/io/pose_graph_file.hpp"
+#include "roomatlas/io/room_tables.hpp"
 #include "roomatlas/io/summary.hpp"
+#include "roomatlas/merge/unexplored.hpp"
+#include "roomatlas/pipeline/visit_graph.hpp"
 #include "store_metadata.hpp"
 
 namespace roomatlas::apps {
@@ -20,6 +27,10 @@ struct Exported {
   FloorPlan plan;
   PlacedMission placed;
   RoomGraph graph;
+  std::vector<Closure> closures;
+  std::optional<GeoReference> on_earth;
+  std::optional<double> north_deg;
+  std::string ogr_driver;
 };
 
 Exported read(const Path& store_file) {
@@ -28,13 +39,14 @@ Exported read(const Path& store_file) {
     throw NotEnoughError(store_file.string() +
                          ": not assembled yet: run `roomatlas assemble` on it first");
   }
-  Exported exported{store.metadata(), store.correction(), store.plan(), {}, {}};
+  Exported exported{
+      store.metadata(), store.correction(), store.plan(), {}, {}, store.closures(), {}, {}, {}};
   exported.placed = place(store, exported.correction);
   exported.graph = graph_of(store, exported.correction);
   return exported;
 }
 
-std::string plan_svg(const Exported& from, const Settings& settings) {
+PlanAnnotations annotations_of(const Exported& from, const Settings& settings) {
   PlanAnnotations annotations;
   annotations.mission = from.plan.title;
   annotations.date = date_of(from.metadata);
@@ -45,7 +57,24 @@ std::string plan_svg(const Exported& from, const Settings& settings) {
   for (const PlanDoor& door : from.plan.doors) {
     if (door.room_a && door.room_b) annotations.room_graph.emplace_back(*door.room_a, *door.room_b);
   }
-  return draw_plan(from.plan, annotations, settings.draw);
+  for (const AsrCorrection& asr : from.correction.asrs) {
+    annotations.corrections.push_back(
+        {asr.building_from_asr_before.position(), asr.building_from_asr.position()});
+  }
+  const VisitUncertainty uncertainty =
+      uncertainty_of(from.graph, from.closures, from.correction, settings.assemble.correct);
+  for (const VisitEstimate& visit : uncertainty.visits) {
+    annotations.uncertainty.push_back({visit.at, visit.covariance_m2});
+  }
+  annotations.accuracy_m = uncertainty.typical_m;
+  annotations.unexplored = unexplored_boundary(from.plan, from.placed.walls_after);
+  return annotations;
+}
+
+std::string plan_svg(const Exported& from, const Settings& settings) {
+  DrawOptions options = settings.draw;
+  options.north_deg = from.north_deg;
+  return draw_plan(from.plan, annotations_of(from, settings), options);
 }
 
 std::string before_after_svg(const Exported& from) {
@@ -53,6 +82,15 @@ std::string before_after_svg(const Exported& from) {
   for (const StampedPose& pose : from.placed.corrected) after.push_back(pose.pose.position());
   return draw_before_after({"Odometry alone", from.placed.walls_before, from.placed.path_before},
                            {"Corrected", from.placed.walls_after, after});
+}
+
+/// Corrected poses of the visits, and the measurements between them.
+void write_pose_graph(const Path& file, const Exported& from, const Settings& settings) {
+  const PoseGraph graph = pose_graph_of(from.graph, from.closures, settings.assemble.correct);
+  const Placement placement = placement_of(from.correction);
+  std::vector<Pose2> poses;
+  for (const AsrId id : graph.ids) poses.push_back(placement.at(id));
+  write_g2o(file, graph, poses, {});
 }
 
 using Exporter = std::function<void(const Exported&, const Settings&, const Path& out)>;
@@ -69,9 +107,17 @@ const std::map<std::string, Exporter>& exporters() {
          write_png(out / "plan.png", plan_svg(from, settings), settings.png_dpi);
          write_png(out / "before_after.png", before_after_svg(from), settings.png_dpi);
        }},
+      {"pdf",
+       [](const Exported& from, const Settings& settings, const Path& out) {
+         const std::string title = from.plan.title.empty() ? "Floor plan" : from.plan.title;
+         write_pdf(out / "plan.pdf", plan_svg(from, settings), title, date_of(from.metadata));
+       }},
       {"geojson",
        [](const Exported& from, const Settings&, const Path& out) {
          write_file(out / "plan.local.geojson", to_geojson(from.plan));
+         if (from.on_earth) {
+           write_file(out / "plan.geojson", to_geojson(from.plan, *from.on_earth));
+         }
        }},
       {"tum",
        [](const Exported& from, const Settings&, const Path& out) {
@@ -80,6 +126,25 @@ const std::map<std::string, Exporter>& exporters() {
        }},
       {"dot", [](const Exported& from, const Settings&,
                  const Path& out) { write_file(out / "rooms.dot", to_dot(from.graph)); }},
+      {"csv", [](const Exported& from, const Settings&,
+                 const Path& out) { write_file(out / "rooms.csv", rooms_csv(from.plan)); }},
+      {"graphml",
+       [](const Exported& from, const Settings&, const Path& out) {
+         write_file(out / "rooms.graphml", rooms_graphml(from.plan));
+       }},
+      {"g2o", [](const Exported& from, const Settings& settings,
+                 const Path& out) { write_pose_graph(out / "graph.g2o", from, settings); }},
+      {"nav2", [](const Exported& from, const Settings&,
+                  const Path& out) { write_nav2_map(out, from.plan); }},
+      {"dxf", [](const Exported& from, const Settings&,
+                 const Path& out) { write_dxf(out / "plan.dxf", from.plan); }},
+      {"ogr",
+       [](const Exported& from, const Settings&, const Path& out) {
+         if (from.ogr_driver.empty()) {
+           throw UsageError("-f ogr needs --ogr FORMAT, such as --ogr GML");
+         }
+         write_ogr(out, from.ogr_driver, from.plan);
+       }},
       {"json",
        [](const Exported& from, const Settings&, const Path& out) {
          write_file(out / "summary.json",
@@ -93,19 +158,26 @@ const std::map<std::string, Exporter>& exporters() {
 
 std::vector<std::string> export_formats() {
   std::vector<std::string> names;
-  for (const auto& entry : exporters()) names.push_back(entry.first);
+  for (const auto& entry : exporters()) {
+    const bool is_possible = entry.first != "ogr" && (entry.first != "dxf" || has_ogr());
+    if (is_possible) names.push_back(entry.first);
+  }
   return names;
 }
 
 void export_all(const Settings& settings, const Path& store_file,
-                const std::vector<std::string>& formats, const Path& out) {
+                const std::vector<std::string>& formats, const ExportOptions& options,
+                const Path& out) {
   for (const std::string& format : formats) {
     if (!exporters().contains(format)) {
       throw UsageError(fmt::format("unknown format {}: expected some of {}", format,
                                    fmt::join(export_formats(), ",")));
     }
   }
-  const Exported from = read(store_file);
+  Exported from = read(store_file);
+  from.on_earth = options.reference();
+  from.north_deg = options.north_deg();
+  from.ogr_driver = options.ogr_driver;
   std::filesystem::create_directories(out);
   for (const std::string& format : formats) exporters().at(format)(from, settings, out);
 }

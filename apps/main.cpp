@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+
 #include <fmt/format.h>
 #include <glog/logging.h>
 #include <spdlog/spdlog.h>
@@ -28,6 +30,8 @@ struct Arguments {
   Path log;
   Path store;
   AsrId asr = 0;
+  std::string room;
+  std::string name;
   Path out;
   apps::SimulateArguments simulate;
   std::vector<Path> judged;
@@ -35,7 +39,8 @@ struct Arguments {
   std::vector<Path> spans;
   apps::TrajectoryFlags trajectory;
   apps::ComparisonFiles comparison;
-  std::vector<std::string> formats = {"svg", "png", "geojson", "tum", "dot", "json"};
+  apps::ExportOptions exported;
+  std::vector<std::string> formats = apps::export_formats();
   bool print_config = false;
   apps::OptimizeArguments optimize;
 };
@@ -129,11 +134,12 @@ void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
   positional(info, "LOG", a.log, "mission log");
 
   CLI::App* build = command("build", "log -> floor plan: everything in order", [&] {
-    apps::build(settings, a.log, a.out, truth_of(a), a.trajectory);
+    apps::build(settings, a.log, a.out, truth_of(a), a.trajectory, a.exported);
   });
   positional(build, "LOG", a.log, "mission log, plain or gzip");
   output(build, a.out, "folder for the results");
   add_truth(build, a);
+  apps::add_export_options(build, a.exported);
 
   CLI::App* map = command("map", "online stage: log -> rooms in a store",
                           [&] { apps::map(settings, a.log, a.out); });
@@ -144,14 +150,17 @@ void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
                                [&] { apps::assemble(settings, a.store); });
   positional(assemble, "STORE", a.store, "store to complete");
 
-  CLI::App* exported = command("export", "store -> drawings and files",
-                               [&] { apps::export_all(settings, a.store, a.formats, a.out); });
+  CLI::App* exported = command("export", "store -> drawings and files", [&] {
+    apps::export_all(settings, a.store, a.formats, a.exported, a.out);
+  });
   positional(exported, "STORE", a.store, "assembled store");
   exported->add_option("-f,--format", a.formats, "formats, separated by commas")
       ->delimiter(',')
       ->capture_default_str()
       ->configurable(false);
   output(exported, a.out, "folder for the files");
+  apps::add_export_options(exported, a.exported);
+  apps::add_ogr_option(exported, a.exported);
 
   CLI::App* evaluate =
       command("evaluate", "errors of stores, trajectories or logs, against truth and without any",
@@ -164,6 +173,19 @@ void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
       ->configurable(false);
   add_truth(evaluate, a);
   add_comparison_files(evaluate, a.comparison);
+
+  CLI::App* report =
+      command("report", "a page to look at in a browser: map, rooms, correction, errors",
+              [&] { apps::report(settings, a.store, truth_of(a), a.trajectory, a.out); });
+  positional(report, "STORE", a.store, "assembled store");
+  output(report, a.out, "HTML file to write, such as report.html");
+  add_truth(report, a);
+
+  CLI::App* rename = command("rename", "gives a room a name, which later plans keep",
+                             [&] { apps::rename(settings, a.store, a.room, a.name); });
+  positional(rename, "STORE", a.store, "assembled store");
+  rename->add_option("ROOM", a.room, "its number or present name")->required()->configurable(false);
+  rename->add_option("NAME", a.name, "its new name")->required()->configurable(false);
 
   CLI::App* inspect = command("inspect", "one room as it was made, step by step, as a drawing",
                               [&] { apps::inspect(settings, a.store, a.asr, a.out); });

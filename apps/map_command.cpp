@@ -6,8 +6,10 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "former_store.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
+#include "roomatlas/io/room_names.hpp"
 #include "roomatlas/io/summary.hpp"
 #include "store_metadata.hpp"
 
@@ -71,8 +73,11 @@ void map(const Settings& settings, const Path& log, const Path& store_file) {
     (void)map_mission(peeked, nowhere, settings.map);  // says what is missing
   }
 
+  const std::string sha256 = sha256_of_file(log);
+  const std::vector<PlanRoom> carried = rooms_to_carry_over(store_file, sha256);
   const FormerStore former(store_file);
   GeoPackageStore store(store_file, GeoPackageStore::Mode::create);
+  if (!carried.empty()) put_former_rooms(store_file, carried);
   MapSummary summary;
   try {
     summary = map_mission(peeked, store, settings.map, console_progress(settings));
@@ -85,7 +90,7 @@ void map(const Settings& settings, const Path& log, const Path& store_file) {
   }
   former.remove();
   const MissionInfo& info = mission->info();
-  store.put_metadata(metadata_of(info, sha256_of_file(log), settings));
+  store.put_metadata(metadata_of(info, sha256, settings));
   store.finish();
   show(info.issues, info.issues_not_listed);
   if (summary.intervals_reversed > 0) {

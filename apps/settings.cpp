@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "settings.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <map>
 
 namespace roomatlas::apps {
@@ -216,6 +218,10 @@ void add_plan(CLI::App& app, Settings& settings) {
             "m; of walls whose other side nobody saw", 0.02, 2.0);
   stage.flag("draw-path", settings.draw.show_trajectory, "draw the robot's path");
   stage.flag("draw-graph", settings.draw.show_room_graph, "draw the graph of rooms");
+  stage.flag("draw-corrections", settings.draw.show_corrections,
+             "draw an arrow for each visit that the correction moved");
+  stage.flag("draw-uncertainty", settings.draw.show_uncertainty,
+             "draw how sure each visit's place is");
   stage.add("label-pixel", settings.label_pixel_m, "m; pixel of label pictures given as truth",
             0.001, 10.0);
   stage.add("png-dpi", settings.png_dpi, "dots per inch of PNG pictures", 20.0, 1200.0);

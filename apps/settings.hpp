@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "roomatlas/draw/draw.hpp"
 #include "roomatlas/pipeline/pipeline.hpp"
 #include "roomatlas/simulate/explore.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace roomatlas::apps {
 

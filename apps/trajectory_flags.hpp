@@ -9,6 +9,10 @@
 #include "roomatlas/io/trajectory_file.hpp"
 #include "settings.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace roomatlas::apps {
 
 /// How trajectories are brought to the truth's times and judged. Not part of the configuration

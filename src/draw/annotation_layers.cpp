@@ -7,50 +7,68 @@
 
 namespace roomatlas::drawing {
 
-void add_labels(pugi::xml_node svg, const std::vector<RoomLabel>& labels, bool has_halo) {
-  pugi::xml_node group = add_group(svg, "labels");
-  if (has_halo) {
-    for (const auto& [key, value] : {std::pair{"paint-order", "stroke"},
-                                     {"stroke", "#ffffff"},
-                                     {"stroke-width", "0.7"},
-                                     {"stroke-linejoin", "round"},
-                                     {"stroke-opacity", "0.8"}}) {
-      group.append_attribute(key) = value;
-    }
+namespace {
+
+/// A white copy of the label's text, a little fatter. It lies beneath plain text, since text that
+/// is itself stroked would become outlines in a PDF.
+void add_halo(pugi::xml_node node, const Point2& at, const LabelLine& line) {
+  pugi::xml_node halo =
+      add_text(node, at, line.text, {line.size_mm, line.weight, Anchor::middle, "#ffffff"});
+  for (const auto& [key, value] : {std::pair{"class", "halo"},
+                                   {"aria-hidden", "true"},
+                                   {"stroke", "#ffffff"},
+                                   {"stroke-width", "0.7"},
+                                   {"stroke-linejoin", "round"}}) {
+    halo.append_attribute(key) = value;
   }
+}
+
+void add_leader(pugi::xml_node node, const RoomLabel& label) {
+  add_line(node, label.center_mm, *label.leader_to_mm,
+           {{"stroke", kFaintInk}, {"stroke-width", kHairline_mm}});
+  add_rectangle(node, label.box_mm(), {{"fill", "#ffffff"}});
+  add(node, "circle",
+      {{"cx", number(label.leader_to_mm->x())},
+       {"cy", number(label.leader_to_mm->y())},
+       {"r", "0.4"},
+       {"fill", kFaintInk}});
+}
+
+void add_lines(pugi::xml_node node, const RoomLabel& label, bool has_halo) {
+  double top = label.center_mm.y();
+  for (const LabelLine& line : label.lines) top -= line.size_mm * kLineSpacing / 2.0;
+  for (const LabelLine& line : label.lines) {
+    const double pitch = line.size_mm * kLineSpacing;
+    const double baseline = top + pitch / 2.0 + line.size_mm * kCapHeight / 2.0;
+    const Point2 at(label.center_mm.x(), baseline);
+    if (has_halo) add_halo(node, at, line);
+    add_text(node, at, line.text, {line.size_mm, line.weight, Anchor::middle, kInk});
+    top += pitch;
+  }
+}
+
+}  // namespace
+
+void add_labels(pugi::xml_node svg, const std::vector<RoomLabel>& labels, bool has_halo) {
+  pugi::xml_node group = add_layer(svg, "labels");
   for (const RoomLabel& label : labels) {
     pugi::xml_node node = add(group, "g", {{"data-room", std::to_string(label.room)}});
-    const Point2& center = label.center_mm;
     if (label.leader_to_mm) {
       node.append_attribute("class") = "leader";
-      add_line(node, center, *label.leader_to_mm,
-               {{"stroke", kFaintInk}, {"stroke-width", kHairline_mm}});
-      add_rectangle(node, label.box_mm(), {{"fill", "#ffffff"}});
-      add(node, "circle",
-          {{"cx", number(label.leader_to_mm->x())},
-           {"cy", number(label.leader_to_mm->y())},
-           {"r", "0.4"},
-           {"fill", kFaintInk}});
+      add_leader(node, label);
     }
     if (label.is_turned) {
+      const Point2& center = label.center_mm;
       const std::string turn = "rotate(-90 " + number(center.x()) + " " + number(center.y()) + ")";
       node.append_attribute("transform") = turn.c_str();
     }
-    double top = center.y();
-    for (const LabelLine& line : label.lines) top -= line.size_mm * kLineSpacing / 2.0;
-    for (const LabelLine& line : label.lines) {
-      const double pitch = line.size_mm * kLineSpacing;
-      const double baseline = top + pitch / 2.0 + line.size_mm * kCapHeight / 2.0;
-      add_text(node, {center.x(), baseline}, line.text,
-               {line.size_mm, line.weight, Anchor::middle, kInk});
-      top += pitch;
-    }
+    add_lines(node, label, has_halo);
   }
 }
 
 void add_dimensions(pugi::xml_node svg, const Box2& building_m, const Sheet& sheet) {
   pugi::xml_node group =
-      add_group(svg, "dimensions", {{"stroke", kFaintInk}, {"stroke-width", kHairline_mm}});
+      add_layer(svg, "dimensions", true, {{"stroke", kFaintInk}, {"stroke-width", kHairline_mm}});
   const Box2& box = sheet.content_mm;
   const double below = box.max.y() + 7.0;
   const double beside = box.min.x() - 7.0;

@@ -82,7 +82,7 @@ Layout lay_out(const FloorPlan& plan, const Box2& box, bool has_graph) {
 }
 
 void add_notes(pugi::xml_node svg, const Layout& layout) {
-  pugi::xml_node group = add_group(svg, "notes");
+  pugi::xml_node group = add_layer(svg, "notes");
   const Box2& area = layout.sheet.drawing_mm;
   double baseline =
       area.max.y() - 1.0 - kNoteLine_mm * (static_cast<double>(layout.notes.size()) - 1.0);
@@ -112,10 +112,16 @@ std::string draw_plan(const FloorPlan& plan, const PlanAnnotations& annotations,
   add_rooms(svg, plan, sheet);
   add_furniture(svg, plan, sheet);
   add_walls(svg, plan, sheet);
+  add_unexplored(svg, annotations.unexplored, sheet);
   add_doors(svg, plan, sheet);
   add_trajectory(svg, annotations.trajectory, options.show_trajectory, sheet);
   add_room_graph(svg, plan, annotations.room_graph, options.show_room_graph, sheet);
-  add_labels(svg, layout.labels, options.show_trajectory || options.show_room_graph);
+  add_corrections(svg, annotations.corrections, options.show_corrections, sheet);
+  add_uncertainty(svg, annotations.uncertainty, options.show_uncertainty, sheet);
+  const bool has_lines = options.show_trajectory || options.show_room_graph ||
+                         options.show_corrections || options.show_uncertainty;
+  add_labels(svg, layout.labels, has_lines);
+  add_door_widths(svg, plan, layout.labels, sheet);
   if (box.empty()) {
     add_empty_notice(svg, sheet);
   } else {

@@ -34,7 +34,7 @@ std::optional<Point2> door_between(const FloorPlan& plan, RoomId first, RoomId s
 }  // namespace
 
 void add_rooms(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
-  pugi::xml_node group = add_group(svg, "rooms",
+  pugi::xml_node group = add_layer(svg, "rooms", true,
                                    {{"fill-rule", "evenodd"},
                                     {"stroke", kWallFill},
                                     {"stroke-width", kThin_mm},
@@ -50,7 +50,7 @@ void add_rooms(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
 }
 
 void add_furniture(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
-  pugi::xml_node group = add_group(svg, "furniture",
+  pugi::xml_node group = add_layer(svg, "furniture", true,
                                    {{"fill", kFurnitureFill},
                                     {"fill-rule", "evenodd"},
                                     {"stroke", kFaintInk},
@@ -61,14 +61,15 @@ void add_furniture(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet
 }
 
 void add_walls(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
-  pugi::xml_node group = add_group(svg, "walls", {{"fill", kWallFill}, {"fill-rule", "evenodd"}});
+  pugi::xml_node group =
+      add_layer(svg, "walls", true, {{"fill", kWallFill}, {"fill-rule", "evenodd"}});
   for (const Polygon& wall : plan.walls) {
     add(group, "path", {{"d", path_of(sheet.to_paper({wall}))}});
   }
 }
 
 void add_doors(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
-  pugi::xml_node group = add_group(svg, "doors", {{"fill", kDoorFill}});
+  pugi::xml_node group = add_layer(svg, "doors", true, {{"fill", kDoorFill}});
   for (const PlanDoor& door : plan.doors) {
     if (door.opening.size() != 4) continue;
     pugi::xml_node node = add_group(group, ("door-" + std::to_string(door.id)).c_str());
@@ -83,28 +84,12 @@ void add_doors(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
   }
 }
 
-void add_trajectory(pugi::xml_node svg, const Polyline& trajectory, bool is_wanted,
-                    const Sheet& sheet) {
-  pugi::xml_node group = add_group(svg, "trajectory",
-                                   {{"fill", "none"},
-                                    {"stroke", kPathStroke},
-                                    {"stroke-width", kThin_mm},
-                                    {"stroke-linejoin", "round"}});
-  if (!is_wanted || trajectory.empty()) return;
-  Polyline finite;
-  for (const Point2& point : trajectory) {
-    if (point.allFinite()) finite.push_back(sheet.to_paper(point));
-  }
-  add(group, "path", {{"d", path_of(finite)}});
-}
-
 void add_room_graph(pugi::xml_node svg, const FloorPlan& plan,
-                    const std::vector<std::pair<RoomId, RoomId>>& edges, bool is_wanted,
+                    const std::vector<std::pair<RoomId, RoomId>>& edges, bool is_shown,
                     const Sheet& sheet) {
-  pugi::xml_node group = add_group(
-      svg, "room-graph",
+  pugi::xml_node group = add_layer(
+      svg, "room-graph", is_shown,
       {{"fill", "none"}, {"stroke", kGraphStroke}, {"stroke-width", "0.35"}, {"opacity", "0.55"}});
-  if (!is_wanted) return;
   for (const auto& [first, second] : edges) {
     const PlanRoom* a = find_room(plan, first);
     const PlanRoom* b = find_room(plan, second);

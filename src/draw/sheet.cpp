@@ -66,7 +66,7 @@ const Paper& choose_paper(const Point2& building_m, double notes_mm) {
     std::size_t landscape;
     int scale;
   };
-  for (const Wish wish : {Wish{0, 100}, Wish{2, 100}, Wish{2, 250}, Wish{4, 250}, Wish{6, 250}}) {
+  for (const Wish wish : {Wish{0, 100}, Wish{2, 125}, Wish{2, 250}, Wish{4, 250}, Wish{6, 250}}) {
     const Paper& paper = better_way(wish.landscape, building_m, notes_mm);
     if (fitting_scale(paper, building_m, notes_mm) <= wish.scale) return paper;
   }
@@ -95,7 +95,9 @@ std::vector<Polygon> PaperTransform::operator()(const std::vector<Polygon>& poly
   return polygons_mm;
 }
 
-int round_scale(double exact) { return scale_among({2.0, 2.5, 5.0, 10.0}, exact); }
+int round_scale(double exact) {
+  return scale_among({1.0, 1.25, 2.0, 2.5, 3.0, 4.0, 5.0, 7.5}, exact);
+}
 
 int fine_scale(double exact) {
   return scale_among({2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.5, 15.0}, exact);

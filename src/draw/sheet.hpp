@@ -38,13 +38,14 @@ struct Sheet {
   PaperTransform to_paper;
 };
 
-/// The smallest paper on which the building has a legible scale: A4 or A3 at 1:100 or better, then
-/// A3 up to A1 at 1:250 or better, then A1 at whatever fits.
+/// The smallest paper on which the building has a legible scale: A4 at 1:100 or better, A3 at 1:125
+/// or better, then A3 up to A1 at 1:250 or better, then A1 at whatever fits.
 /// @param building_m may be empty: an A4 page.
 /// @param notes_mm height to keep free above the title block.
 [[nodiscard]] Sheet choose_sheet(const Box2& building_m, double notes_mm);
 
-/// The round scale 1 : n (50, 100, 200, 250, 500 ...) that is at least 1 : `exact`.
+/// The scale 1 : n of scale rulers (50, 75, 100, 125, 200, 250, 300, 400, 500, 750, 1000 ...) that
+/// is at least 1 : `exact`.
 [[nodiscard]] int round_scale(double exact);
 
 /// The same with more steps (100, 125, 150, 200, 250, 300, 400 ...), for pictures that fill a

@@ -14,6 +14,11 @@ constexpr const char* kDoorFill = "#ffffff";
 constexpr const char* kFurnitureFill = "#c9ced6";
 constexpr const char* kPathStroke = "#d55e00";
 constexpr const char* kGraphStroke = "#0072b2";
+constexpr const char* kCorrectionStroke = "#a2337c";
+constexpr const char* kUncertaintyStroke = "#00795c";
+constexpr const char* kUnexploredStroke = "#5f6b7a";
+
+constexpr const char* kUnexploredDash = "1.6 1";
 
 constexpr const char* kHairline_mm = "0.13";
 constexpr const char* kThin_mm = "0.2";

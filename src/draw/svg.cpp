@@ -61,6 +61,7 @@ pugi::xml_node add_page(pugi::xml_document& document, double width_mm, double he
   declaration.append_attribute("encoding") = "UTF-8";
   pugi::xml_node svg = add(document, "svg",
                            {{"xmlns", "http://www.w3.org/2000/svg"},
+                            {"xmlns:inkscape", "http://www.inkscape.org/namespaces/inkscape"},
                             {"width", number(width_mm) + "mm"},
                             {"height", number(height_mm) + "mm"},
                             {"viewBox", "0 0 " + number(width_mm) + " " + number(height_mm)},
@@ -86,6 +87,16 @@ pugi::xml_node add_group(pugi::xml_node parent, const char* id, const Attributes
   pugi::xml_node group = add(parent, "g", {{"id", id}});
   for (const auto& [key, value] : attributes) group.append_attribute(key) = value.c_str();
   return group;
+}
+
+pugi::xml_node add_layer(pugi::xml_node parent, const char* id, bool is_shown,
+                         const Attributes& attributes) {
+  pugi::xml_node layer = add(
+      parent, "g",
+      {{"id", id}, {"class", "layer"}, {"inkscape:groupmode", "layer"}, {"inkscape:label", id}});
+  if (!is_shown) layer.append_attribute("display") = "none";
+  for (const auto& [key, value] : attributes) layer.append_attribute(key) = value.c_str();
+  return layer;
 }
 
 pugi::xml_node add_line(pugi::xml_node parent, const Point2& a, const Point2& b,

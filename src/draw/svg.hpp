@@ -28,6 +28,10 @@ using Attributes = std::vector<std::pair<const char*, std::string>>;
 
 pugi::xml_node add(pugi::xml_node parent, const char* name, const Attributes& attributes);
 pugi::xml_node add_group(pugi::xml_node parent, const char* id, const Attributes& attributes = {});
+/// A layer of the drawing: a group of class `layer`, which Inkscape lists by its name.
+/// @param is_shown otherwise the layer is there, but not displayed
+pugi::xml_node add_layer(pugi::xml_node parent, const char* id, bool is_shown = true,
+                         const Attributes& attributes = {});
 pugi::xml_node add_line(pugi::xml_node parent, const Point2& a, const Point2& b,
                         const Attributes& attributes = {});
 pugi::xml_node add_rectangle(pugi::xml_node parent, const Box2& box, const Attributes& attributes);

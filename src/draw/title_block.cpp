@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "title_block.hpp"
 
+#include "compass.hpp"
 #include "room_labels.hpp"
 #include "style.hpp"
 #include "svg.hpp"
@@ -14,7 +15,7 @@ namespace {
 constexpr double kInset_mm = 3.0;
 constexpr double kLine_mm = 4.9;  // between lines of text
 constexpr double kText_mm = 2.4;
-constexpr std::array<double, 4> kCellShares = {0.31, 0.22, 0.21, 0.26};
+constexpr std::array<double, 4> kCellShares = {0.29, 0.24, 0.21, 0.26};
 
 /// A cell of the strip, and where its next line of text goes.
 struct Cell {
@@ -39,9 +40,10 @@ void add_heading(pugi::xml_node group, const Cell& cell, const FloorPlan& plan,
                  const PlanAnnotations& annotations) {
   const bool has_title = !plan.title.empty() && plan.title != annotations.mission;
   const std::string title = has_title ? plan.title : "Floor plan";
+  const double width = cell.width() - 2.0 * kCompassRadius_mm;  // but for the line below it
   const auto add_row = [&](int line, const std::string& text, const TextStyle& style) {
     add_text(group, {cell.left(), cell.baseline(line) + (line > 0 ? 0.6 : 0.0)},
-             shortened(text, cell.width(), style.size_mm, style.weight), style);
+             shortened(text, line < 4 ? width : cell.width(), style.size_mm, style.weight), style);
   };
   add_row(0, title, {4.2, Weight::bold, Anchor::start, kInk});
   int line = 1;
@@ -54,6 +56,11 @@ void add_heading(pugi::xml_node group, const Cell& cell, const FloorPlan& plan,
   add_row(4, "Measured by a robot. Not a survey.", {2.1, Weight::normal, {}, kFaintInk});
 }
 
+/// Two digits that mean something, no more.
+std::string accuracy_text(double accuracy_m) {
+  return "\u00b1\u00a0" + fixed(accuracy_m, accuracy_m < 1.0 ? 2 : 1) + "\u00a0m";
+}
+
 void add_facts(pugi::xml_node group, const Cell& cell, const FloorPlan& plan,
                const PlanAnnotations& annotations) {
   double area_m2 = 0.0;
@@ -64,6 +71,9 @@ void add_facts(pugi::xml_node group, const Cell& cell, const FloorPlan& plan,
       {"Floor area", area_text(area_m2)}};
   if (annotations.path_length_m > 0.0) {
     rows.emplace_back("Path driven", fixed(annotations.path_length_m, 0) + "\u00a0m");
+  }
+  if (annotations.accuracy_m) {
+    rows.emplace_back("Estimated accuracy", accuracy_text(*annotations.accuracy_m));
   }
   int line = 0;
   for (const auto& [name, value] : rows) {
@@ -82,7 +92,8 @@ struct LegendEntry {
   Attributes line;
 };
 
-std::vector<LegendEntry> legend_of(const FloorPlan& plan, const DrawOptions& options) {
+std::vector<LegendEntry> legend_of(const FloorPlan& plan, bool has_unexplored,
+                                   const DrawOptions& options) {
   std::vector<LegendEntry> entries;
   const Attributes outline = {{"stroke", kFaintInk}, {"stroke-width", kHairline_mm}};
   const auto add_swatch = [&](const std::string& name, const char* fill) {
@@ -99,6 +110,13 @@ std::vector<LegendEntry> legend_of(const FloorPlan& plan, const DrawOptions& opt
   if (!plan.walls.empty()) add_swatch("wall", kWallFill);
   if (!plan.doors.empty()) add_swatch("door", kDoorFill);
   if (!plan.furniture.empty()) add_swatch("furniture", kFurnitureFill);
+  if (has_unexplored) {
+    entries.push_back({"unexplored",
+                       {},
+                       {{"stroke", kUnexploredStroke},
+                        {"stroke-width", kFrame_mm},
+                        {"stroke-dasharray", kUnexploredDash}}});
+  }
   if (options.show_trajectory) {
     entries.push_back({"path", {}, {{"stroke", kPathStroke}, {"stroke-width", kFrame_mm}}});
   }
@@ -108,17 +126,27 @@ std::vector<LegendEntry> legend_of(const FloorPlan& plan, const DrawOptions& opt
          {},
          {{"stroke", kGraphStroke}, {"stroke-width", kFrame_mm}, {"stroke-dasharray", "1.2 0.8"}}});
   }
+  if (options.show_corrections) {
+    entries.push_back(
+        {"correction", {}, {{"stroke", kCorrectionStroke}, {"stroke-width", kFrame_mm}}});
+  }
+  if (options.show_uncertainty) {
+    entries.push_back(
+        {"95 % sure", {}, {{"stroke", kUncertaintyStroke}, {"stroke-width", kFrame_mm}}});
+  }
   return entries;
 }
 
 void add_legend(pugi::xml_node parent, const Cell& cell, const std::vector<LegendEntry>& entries) {
-  constexpr int kRows = 5;
   constexpr double kSwatch_mm = 4.5;
+  const int count = static_cast<int>(entries.size());
+  const int rows = std::max(5, (count + 1) / 2);  // of two columns
+  const double pitch_mm = 5.0 * kLine_mm / rows;
   pugi::xml_node group = add_group(parent, "legend");
-  for (int i = 0; i < static_cast<int>(entries.size()); ++i) {
+  for (int i = 0; i < count; ++i) {
     const LegendEntry& entry = entries[static_cast<std::size_t>(i)];
-    const double x = cell.left() + (i / kRows) * cell.width() / 2.0;
-    const double baseline = cell.baseline(i % kRows);
+    const double x = cell.left() + (i / rows) * cell.width() / 2.0;
+    const double baseline = cell.baseline(0) + (i % rows) * pitch_mm;
     const Box2 box{{x, baseline - 2.3}, {x + kSwatch_mm, baseline + 0.5}};
     if (entry.line.empty()) {
       add_rectangle(group, box, entry.swatch);
@@ -154,7 +182,7 @@ void add_scale_bar(pugi::xml_node parent, const Point2& at, double longest_mm, d
 
 void add_title_block(pugi::xml_node svg, const FloorPlan& plan, const PlanAnnotations& annotations,
                      const DrawOptions& options, const Sheet& sheet) {
-  pugi::xml_node group = add_group(svg, "title");
+  pugi::xml_node group = add_layer(svg, "title");
   const Attributes frame = {{"fill", "none"}, {"stroke", kInk}, {"stroke-width", kFrame_mm}};
   add_rectangle(group, sheet.strip_mm, frame);
   const auto cells = cells_of(sheet.strip_mm);
@@ -163,8 +191,12 @@ void add_title_block(pugi::xml_node svg, const FloorPlan& plan, const PlanAnnota
              {{"stroke", kInk}, {"stroke-width", kHairline_mm}});
   }
   add_heading(group, cells[0], plan, annotations);
+  add_compass(group,
+              {cells[0].box.max.x() - kCompassRadius_mm - 1.5,
+               cells[0].box.min.y() + kCompassRadius_mm + 1.5},
+              options.north_deg);
   add_facts(group, cells[1], plan, annotations);
-  add_legend(group, cells[2], legend_of(plan, options));
+  add_legend(group, cells[2], legend_of(plan, !annotations.unexplored.empty(), options));
   const Cell& last = cells[3];
   add_text(group, {last.left(), last.baseline(0)}, "Scale", {kText_mm, {}, {}, kFaintInk});
   add_text(group, {last.left() + last.width(), last.baseline(0)},

@@ -29,6 +29,7 @@ class Row {
   Point2 point();
   Pose2 pose();
   std::optional<std::int64_t> optional_integer();
+  [[nodiscard]] bool has_more() const { return column_ < statement_.getColumnCount(); }
 
  private:
   SQLite::Column next() { return statement_.getColumn(column_++); }

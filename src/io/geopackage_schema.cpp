@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geopackage_schema.hpp"
 
+#include "former_rooms.hpp"
 #include "geopackage_tables.hpp"
+#include "layer_styles.hpp"
 #include "roomatlas/core/issue.hpp"
 
 #include <chrono>
@@ -52,6 +54,8 @@ void create_schema(Database& database) {
   database.execute("PRAGMA user_version = " + std::to_string(kGeoPackageVersion));
   for (const char* sql : {kGeoPackageSql, kMissionSql, kResultSql}) database.execute(sql);
   register_tables(database);
+  create_layer_styles(database);
+  create_former_rooms(database);
   database.run("INSERT INTO metadata (key, value) VALUES (?, ?)", kSchemaVersionKey,
                std::to_string(kSchemaVersion));
 }

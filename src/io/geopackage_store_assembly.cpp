@@ -125,16 +125,32 @@ void write_correction(Database& db, const Correction& correction) {
   }
 }
 
+/// A store that an earlier release made has no information in `closures`.
+void add_information_columns(Database& db) {
+  bool is_there = false;
+  db.for_each_row("SELECT name FROM pragma_table_info('closures')",
+                  [&](Row& row) { is_there = row.text() == "information_tt" || is_there; });
+  if (is_there) return;
+  for (const char* entry : {"xx", "xy", "xt", "yy", "yt", "tt"}) {
+    db.execute("ALTER TABLE closures ADD COLUMN information_" + std::string(entry) + " REAL");
+  }
+}
+
 }  // namespace
 
 void GeoPackageStore::put_closures(const std::vector<Closure>& closures) {
   state_->transaction([&](Database& db) {
+    add_information_columns(db);
     db.execute("DELETE FROM closures");
     for (const Closure& closure : closures) {
       const MapMatch& match = closure.match;
-      db.run("INSERT INTO closures VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", closure.from,
-             closure.to, match.first_from_second, match.agreeing, match.contradicting, match.unseen,
-             closure.score(), to_string(closure.verdict), closure.was_given);
+      const Eigen::Matrix3d& info = match.information;
+      db.run(
+          "INSERT INTO closures VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+          closure.from, closure.to, match.first_from_second, match.agreeing, match.contradicting,
+          match.unseen, closure.score(), stored_name(kClosureVerdicts, closure.verdict),
+          closure.was_given, info(0, 0), info(0, 1), info(0, 2), info(1, 1), info(1, 2),
+          info(2, 2));
     }
   });
 }

@@ -80,6 +80,27 @@ FactorReport factor_of(Row& row) {
   return factor;
 }
 
+Closure closure_of(Row& row) {
+  (void)row.integer();  // id
+  Closure closure;
+  closure.from = row.integer();
+  closure.to = row.integer();
+  closure.match.first_from_second = row.pose();
+  closure.match.agreeing = static_cast<int>(row.integer());
+  closure.match.contradicting = static_cast<int>(row.integer());
+  closure.match.unseen = static_cast<int>(row.integer());
+  (void)row.integer();  // score
+  closure.verdict = value_of_stored_name(kClosureVerdicts, row.text());
+  closure.was_given = row.flag();
+  if (!row.has_more()) return closure;  // made by an earlier release
+  Eigen::Matrix3d& info = closure.match.information;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = i; j < 3; ++j) info(i, j) = info(j, i) = row.real();
+  }
+  if (!info.allFinite()) info.setZero();
+  return closure;
+}
+
 /// The values of all rows of a query.
 template <typename Value>
 std::vector<Value> all(Database& db, const char* sql, Value (*value_of)(Row&)) {
@@ -136,6 +157,11 @@ Correction GeoPackageStore::correction() const {
             factor_of);
     return correction;
   });
+}
+
+std::vector<Closure> GeoPackageStore::closures() const {
+  return state_->reading(
+      [](Database& db) { return all(db, "SELECT * FROM closures ORDER BY id", closure_of); });
 }
 
 FloorPlan GeoPackageStore::plan() const {

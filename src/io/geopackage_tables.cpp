@@ -201,7 +201,13 @@ CREATE TABLE closures (
   unseen INTEGER NOT NULL,
   score INTEGER NOT NULL,
   verdict TEXT NOT NULL,
-  was_given BOOLEAN NOT NULL);
+  was_given BOOLEAN NOT NULL,
+  information_xx REAL,
+  information_xy REAL,
+  information_xt REAL,
+  information_yy REAL,
+  information_yt REAL,
+  information_tt REAL);
 
 CREATE TABLE factors (
   id INTEGER PRIMARY KEY,

@@ -4,6 +4,7 @@
 #include "bytes.hpp"
 #include "roomatlas/core/issue.hpp"
 #include "roomatlas/correct/correction.hpp"
+#include "roomatlas/graph/closures.hpp"
 #include "roomatlas/merge/floor_plan.hpp"
 
 #include <array>
@@ -28,6 +29,11 @@ inline constexpr StoredNames<FactorKind, 4> kFactorKinds = {
      {FactorKind::doorway, "doorway"},
      {FactorKind::closure, "closure"},
      {FactorKind::wall_direction, "wall_direction"}}};
+inline constexpr StoredNames<ClosureVerdict, 4> kClosureVerdicts = {
+    {{ClosureVerdict::accepted, "accepted"},
+     {ClosureVerdict::too_little_in_common, "too little in common"},
+     {ClosureVerdict::contradicted, "contradicted by readings"},
+     {ClosureVerdict::left_out, "left out as asked"}}};
 inline constexpr StoredNames<Severity, 3> kSeverities = {
     {{Severity::note, "note"}, {Severity::warning, "warning"}, {Severity::error, "error"}}};
 

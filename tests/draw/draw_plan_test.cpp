@@ -3,6 +3,8 @@
 #include "../src/draw/room_labels.hpp"
 #include "draw/plan_fixture.hpp"
 
+#include "roomatlas/draw/report.hpp"
+
 #include <gmock/gmock.h>
 #include <pugixml.hpp>
 
@@ -48,9 +50,11 @@ TEST(DrawPlan, IsWellFormedAndMeasuredInMillimetresOfPaper) {
 TEST(DrawPlan, HasTheLayersUnderTheirIds) {
   const auto document = parsed(draw_plan(office(), annotations(), {}));
   for (const char* id : {"rooms", "walls", "doors", "trajectory", "room-graph", "labels",
-                         "furniture", "title", "dimensions", "scale-bar", "legend"}) {
+                         "furniture", "title", "dimensions", "scale-bar", "legend", "unexplored",
+                         "corrections", "uncertainty", "door-widths", "axes"}) {
     EXPECT_TRUE(group(document, id)) << id;
   }
+  EXPECT_STREQ(group(document, "walls").attribute("class").value(), "layer");
 }
 
 TEST(DrawPlan, WritesEveryNameAsText) {
@@ -76,13 +80,19 @@ TEST(DrawPlan, TitleBlockDoesNotNameTheMissionTwice) {
   EXPECT_THAT(text, testing::HasSubstr("Floor plan\nMission office.clf.gz\n"));
 }
 
-TEST(DrawPlan, DrawsPathAndGraphOnlyWhenAsked) {
-  const auto without = parsed(draw_plan(office(), annotations(), {}));
-  EXPECT_FALSE(group(without, "trajectory").first_child());
-  EXPECT_FALSE(group(without, "room-graph").first_child());
-  const auto with = parsed(draw_plan(office(), annotations(), {true, true}));
-  EXPECT_TRUE(group(with, "trajectory").child("path"));
-  EXPECT_EQ(group(with, "room-graph").select_nodes("path").size(), 1U);  // 99 is not in the plan
+TEST(DrawPlan, HoldsEveryLayerButDisplaysPathAndGraphOnlyWhenAsked) {
+  const auto is_displayed = [](const pugi::xml_node& layer) { return !layer.attribute("display"); };
+  const auto plain = parsed(draw_plan(office(), annotations(), {}));
+  const auto full = parsed(draw_plan(office(), annotations(), {true, true, true, true, {}}));
+  for (const char* id : {"trajectory", "room-graph", "corrections", "uncertainty"}) {
+    EXPECT_FALSE(is_displayed(group(plain, id))) << id;
+    EXPECT_TRUE(is_displayed(group(full, id))) << id;
+  }
+  EXPECT_TRUE(group(plain, "trajectory").child("path"));
+  EXPECT_EQ(group(plain, "room-graph").select_nodes("path").size(), 1U);  // 99 is not in the plan
+  for (const char* id : {"rooms", "walls", "doors", "labels", "door-widths", "title"}) {
+    EXPECT_TRUE(is_displayed(group(plain, id))) << id;
+  }
 }
 
 TEST(DrawPlan, TurnsTheBuildingsYUp) {
@@ -106,7 +116,9 @@ TEST(DrawPlan, ChoosesPaperAndARoundScaleThatFit) {
   EXPECT_EQ(sheet(140, 60).scale, 200);
   EXPECT_EQ(sheet(53, 53).paper, "A3 landscape");
   EXPECT_EQ(sheet(53, 53).scale, 250);
-  EXPECT_EQ(sheet(900, 60).scale, 2000);
+  EXPECT_EQ(sheet(40, 14).paper, "A3 landscape");
+  EXPECT_EQ(sheet(40, 14).scale, 125);
+  EXPECT_EQ(sheet(900, 60).scale, 1250);
   for (const double size : {3.0, 17.0, 66.0, 412.0, 5000.0}) {
     const Sheet chosen = sheet(size, size / 2.0);
     EXPECT_TRUE((chosen.content_mm.min.array() > chosen.drawing_mm.min.array()).all());
@@ -165,17 +177,44 @@ TEST(DrawPlan, AnEmptyPlanGivesAPageThatSaysSo) {
 }
 
 TEST(DrawPlan, IsTheSameEveryTime) {
-  EXPECT_EQ(draw_plan(office(), annotations(), {true, true}),
-            draw_plan(office(), annotations(), {true, true}));
+  EXPECT_EQ(draw_plan(office(), annotations(), {true, true, true, true, {}}),
+            draw_plan(office(), annotations(), {true, true, true, true, {}}));
 }
 
 TEST(DrawPlan, NeverWritesNotANumber) {
   PlanAnnotations notes = annotations();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   notes.trajectory.insert(notes.trajectory.begin(), Point2(nan, 0));
-  const std::string svg = draw_plan(office(), notes, {true, true});
+  const std::string svg = draw_plan(office(), notes, {true, true, true, true, {}});
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   EXPECT_EQ(svg.find("inf"), std::string::npos);
+}
+
+TEST(DrawPlan, LabelsOverLinesHaveAHaloBeneathPlainText) {
+  DrawOptions options;
+  options.show_room_graph = true;
+  const auto document = parsed(draw_plan(office(), annotations(), options));
+  int halos = 0;
+  for (const pugi::xpath_node found : document.select_nodes("//g[@id='labels']//text")) {
+    const pugi::xml_node text = found.node();
+    if (std::string(text.attribute("class").value()) != "halo") {
+      EXPECT_FALSE(text.attribute("stroke")) << text.text().get();
+      continue;
+    }
+    ++halos;
+    const pugi::xml_node above = text.next_sibling("text");
+    EXPECT_STREQ(above.text().get(), text.text().get());
+    EXPECT_FALSE(above.attribute("class"));
+  }
+  EXPECT_GT(halos, 0);
+}
+
+TEST(ReportPage, PutsTitleAndDataInTheirPlacesAndNothingThatEndsTheScript) {
+  const std::string page = report_page("A <b> & c", R"({"name":"</script>"})");
+  EXPECT_THAT(page, testing::HasSubstr("<title>A &lt;b&gt; &amp; c</title>"));
+  EXPECT_THAT(page, testing::HasSubstr(R"(id="data">{"name":"\u003c/script>"}</script>)"));
+  EXPECT_THAT(page, testing::HasSubstr("Leaflet"));
+  EXPECT_THAT(page, testing::Not(testing::HasSubstr("{{")));
 }
 
 }  // namespace

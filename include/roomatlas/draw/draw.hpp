@@ -5,10 +5,18 @@
 #include "roomatlas/core/geometry.hpp"
 #include "roomatlas/merge/floor_plan.hpp"
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace roomatlas {
+
+/// A place and how sure it is; building metres and axes.
+struct UncertainPlace {
+  Point2 at = Point2::Zero();
+  Eigen::Matrix2d covariance_m2 = Eigen::Matrix2d::Zero();
+};
 
 /// What a plan drawing shows besides the plan itself. Everything is optional.
 struct PlanAnnotations {
@@ -17,16 +25,26 @@ struct PlanAnnotations {
   double path_length_m = 0.0;
   Polyline trajectory;                                ///< thin line; building metres
   std::vector<std::pair<RoomId, RoomId>> room_graph;  ///< drawn as a faint graph when not empty
+  std::vector<Segment2> corrections;  ///< from where odometry had a visit to where it is
+  std::vector<UncertainPlace> uncertainty;
+  std::vector<Polyline> unexplored;  ///< where free space, to the left, ends without a wall
+  std::optional<double> accuracy_m;  ///< estimated standard deviation of a room's place
 };
 
 struct DrawOptions {
   bool show_trajectory = false;
   bool show_room_graph = false;
+  bool show_corrections = false;
+  bool show_uncertainty = false;
+  std::optional<double> north_deg;  ///< where north is, clockwise from up the sheet; nothing: the
+                                    ///< axes of the building's coordinates are shown
 };
 
-/// The plan as an SVG document: millimetres on paper at a round scale. Layers are groups with
-/// stable ids (rooms, walls, doors, trajectory, room-graph, labels, furniture, title). Text is
-/// real text. An empty plan gives a page that says so.
+/// The plan as an SVG document: millimetres on paper at a round scale. Layers are groups of class
+/// `layer` with stable ids: rooms, furniture, walls, unexplored, doors, trajectory, room-graph,
+/// corrections, uncertainty, labels, door-widths, dimensions, notes, title. Those that are not to
+/// be shown are there with `display="none"`. Text is real text. An empty plan gives a page that
+/// says so.
 [[nodiscard]] std::string draw_plan(const FloorPlan& plan, const PlanAnnotations& annotations,
                                     const DrawOptions& options);
 

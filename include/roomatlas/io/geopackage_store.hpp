@@ -43,6 +43,8 @@ class GeoPackageStore : public AsrSink, public AsrSource {
   /// The matches of rooms that were tried, with what became of them; after `put_assembly`, which
   /// deletes those of an earlier run.
   void put_closures(const std::vector<Closure>& closures);
+  /// As they were put. Information is zero in a store of an earlier release.
+  [[nodiscard]] std::vector<Closure> closures() const;
   /// What `assemble` found: replaces what an earlier run left, in one transaction. Also writes
   /// each ASR's room and the corrected path as a feature layer.
   void put_assembly(const Correction& correction, const FloorPlan& plan,

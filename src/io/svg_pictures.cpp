@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/io/formats.hpp"
+#include "roomatlas/io/pdf.hpp"
 
+#include <cairo-pdf.h>
 #include <cairo.h>
 #include <librsvg/rsvg.h>
 
@@ -10,6 +12,7 @@ namespace roomatlas {
 namespace {
 
 constexpr double kCssPixelsPerInch = 96.0;
+constexpr double kPointsPerInch = 72.0;
 constexpr double kLargestSide_px = 32000.0;  // cairo's limit is 32767
 
 template <auto Free>
@@ -48,11 +51,16 @@ struct PixelSize {
   double height = 0.0;
 };
 
-PixelSize size_of(const Path& file, RsvgHandle* handle, double dots_per_inch) {
+PixelSize css_size_of(const Path& file, RsvgHandle* handle) {
   PixelSize css;
   if (rsvg_handle_get_intrinsic_size_in_pixels(handle, &css.width, &css.height) == 0) {
     fail(file, "the document has no size");
   }
+  return css;
+}
+
+PixelSize size_of(const Path& file, RsvgHandle* handle, double dots_per_inch) {
+  const PixelSize css = css_size_of(file, handle);
   const double zoom = dots_per_inch / kCssPixelsPerInch;
   const PixelSize size{std::round(css.width * zoom), std::round(css.height * zoom)};
   const bool is_possible = size.width >= 1.0 && size.height >= 1.0 &&
@@ -69,6 +77,16 @@ cairo_status_t append_bytes(void* to, const unsigned char* data, unsigned int le
   return CAIRO_STATUS_SUCCESS;
 }
 
+void render(const Path& file, RsvgHandle* handle, cairo_t* context, const PixelSize& size) {
+  const RsvgRectangle page{0.0, 0.0, size.width, size.height};
+  GError* error = nullptr;
+  if (rsvg_handle_render_document(handle, context, &page, &error) == 0) fail(file, text_of(error));
+}
+
+void check(const Path& file, cairo_status_t status) {
+  if (status != CAIRO_STATUS_SUCCESS) fail(file, cairo_status_to_string(status));
+}
+
 }  // namespace
 
 void write_png(const Path& file, const std::string& svg, double dots_per_inch) {
@@ -79,15 +97,30 @@ void write_png(const Path& file, const std::string& svg, double dots_per_inch) {
   const Context context(cairo_create(surface.get()));
   cairo_set_source_rgb(context.get(), 1.0, 1.0, 1.0);
   cairo_paint(context.get());
-  const RsvgRectangle page{0.0, 0.0, size.width, size.height};
-  GError* error = nullptr;
-  if (rsvg_handle_render_document(handle.get(), context.get(), &page, &error) == 0) {
-    fail(file, text_of(error));
-  }
+  render(file, handle.get(), context.get(), size);
   std::string bytes;
-  const cairo_status_t status =
-      cairo_surface_write_to_png_stream(surface.get(), append_bytes, &bytes);
-  if (status != CAIRO_STATUS_SUCCESS) fail(file, cairo_status_to_string(status));
+  check(file, cairo_surface_write_to_png_stream(surface.get(), append_bytes, &bytes));
+  write_file(file, bytes);
+}
+
+void write_pdf(const Path& file, const std::string& svg, const std::string& title,
+               const std::string& date) {
+  const Handle handle = parsed(file, svg);
+  const PixelSize css = css_size_of(file, handle.get());
+  const double zoom = kPointsPerInch / kCssPixelsPerInch;
+  const PixelSize size{css.width * zoom, css.height * zoom};
+  std::string bytes;
+  const Surface surface(
+      cairo_pdf_surface_create_for_stream(append_bytes, &bytes, size.width, size.height));
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, title.c_str());
+  // Without one cairo would write the present time.
+  const std::string created = (date.empty() ? "1970-01-01" : date) + "T00:00:00Z";
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, created.c_str());
+  const Context context(cairo_create(surface.get()));
+  render(file, handle.get(), context.get(), size);
+  cairo_show_page(context.get());
+  cairo_surface_finish(surface.get());
+  check(file, cairo_surface_status(surface.get()));
   write_file(file, bytes);
 }
 

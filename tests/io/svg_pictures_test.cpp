@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/io/formats.hpp"
+#include "roomatlas/io/pdf.hpp"
 
 #include <gtest/gtest.h>
 
@@ -50,6 +51,25 @@ TEST(Png, IsNotBlankAndTheSameEveryTime) {
   const std::string blank_svg = kSvg.substr(0, kSvg.find("<rect")) + "</svg>";
   write_png(file, blank_svg, 50.0);
   EXPECT_NE(read(file), drawn);
+  std::filesystem::remove(file);
+}
+
+TEST(Pdf, HasTheSizeOnPaperThatTheDocumentStatesAndTheSameBytesEveryTime) {
+  const Path file = temporary("drawn.pdf");
+  write_pdf(file, kSvg, "Two squares", "2003-02-19");
+  const std::string drawn = read(file);
+  EXPECT_EQ(drawn.substr(0, 5), "%PDF-");
+  EXPECT_NE(drawn.find("/MediaBox [ 0 0 144 72 ]"), std::string::npos);
+  EXPECT_NE(drawn.find("D:20030219"), std::string::npos);
+  write_pdf(file, kSvg, "Two squares", "2003-02-19");
+  EXPECT_EQ(read(file), drawn);
+  std::filesystem::remove(file);
+}
+
+TEST(Pdf, WithoutADateSaysNothingOfThePresent) {
+  const Path file = temporary("undated.pdf");
+  write_pdf(file, kSvg, "Two squares", "");
+  EXPECT_NE(read(file).find("D:19700101"), std::string::npos);
   std::filesystem::remove(file);
 }
 

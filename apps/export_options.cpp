@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+
+#include "roomatlas/core/issue.hpp"
+
+namespace roomatlas::apps {
+
+std::optional<GeoReference> ExportOptions::reference() const {
+  if (georef.empty()) return std::nullopt;
+  const GeoReference reference{georef.at(0), georef.at(1), georef.at(2)};
+  const bool is_on_earth = std::abs(reference.latitude_deg) <= 85.0 &&
+                           std::abs(reference.longitude_deg) <= 180.0 &&
+                           std::abs(reference.heading_deg) <= 360.0;
+  if (!is_on_earth) {
+    throw UsageError("--georef: expected LAT,LON,HEADING in degrees, such as 48.0130,7.8335,12.5");
+  }
+  return reference;
+}
+
+std::optional<double> ExportOptions::north_deg() const {
+  if (north) return north;
+  if (const auto on_earth = reference()) return -on_earth->heading_deg;
+  return std::nullopt;
+}
+
+void add_export_options(CLI::App* command, ExportOptions& options) {
+  command
+      ->add_option("--georef", options.georef,
+                   "LAT,LON,HEADING: where the plan's origin is, and the compass direction of its "
+                   "y axis, in deg; plan.geojson is then on the earth")
+      ->delimiter(',')
+      ->expected(3)
+      ->configurable(false);
+  command
+      ->add_option("--north", options.north,
+                   "deg, clockwise from up the plan: where north is; as --georef says without it")
+      ->check(CLI::Range(-360.0, 360.0))
+      ->configurable(false);
+}
+
+void add_ogr_option(CLI::App* command, ExportOptions& options) {
+  command
+      ->add_option("--ogr", options.ogr_driver,
+                   "vector format of GDAL for -f ogr, such as GML or \"ESRI Shapefile\"")
+      ->configurable(false);
+}
+
+}  // namespace roomatlas::apps

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomatlas/io/georeference.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace roomatlas::apps {
+
+/// What `export` and `build` are told besides the parameters.
+struct ExportOptions {
+  std::vector<double> georef;   ///< latitude, longitude, heading of the y axis in deg; or empty
+  std::optional<double> north;  ///< where north is on the plan, clockwise from up in deg
+  std::string ogr_driver;       ///< of the format `ogr`
+
+  /// Throws UsageError when it is not on the earth.
+  [[nodiscard]] std::optional<GeoReference> reference() const;
+  /// As given, else as the place on earth has it, in deg clockwise from up the plan.
+  [[nodiscard]] std::optional<double> north_deg() const;
+};
+
+/// Adds `--georef` and `--north` to a command.
+void add_export_options(CLI::App* command, ExportOptions& options);
+/// Adds `--ogr`, the format behind `-f ogr`.
+void add_ogr_option(CLI::App* command, ExportOptions& options);
+
+}  // namespace roomatlas::apps

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+#include "commands.hpp"
+#include "roomatlas/io/geopackage_store.hpp"
+#include "roomatlas/io/room_names.hpp"
+
+namespace roomatlas::apps {
+namespace {
+
+/// The room of that number, else the only one of that name.
+const PlanRoom& find_room(const Path& store, const FloorPlan& plan, const std::string& wanted) {
+  std::vector<const PlanRoom*> found;
+  for (const PlanRoom& room : plan.rooms) {
+    if (std::to_string(room.id) == wanted) return room;
+    if (room.name == wanted) found.push_back(&room);
+  }
+  if (found.size() == 1) return *found.front();
+  std::vector<std::string> choices;
+  for (const PlanRoom& room : plan.rooms) {
+    if (found.empty() || room.name == wanted) choices.push_back(std::to_string(room.id));
+  }
+  if (!found.empty()) {
+    throw UsageError(fmt::format("{}: several rooms are called \"{}\": give one by its number, {}",
+                                 store.string(), wanted, fmt::join(choices, " or ")));
+  }
+  throw UsageError(fmt::format("{}: no room has the number or name \"{}\"; its rooms are {}",
+                               store.string(), wanted, fmt::join(choices, ", ")));
+}
+
+void check_name(const std::string& name) {
+  const bool is_printable =
+      std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < 32 || c == 127; });
+  if (name.find_first_not_of(' ') == std::string::npos || !is_printable) {
+    throw UsageError("a room's name must be one line of text that is not empty");
+  }
+}
+
+}  // namespace
+
+void rename(const Settings&, const Path& store_file, const std::string& room,
+            const std::string& name) {
+  check_name(name);
+  const FloorPlan plan = GeoPackageStore(store_file, GeoPackageStore::Mode::read).plan();
+  const PlanRoom& chosen = find_room(store_file, plan, room);
+  rename_room(store_file, chosen.id, name);
+  GeoPackageStore(store_file, GeoPackageStore::Mode::update).finish();
+  spdlog::info("room {}: \"{}\" is now \"{}\"; `roomatlas export` draws it so", chosen.id,
+               chosen.name, name);
+}
+
+}  // namespace roomatlas::apps

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <spdlog/spdlog.h>
+
+#include "commands.hpp"
+#include "evaluation_report.hpp"
+#include "roomatlas/draw/report.hpp"
+#include "roomatlas/io/formats.hpp"
+#include "roomatlas/io/geopackage_store.hpp"
+#include "roomatlas/io/report_data.hpp"
+#include "store_metadata.hpp"
+
+namespace roomatlas::apps {
+
+void write_report(const Settings& settings, const Path& store_file, const Evaluation& evaluation,
+                  const Path& out) {
+  const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
+  const Metadata metadata = store.metadata();
+  const Correction correction = store.correction();
+  const FloorPlan plan = store.plan();
+  const RoomGraph graph = graph_of(store, correction);
+  const VisitUncertainty uncertainty =
+      uncertainty_of(graph, store.closures(), correction, settings.assemble.correct);
+  const std::string data = report_data(metadata, date_of(metadata), correction, plan, graph,
+                                       place(store, correction), uncertainty, evaluation);
+  write_file(out, report_page(plan.title.empty() ? "Floor plan" : plan.title, data));
+}
+
+void report(const Settings& settings, const Path& store, const std::vector<Path>& truth,
+            const TrajectoryFlags& flags, const Path& out) {
+  write_report(settings, store, evaluation_of(settings, store, truth, flags), out);
+  spdlog::info("the report is {}: open it in a browser", out.string());
+}
+
+}  // namespace roomatlas::apps

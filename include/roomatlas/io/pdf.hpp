@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace roomatlas {
+
+/// Renders an SVG document to a PDF of one page, at the size on paper that the document states;
+/// text stays text. Throws InputError when it cannot be written.
+/// @param date of the mission, YYYY-MM-DD, becomes the date of creation; empty: 1970-01-01
+void write_pdf(const std::filesystem::path& file, const std::string& svg, const std::string& title,
+               const std::string& date);
+
+}  // namespace roomatlas

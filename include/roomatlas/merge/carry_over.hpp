@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "roomatlas/merge/floor_plan.hpp"
+
+namespace roomatlas {
+
+/// True where somebody named the room: its name is not its number.
+[[nodiscard]] bool is_named(const PlanRoom& room);
+
+/// Gives the rooms of a plan the numbers, and the names that somebody gave, of those rooms of the
+/// former plan whose polygons they overlap most; largest overlap first, each room once, and only
+/// where a quarter of the smaller room is shared. Other rooms keep their numbers where these are
+/// free, else they get numbers above all that were used. Rooms are then in the order of their
+/// numbers, and doors and `room_of_asr` follow. Both plans must be in one frame.
+/// @returns a warning for each named room of the former plan that was not found again; it is in
+///   the plan's issues too
+Issues carry_over(const std::vector<PlanRoom>& former, FloorPlan& plan,
+                  std::map<AsrId, RoomId>& room_of_asr);
+
+}  // namespace roomatlas

@@ -1,0 +1,171 @@
+'use strict';
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The map: layers of the plan, walls and path between odometry and correction, selection.
+function makeMap(data, onSelect) {
+  const tints = { room: '#e4eff8', corridor: '#fff3cd', hall: '#c3d3ea' };
+  const latLng = ([x, y]) => [y, x];
+  const ring = (points) => points.map(latLng);
+  const blend = (a, b, share) => [a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share];
+
+  const map = L.map('map', {
+    crs: L.CRS.Simple, attributionControl: false, minZoom: -4, maxZoom: 9, zoomSnap: 0.25,
+    zoomAnimation: false, fadeAnimation: false, markerZoomAnimation: false,
+  });
+  const home = L.latLngBounds(data.rooms.flatMap((room) => room.parts.flatMap((part) => ring(part[0]))));
+  if (!home.isValid()) home.extend([0, 0]).extend([10, 10]);
+  const planPane = map.createPane('plan');
+  planPane.style.zIndex = 410;
+  map.createPane('missions').style.zIndex = 420;
+  const plan = { pane: 'plan' };
+  const mission = { pane: 'missions', interactive: false };
+
+  const rooms = L.featureGroup();
+  const polygonOf = new Map();
+  const labelled = [];
+  const baseStyle = { color: '#39424e', weight: 1, fillOpacity: 1 };
+  for (const room of data.rooms) {
+    const polygon = L.polygon(room.parts.map((part) => part.map(ring)),
+      { ...plan, ...baseStyle, fillColor: tints[room.kind] || tints.room });
+    polygon.on('click', () => onSelect(room.id, true));
+    polygon.addTo(rooms);
+    polygonOf.set(room.id, polygon);
+    const label = L.tooltip({ permanent: true, direction: 'center', className: 'room-label' });
+    label.setLatLng(latLng(room.label)).setContent(document.createTextNode(room.name)).addTo(rooms);
+    labelled.push([polygon, label]);
+  }
+  const bodies = (polygons, style) => L.featureGroup(polygons.map((rings) =>
+    L.polygon(rings.map(ring), { ...plan, interactive: false, stroke: false, fillOpacity: 1, ...style })));
+  const walls = bodies(data.walls, { fillColor: '#39424e' });
+  const furniture = bodies(data.furniture, { fillColor: '#c9ced6' });
+  const doors = L.featureGroup(data.doors.filter((door) => door.opening.length > 2).map((door) =>
+    L.polygon(ring(door.opening), { ...plan, color: '#5f6b7a', weight: 1, fillColor: '#fff', fillOpacity: 1 })
+      .bindTooltip(`door ${door.id}, ${door.width_m.toFixed(2)} m`)));
+
+  const labelOf = new Map(data.rooms.map((room) => [room.id, room.label]));
+  const graph = L.featureGroup();
+  const graphLine = { ...plan, interactive: false, color: '#0072b2', weight: 2, dashArray: '6 4' };
+  for (const door of data.doors) {
+    const ends = [labelOf.get(door.a), labelOf.get(door.b)];
+    if (ends[0] && ends[1]) L.polyline(ring([ends[0], door.at, ends[1]]), graphLine).addTo(graph);
+  }
+  for (const at of labelOf.values()) {
+    L.circleMarker(latLng(at), { ...plan, interactive: false, radius: 4, color: '#0072b2', fillOpacity: 1 }).addTo(graph);
+  }
+
+  const seen = L.polyline([], { ...mission, color: '#1f2933', weight: 1.5 });
+  const path = L.polyline([], { ...mission, color: '#d55e00', weight: 1.2, opacity: 0.8 });
+  const corrections = L.featureGroup();
+  for (const visit of data.visits) {
+    const [fromX, fromY] = visit.before;
+    const [toX, toY] = visit.after;
+    const length = Math.hypot(toX - fromX, toY - fromY);
+    if (length < 0.01) continue;
+    const head = Math.min(0.4, 0.3 * length);
+    const angle = Math.atan2(toY - fromY, toX - fromX);
+    const barb = (turn) => [toX - head * Math.cos(angle + turn), toY - head * Math.sin(angle + turn)];
+    L.polyline(ring([visit.before, visit.after, barb(0.45), visit.after, barb(-0.45)]),
+      { pane: 'missions', color: '#a2337c', weight: 1.5 })
+      .bindTooltip(`visit ${visit.asr}: moved ${visit.moved_m.toFixed(2)} m, turned ${visit.turned_deg.toFixed(1)}°`)
+      .addTo(corrections);
+  }
+
+  // Ellipses as rings: the circle that holds 95 %, stretched and turned.
+  const uncertainty = L.featureGroup();
+  for (const visit of data.visits) {
+    if (!visit.ellipse) continue;
+    const [long, short, angle] = visit.ellipse;
+    const points = [];
+    for (let i = 0; i < 36; ++i) {
+      const [u, v] = [long * Math.cos(i * Math.PI / 18), short * Math.sin(i * Math.PI / 18)];
+      points.push([visit.after[0] + u * Math.cos(angle) - v * Math.sin(angle),
+        visit.after[1] + u * Math.sin(angle) + v * Math.cos(angle)]);
+    }
+    L.polygon(ring(points), { pane: 'missions', color: '#00795c', weight: 1.5, fillOpacity: 0.1 })
+      .bindTooltip(`visit ${visit.asr}: 95 % within ${long.toFixed(2)} m`)
+      .addTo(uncertainty);
+  }
+  const unexplored = L.featureGroup(data.unexplored.map((line) =>
+    L.polyline(ring(line), { ...plan, interactive: false, color: '#fff', weight: 3 })).concat(data.unexplored.map((line) =>
+    L.polyline(ring(line), { ...plan, interactive: false, color: '#5f6b7a', weight: 1.5, dashArray: '6 5' }))));
+
+  // How far from odometry (0) to the corrected map (1) walls and path are shown.
+  function setMoment(share) {
+    const between = (before, after) => before.map((point, i) => latLng(blend(point, after[i], share)));
+    seen.setLatLngs(data.before.walls.map((line, i) => between(line, data.after.walls[i])));
+    path.setLatLngs(between(data.before.path, data.after.path));
+    planPane.style.opacity = share === 1 ? '' : '0.25';
+  }
+
+  function showFittingLabels() {
+    for (const [polygon, label] of labelled) {
+      const element = label.getElement();
+      if (!element) continue;
+      const bounds = polygon.getBounds();
+      const width = map.latLngToLayerPoint(bounds.getNorthEast()).x - map.latLngToLayerPoint(bounds.getSouthWest()).x;
+      element.style.visibility = width > element.offsetWidth ? '' : 'hidden';
+    }
+  }
+
+  let selected = null;
+  function select(id, isFromMap) {
+    if (selected) selected.setStyle(baseStyle);
+    selected = polygonOf.get(id) || null;
+    if (!selected) return;
+    selected.setStyle({ color: '#0072b2', weight: 4 });
+    selected.bringToFront();
+    isMoved = true;
+    if (!isFromMap) map.fitBounds(selected.getBounds().pad(1.5), { maxZoom: 6 });
+  }
+
+  const layers = [
+    ['rooms', 'Rooms', rooms, true], ['walls', 'Walls', walls, true], ['doors', 'Doors', doors, true],
+    ['furniture', 'Furniture', furniture, data.furniture.length > 0],
+    ['unexplored', 'Unexplored', unexplored, data.unexplored.length > 0], ['graph', 'Graph of rooms', graph, false],
+    ['seen', 'Walls as seen', seen, false], ['trajectory', 'Path', path, false],
+    ['corrections', 'Corrections', corrections, false], ['uncertainty', 'Uncertainty (95 %)', uncertainty, false],
+  ];
+  // The plan's bodies keep their order whatever is switched on first.
+  function restack() {
+    for (const layer of [furniture, walls, unexplored, doors, graph]) if (map.hasLayer(layer)) layer.bringToFront();
+  }
+  function show(layer, isShown) {
+    if (isShown) layer.addTo(map); else layer.remove();
+    restack();
+    showFittingLabels();
+  }
+  // The map is as high as the plan needs, and shows all of it until somebody moves or zooms it.
+  const container = map.getContainer();
+  const fitting = { padding: [12, 12], animate: false };
+  let isMoved = false;
+  let isPrinting = false;
+  function refit() {
+    if (isPrinting) return;
+    const shape = (home.getNorth() - home.getSouth()) / Math.max(0.1, home.getEast() - home.getWest());
+    const height = Math.min(0.72 * window.innerHeight, Math.max(window.innerWidth > 960 ? 0.55 * window.innerHeight : 288, container.clientWidth * shape + 24));
+    container.style.height = `${Math.round(height)}px`;
+    map.invalidateSize({ animate: false });
+    if (!isMoved) map.fitBounds(home, fitting);
+  }
+  for (const moved of ['mousedown', 'wheel', 'touchstart', 'keydown']) {
+    container.addEventListener(moved, () => { isMoved = true; }, { passive: true });
+  }
+  map.fitBounds(home, fitting);
+  refit();
+  window.addEventListener('resize', refit);
+  for (const [, , layer, isShown] of layers) if (isShown) show(layer, true);
+  map.on('zoomend', showFittingLabels);
+  window.addEventListener('beforeprint', () => {
+    isPrinting = true;
+    container.style.width = '180mm';
+    container.style.height = '150mm';
+    map.invalidateSize({ animate: false });
+    map.fitBounds(home, fitting);
+  });
+  window.addEventListener('afterprint', () => {
+    isPrinting = false;
+    container.style.width = '';
+    refit();
+  });
+  setMoment(1);
+  return { map, layers, show, select, setMoment };
+}

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plan_raster.hpp"
+
+#include "roomatlas/core/issue.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace roomatlas::io {
+namespace {
+
+constexpr double kMostCells = 268435456.0;  // 2^28
+
+Box2 box_of(const FloorPlan& plan) {
+  Box2 box;
+  const auto extend = [&](const Ring& ring) {
+    for (const Point2& point : ring) {
+      if (point.allFinite()) box.extend(point);
+    }
+  };
+  for (const PlanRoom& room : plan.rooms) {
+    for (const Polygon& part : room.parts) extend(part.outer);
+  }
+  for (const Polygon& wall : plan.walls) extend(wall.outer);
+  for (const PlanDoor& door : plan.doors) extend(door.opening);
+  return box;
+}
+
+/// Paints on a raster.
+class Painter {
+ public:
+  explicit Painter(PlanRaster& raster) : raster_(raster) {}
+
+  /// All cells whose centres lie in the polygon, by the even-odd rule.
+  void fill(const Polygon& polygon, std::uint8_t value) {
+    const Box2 box = bounds(polygon.outer);
+    if (box.empty()) return;
+    const int first = std::max(0, cell(box.min.y(), 1));
+    const int last = std::min(raster_.cells.height() - 1, cell(box.max.y(), 1));
+    for (int y = first; y <= last; ++y) fill_row(polygon, y, value);
+  }
+
+  /// The cells that the ring's edges run through.
+  void trace(const Ring& ring, std::uint8_t value) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point2& from = ring[i];
+      const Point2 along = ring[(i + 1) % ring.size()] - from;
+      const int steps = static_cast<int>(std::ceil(along.norm() / (raster_.cell_m / 4.0))) + 1;
+      for (int step = 0; step <= steps; ++step) {
+        const Point2 at = from + along * (static_cast<double>(step) / steps);
+        const int x = cell(at.x(), 0);
+        const int y = cell(at.y(), 1);
+        if (raster_.cells.has(x, y)) raster_.cells(x, y) = value;
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] int cell(double at_m, int axis) const {
+    return static_cast<int>(std::floor((at_m - raster_.origin_m[axis]) / raster_.cell_m));
+  }
+
+  void fill_row(const Polygon& polygon, int y, std::uint8_t value) {
+    const double at_m = raster_.origin_m.y() + (y + 0.5) * raster_.cell_m;
+    crossings_.clear();
+    cross(polygon.outer, at_m);
+    for (const Ring& hole : polygon.holes) cross(hole, at_m);
+    std::sort(crossings_.begin(), crossings_.end());
+    for (std::size_t i = 0; i + 1 < crossings_.size(); i += 2) {
+      const auto column = [&](double x_m) {
+        const double exact = (x_m - raster_.origin_m.x()) / raster_.cell_m - 0.5;
+        return static_cast<int>(std::ceil(exact));
+      };
+      const int last = std::min(raster_.cells.width(), column(crossings_[i + 1]));
+      for (int x = std::max(0, column(crossings_[i])); x < last; ++x) raster_.cells(x, y) = value;
+    }
+  }
+
+  void cross(const Ring& ring, double y_m) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point2& a = ring[i];
+      const Point2& b = ring[(i + 1) % ring.size()];
+      if ((a.y() <= y_m) == (b.y() <= y_m)) continue;
+      crossings_.push_back(a.x() + (y_m - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+    }
+  }
+
+  PlanRaster& raster_;
+  std::vector<double> crossings_;
+};
+
+}  // namespace
+
+PlanRaster raster_of(const FloorPlan& plan, double cell_m, double margin_m) {
+  PlanRaster raster;
+  raster.cell_m = cell_m;
+  const Box2 box = box_of(plan);
+  if (box.empty()) {
+    raster.cells = CellGrid<std::uint8_t>(1, 1, PlanRaster::kUnknown);
+    return raster;
+  }
+  const Point2 margin = Point2::Constant(margin_m);
+  const auto whole = [&](double value) { return std::floor(value / cell_m + 1e-6) * cell_m; };
+  raster.origin_m = Point2(box.min - margin).unaryExpr(whole);
+  const Point2 size = ((box.max + margin - raster.origin_m) / cell_m).array().ceil();
+  if (size.x() * size.y() > kMostCells) {
+    throw InputError("the plan is too large for a map of cells: it would have " +
+                     std::to_string(size.x() * size.y()) + " cells; the most is 268435456");
+  }
+  raster.cells = CellGrid<std::uint8_t>(static_cast<int>(size.x()), static_cast<int>(size.y()),
+                                        PlanRaster::kUnknown);
+  Painter painter(raster);
+  for (const PlanRoom& room : plan.rooms) {
+    for (const Polygon& part : room.parts) painter.fill(part, PlanRaster::kFree);
+  }
+  for (const Polygon& wall : plan.walls) {
+    painter.fill(wall, PlanRaster::kOccupied);
+    painter.trace(wall.outer, PlanRaster::kOccupied);
+    for (const Ring& hole : wall.holes) painter.trace(hole, PlanRaster::kOccupied);
+  }
+  for (const PlanDoor& door : plan.doors) painter.fill({door.opening, {}}, PlanRaster::kFree);
+  for (const Polygon& piece : plan.furniture) {
+    painter.fill(piece, PlanRaster::kOccupied);
+    painter.trace(piece.outer, PlanRaster::kOccupied);
+  }
+  return raster;
+}
+
+}  // namespace roomatlas::io
