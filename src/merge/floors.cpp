@@ -69,7 +69,7 @@ Areas areas_of(const PlanarMap& map, const std::vector<int>& room_of_shape, std:
 }
 
 /// The room with most outlines over the region; a tie goes to the smaller room.
-Label owner(const std::vector<int>& covering, const std::vector<int>& room_of_shape,
+Label owner(std::span<const int> covering, const std::vector<int>& room_of_shape,
             const std::vector<double>& room_mm2) {
   std::map<int, int> votes;
   for (const int shape : covering) ++votes[room_of_shape[static_cast<std::size_t>(shape)]];

@@ -134,7 +134,7 @@ LabelledPlan labelled(const Floors& floors_mm, const std::vector<Polygon>& openi
   }
   LabelledPlan plan{PlanarMap(shapes_mm), {}};
   for (int region = 0; region < plan.map.region_count(); ++region) {
-    const std::vector<int>& over = plan.map.covering(region);
+    const std::span<const int> over = plan.map.covering(region);
     plan.labels.push_back(over.empty() ? planar::kUnknown
                                        : label_of_shape[static_cast<std::size_t>(over.front())]);
   }

@@ -6,96 +6,58 @@
 namespace roomatlas::planar {
 namespace {
 
-/// An edge of a triangle, named by the triangle and its number there.
-struct EdgeRef {
-  std::size_t triangle = 0;
-  std::size_t edge = 0;
-};
-
 using VertexLoop = std::vector<int>;
 
+/// Polygons are traced face by face: faces of a group that hang together by edges make one.
 class Tracer {
  public:
-  Tracer(const TriangleMesh& mesh, const std::vector<int>& group)
-      : mesh_(mesh), group_(group), is_traced_(mesh.triangles.size() * 3, false) {}
+  Tracer(const PlaneGraph& graph, const std::vector<int>& group)
+      : graph_(graph),
+        group_(group),
+        is_traced_(static_cast<std::size_t>(graph.half_edge_count()), 0),
+        place_(static_cast<std::size_t>(graph.point_count()), 0) {}
 
   std::vector<std::vector<Polygon>> polygons(int groups);
 
  private:
-  [[nodiscard]] const Triangle& triangle(std::size_t t) const { return mesh_.triangles[t]; }
-  [[nodiscard]] int start_of(const EdgeRef& e) const {
-    return triangle(e.triangle).corner[(e.edge + 1) % 3];
+  [[nodiscard]] int group(int half_edge) const {
+    return group_[static_cast<std::size_t>(graph_.face(half_edge))];
   }
-  [[nodiscard]] bool is_boundary(const EdgeRef& e) const {
-    const int beyond = triangle(e.triangle).neighbor[e.edge];
-    return beyond < 0 || group_[static_cast<std::size_t>(beyond)] != group_[e.triangle];
+  [[nodiscard]] bool is_boundary(int half_edge) const {
+    return group(half_edge) != group(PlaneGraph::twin(half_edge));
   }
-  [[nodiscard]] EdgeRef next_boundary_edge(EdgeRef e) const;
-  [[nodiscard]] VertexLoop loop_from(EdgeRef first);
-  [[nodiscard]] Polygon polygon_of(const std::vector<std::size_t>& component);
-  [[nodiscard]] std::vector<std::size_t> component_from(std::size_t seed,
-                                                        std::vector<bool>& seen) const;
+  [[nodiscard]] bool is_traced(int half_edge) const {
+    return is_traced_[static_cast<std::size_t>(half_edge)] != 0;
+  }
+  [[nodiscard]] int next_on_boundary(int half_edge) const;
+  void trace_loop(int first);
+  void add_ring(std::size_t begin, Polygon& polygon);
+  void add_rings_of_loop(Polygon& polygon);
+  void collect_faces(int seed, std::vector<char>& seen);
+  [[nodiscard]] Polygon polygon_of_faces();
 
-  const TriangleMesh& mesh_;
+  const PlaneGraph& graph_;
   const std::vector<int>& group_;
-  std::vector<bool> is_traced_;  ///< three an edge's triangle
+  std::vector<char> is_traced_;
+  std::vector<int> place_;  ///< of each point in `open_`, plus one; 0: not there
+  std::vector<int> faces_;  ///< of the polygon at hand
+  VertexLoop loop_;
+  VertexLoop open_;
 };
 
-/// The boundary edge that follows: turn about the end of `e`, through triangles of its group only.
-EdgeRef Tracer::next_boundary_edge(EdgeRef e) const {
-  EdgeRef next{e.triangle, (e.edge + 1) % 3};
-  while (!is_boundary(next)) {
-    const auto beyond = static_cast<std::size_t>(triangle(next.triangle).neighbor[next.edge]);
-    std::size_t back = 0;
-    while (triangle(beyond).neighbor[back] != static_cast<int>(next.triangle)) ++back;
-    next = {beyond, (back + 1) % 3};
-  }
+/// The boundary edge that follows: turn about the end, through faces of the group only.
+int Tracer::next_on_boundary(int half_edge) const {
+  int next = graph_.next(half_edge);
+  while (!is_boundary(next)) next = graph_.next(PlaneGraph::twin(next));
   return next;
 }
 
-VertexLoop Tracer::loop_from(EdgeRef first) {
-  VertexLoop loop;
-  for (EdgeRef e = first; !is_traced_[e.triangle * 3 + e.edge]; e = next_boundary_edge(e)) {
-    is_traced_[e.triangle * 3 + e.edge] = true;
-    loop.push_back(start_of(e));
+void Tracer::trace_loop(int first) {
+  loop_.clear();
+  for (int h = first; !is_traced(h); h = next_on_boundary(h)) {
+    is_traced_[static_cast<std::size_t>(h)] = 1;
+    loop_.push_back(graph_.origin(h));
   }
-  return loop;
-}
-
-/// Cuts a loop that passes a vertex twice into loops that do not.
-std::vector<VertexLoop> split_at_repeated(const VertexLoop& loop) {
-  std::vector<VertexLoop> loops;
-  VertexLoop open;
-  std::vector<int> sorted = loop;
-  std::sort(sorted.begin(), sorted.end());
-  std::vector<std::size_t> position(sorted.size(), 0);  // in `open`, plus one
-  const auto slot = [&](int vertex) -> std::size_t& {
-    const auto it = std::lower_bound(sorted.begin(), sorted.end(), vertex);
-    return position[static_cast<std::size_t>(it - sorted.begin())];
-  };
-  for (const int vertex : loop) {
-    if (const std::size_t before = slot(vertex); before > 0) {
-      loops.emplace_back(open.begin() + static_cast<std::ptrdiff_t>(before - 1), open.end());
-      for (const int closed : loops.back()) slot(closed) = 0;
-      open.resize(before - 1);
-    }
-    open.push_back(vertex);
-    slot(vertex) = open.size();
-  }
-  loops.push_back(open);
-  return loops;
-}
-
-/// The ring of a loop, from its lowest vertex on, so that the same ring is always written alike.
-Ring ring_of(const TriangleMesh& mesh, const VertexLoop& loop) {
-  Ring ring;
-  ring.reserve(loop.size());
-  for (const int vertex : loop) ring.push_back(mesh.points_mm[static_cast<std::size_t>(vertex)]);
-  const auto lowest = std::min_element(ring.begin(), ring.end(), [](const auto& a, const auto& b) {
-    return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
-  });
-  std::rotate(ring.begin(), lowest, ring.end());
-  return ring;
 }
 
 bool is_larger(const Ring& a, const Ring& b) {
@@ -105,50 +67,84 @@ bool is_larger(const Ring& a, const Ring& b) {
   return std::pair(a.front().x(), a.front().y()) < std::pair(b.front().x(), b.front().y());
 }
 
-/// Of an edge-connected component exactly one loop is counter-clockwise: its outside.
-Polygon Tracer::polygon_of(const std::vector<std::size_t>& component) {
+/// Makes a ring of what is open from `begin` on: from its lowest vertex, so that the same ring is
+/// always written alike. The ring that runs counter-clockwise is the polygon's outside.
+void Tracer::add_ring(std::size_t begin, Polygon& polygon) {
+  for (std::size_t i = begin; i < open_.size(); ++i) place_[static_cast<std::size_t>(open_[i])] = 0;
+  if (open_.size() - begin >= 3) {
+    Ring ring;
+    ring.reserve(open_.size() - begin);
+    for (std::size_t i = begin; i < open_.size(); ++i) ring.push_back(graph_.point(open_[i]));
+    const auto lowest = std::min_element(ring.begin(), ring.end(), [](const auto& a, const auto& b) {
+      return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
+    });
+    std::rotate(ring.begin(), lowest, ring.end());
+    if (signed_area(ring) > 0.0 && (polygon.outer.empty() || is_larger(ring, polygon.outer))) {
+      polygon.outer = std::move(ring);
+    } else {
+      polygon.holes.push_back(std::move(ring));
+    }
+  }
+  open_.resize(begin);
+}
+
+/// Cuts the loop into rings that pass no vertex twice.
+void Tracer::add_rings_of_loop(Polygon& polygon) {
+  for (const int vertex : loop_) {
+    const int before = place_[static_cast<std::size_t>(vertex)];
+    if (before > 0) add_ring(static_cast<std::size_t>(before) - 1, polygon);
+    open_.push_back(vertex);
+    place_[static_cast<std::size_t>(vertex)] = static_cast<int>(open_.size());
+  }
+  add_ring(0, polygon);
+}
+
+/// Of faces that hang together exactly one ring runs counter-clockwise: their outside.
+Polygon Tracer::polygon_of_faces() {
   Polygon polygon;
-  for (const std::size_t t : component) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!is_boundary({t, i}) || is_traced_[t * 3 + i]) continue;
-      for (const VertexLoop& loop : split_at_repeated(loop_from({t, i}))) {
-        if (loop.size() < 3) continue;
-        Ring ring = ring_of(mesh_, loop);
-        if (signed_area(ring) > 0.0 && (polygon.outer.empty() || is_larger(ring, polygon.outer))) {
-          polygon.outer = std::move(ring);
-        } else {
-          polygon.holes.push_back(std::move(ring));
+  for (const int face : faces_) {
+    for (const int start : graph_.loops_of(face)) {
+      int h = start;
+      do {
+        if (is_boundary(h) && !is_traced(h)) {
+          trace_loop(h);
+          add_rings_of_loop(polygon);
         }
-      }
+        h = graph_.next(h);
+      } while (h != start);
     }
   }
   std::sort(polygon.holes.begin(), polygon.holes.end(), is_larger);
   return polygon;
 }
 
-std::vector<std::size_t> Tracer::component_from(std::size_t seed, std::vector<bool>& seen) const {
-  std::vector<std::size_t> component = {seed};
-  seen[seed] = true;
-  for (std::size_t at = 0; at < component.size(); ++at) {
-    const std::size_t t = component[at];
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (is_boundary({t, i})) continue;
-      const auto next = static_cast<std::size_t>(triangle(t).neighbor[i]);
-      if (!seen[next]) component.push_back(next);
-      seen[next] = true;
+void Tracer::collect_faces(int seed, std::vector<char>& seen) {
+  faces_ = {seed};
+  seen[static_cast<std::size_t>(seed)] = 1;
+  for (std::size_t at = 0; at < faces_.size(); ++at) {
+    for (const int start : graph_.loops_of(faces_[at])) {
+      int h = start;
+      do {
+        const int next = graph_.face(PlaneGraph::twin(h));
+        if (!is_boundary(h) && seen[static_cast<std::size_t>(next)] == 0) {
+          faces_.push_back(next);
+          seen[static_cast<std::size_t>(next)] = 1;
+        }
+        h = graph_.next(h);
+      } while (h != start);
     }
   }
-  return component;
 }
 
 std::vector<std::vector<Polygon>> Tracer::polygons(int groups) {
   std::vector<std::vector<Polygon>> found(static_cast<std::size_t>(groups));
-  std::vector<bool> seen(mesh_.triangles.size(), false);
-  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    if (group_[t] < 0 || seen[t]) continue;
-    Polygon polygon = polygon_of(component_from(t, seen));
-    if (polygon.outer.empty()) continue;
-    found[static_cast<std::size_t>(group_[t])].push_back(std::move(polygon));
+  std::vector<char> seen(static_cast<std::size_t>(graph_.face_count()), 0);
+  for (int face = 0; face < graph_.face_count(); ++face) {
+    const int group = group_[static_cast<std::size_t>(face)];
+    if (group < 0 || seen[static_cast<std::size_t>(face)] != 0) continue;
+    collect_faces(face, seen);
+    Polygon polygon = polygon_of_faces();
+    if (!polygon.outer.empty()) found[static_cast<std::size_t>(group)].push_back(std::move(polygon));
   }
   for (auto& polygons : found) {
     std::sort(polygons.begin(), polygons.end(),
@@ -159,10 +155,10 @@ std::vector<std::vector<Polygon>> Tracer::polygons(int groups) {
 
 }  // namespace
 
-std::vector<std::vector<Polygon>> trace_boundaries(const TriangleMesh& mesh,
-                                                   const std::vector<int>& group_of_triangle,
+std::vector<std::vector<Polygon>> trace_boundaries(const PlaneGraph& graph,
+                                                   const std::vector<int>& group_of_face,
                                                    int groups) {
-  return Tracer(mesh, group_of_triangle).polygons(groups);
+  return Tracer(graph, group_of_face).polygons(groups);
 }
 
 }  // namespace roomatlas::planar

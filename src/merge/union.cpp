@@ -47,7 +47,7 @@ double overlap_area(const std::vector<Polygon>& first, const std::vector<Polygon
   const planar::PlanarMap map(all.shapes_mm);
   double sum_mm2 = 0.0;
   for (int region = 0; region < map.region_count(); ++region) {
-    const std::vector<int>& over = map.covering(region);
+    const std::span<const int> over = map.covering(region);
     const int split = static_cast<int>(first.size());
     if (!over.empty() && over.front() < split && over.back() >= split) {
       sum_mm2 += map.area_mm2(region);
