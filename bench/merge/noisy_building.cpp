@@ -65,7 +65,8 @@ Ring Builder::drawn(const Ring& corners) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Point2& from = corners[i];
     const Point2& to = corners[(i + 1) % corners.size()];
-    const int steps = std::max(1, static_cast<int>(std::lround((to - from).norm() / kVertexEvery_m)));
+    const int steps =
+        std::max(1, static_cast<int>(std::lround((to - from).norm() / kVertexEvery_m)));
     for (int step = 0; step < steps; ++step) {
       const Point2 at = from + (to - from) * step / steps;
       ring.push_back(at + Point2(normal(kVertexNoise_m), normal(kVertexNoise_m)));
@@ -143,8 +144,7 @@ void Builder::add_block(const Pose2& block) {
 
 NoisyBuilding Builder::build() {
   const std::int64_t blocks = (left_ + kRoomsInBlock - 1) / kRoomsInBlock;
-  const auto columns =
-      static_cast<std::int64_t>(std::ceil(std::sqrt(static_cast<double>(blocks))));
+  const auto columns = static_cast<std::int64_t>(std::ceil(std::sqrt(static_cast<double>(blocks))));
   const Pose2 turned{0.0, 0.0, radians(kBuildingTurn_deg)};
   for (std::int64_t b = 0; b < blocks; ++b) {
     add_block(turned * Pose2{static_cast<double>(b % columns) * kPitch_m,

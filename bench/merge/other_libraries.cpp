@@ -70,9 +70,8 @@ UnionResult union_by_geos(const std::vector<Polygon>& polygons_m) {
   const Geos geos;
   std::vector<GEOSGeometry*> polygons;
   for (const Polygon& polygon : polygons_m) polygons.push_back(geos.polygon(polygon));
-  GEOSGeometry* all =
-      GEOSGeom_createCollection_r(geos.get(), GEOS_GEOMETRYCOLLECTION, polygons.data(),
-                                  static_cast<unsigned>(polygons.size()));
+  GEOSGeometry* all = GEOSGeom_createCollection_r(
+      geos.get(), GEOS_GEOMETRYCOLLECTION, polygons.data(), static_cast<unsigned>(polygons.size()));
   UnionResult result;
   const double start_s = processor_s();
   GEOSGeometry* united = GEOSUnaryUnion_r(geos.get(), all);

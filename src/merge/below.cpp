@@ -46,7 +46,8 @@ int EdgeBelow::half_edge_below(const Point2& point_mm) const {
       best = candidate;
       const Point2 along = end(best) - start(best);
       const double rise = along.y() / along.x();
-      last_row = std::max(0, grid_.row_of(start(best).y() + rise * (point_mm.x() - start(best).x())) - 1);
+      last_row =
+          std::max(0, grid_.row_of(start(best).y() + rise * (point_mm.x() - start(best).x())) - 1);
     }
   }
   return best;

@@ -11,9 +11,9 @@ class EdgeBelow {
   /// @param origin of each half-edge; 2e and 2e + 1 are twins. Edges meet in end points only.
   EdgeBelow(const std::vector<Point2>& points_mm, const std::vector<int>& origin);
 
-  /// The half-edge, with its left side up, that is met first from the point straight down; -1: none.
-  /// An edge counts from its left end to before its right end, so that of several that meet below
-  /// the point the right one is found.
+  /// The half-edge, with its left side up, that is met first from the point straight down; -1:
+  /// none. An edge counts from its left end to before its right end, so that of several that meet
+  /// below the point the right one is found.
   [[nodiscard]] int half_edge_below(const Point2& point_mm) const;
 
  private:

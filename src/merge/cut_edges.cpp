@@ -10,8 +10,8 @@
 namespace roomatlas::planar {
 namespace {
 
-constexpr int kMaxRounds = 40;            // three are common, six were the most in fuzz tests
-constexpr std::size_t kSortedCell = 24;   // edges from which sorting a cell pays
+constexpr int kMaxRounds = 40;           // three are common, six were the most in fuzz tests
+constexpr std::size_t kSortedCell = 24;  // edges from which sorting a cell pays
 
 /// An edge has to be cut at a point.
 struct Cut {
@@ -35,7 +35,8 @@ class Cutter {
   void test(int first, int second);
   void test_sharing(int first, int second, int shared);
   void test_apart(int first, int second);
-  /// Cuts the edge at the point if it lies between the ends; the caller knows that it is on the line.
+  /// Cuts the edge at the point if it lies between the ends; the caller knows that it is on the
+  /// line.
   void cut_if_between(int edge, int point);
   [[nodiscard]] Point2 crossing(int first, int second) const;
   void apply_cuts();

@@ -20,7 +20,8 @@ Point2 on_fine_grid(const Point2& point_mm) {
 
 PointNumbers::PointNumbers(std::vector<Point2>& points_mm, std::size_t expected)
     : points_(points_mm), slots_(std::bit_ceil(2 * expected + kMinSlots), -1) {
-  for (std::size_t i = 0; i < points_.size(); ++i) slots_[slot_of(points_[i])] = static_cast<int>(i);
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    slots_[slot_of(points_[i])] = static_cast<int>(i);
 }
 
 /// Where the point's number is or belongs: open addressing with linear probing.
@@ -38,7 +39,8 @@ std::size_t PointNumbers::slot_of(const Point2& point_mm) const {
 
 void PointNumbers::grow() {
   slots_.assign(slots_.size() * 2, -1);
-  for (std::size_t i = 0; i < points_.size(); ++i) slots_[slot_of(points_[i])] = static_cast<int>(i);
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    slots_[slot_of(points_[i])] = static_cast<int>(i);
 }
 
 int PointNumbers::number_of(const Point2& point_mm) {

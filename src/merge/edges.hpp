@@ -16,8 +16,8 @@ struct RingEdge {
   int ring = 0;
 };
 
-/// Edges between numbered points. Points lie on a grid of 2^-16 mm and within 2^35 mm of the origin,
-/// so that doubles hold them and their differences exactly.
+/// Edges between numbered points. Points lie on a grid of 2^-16 mm and within 2^35 mm of the
+/// origin, so that doubles hold them and their differences exactly.
 struct EdgeSet {
   std::vector<Point2> points_mm;  ///< distinct
   std::vector<RingEdge> edges;    ///< never from a point to itself

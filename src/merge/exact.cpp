@@ -14,8 +14,8 @@ namespace roomatlas::planar {
 
 int exact_orientation(const Point2& a, const Point2& b, const Point2& c) {
   using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
-  return static_cast<int>(CGAL::orientation(Point(a.x(), a.y()), Point(b.x(), b.y()),
-                                            Point(c.x(), c.y())));
+  return static_cast<int>(
+      CGAL::orientation(Point(a.x(), a.y()), Point(b.x(), b.y()), Point(c.x(), c.y())));
 }
 
 EdgeSet cut_by_snap_rounding(const EdgeSet& set) {
@@ -36,8 +36,8 @@ EdgeSet cut_by_snap_rounding(const EdgeSet& set) {
   for (const auto& chain : chains) {
     int from = -1;
     for (const auto& point : chain) {
-      const int to = numbers.number_of(
-          on_fine_grid({CGAL::to_double(point.x()), CGAL::to_double(point.y())}));
+      const int to =
+          numbers.number_of(on_fine_grid({CGAL::to_double(point.x()), CGAL::to_double(point.y())}));
       if (from >= 0 && from != to) cut.edges.push_back({from, to, edge->ring});
       from = to;
     }

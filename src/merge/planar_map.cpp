@@ -49,7 +49,8 @@ EdgeSet edges_of(const std::vector<Polygon>& shapes, std::vector<int>& shape_of_
 /// How often rings wind around a region, by ring; those that do not are left out.
 using Windings = std::vector<RingUse>;
 
-/// The windings on the right of a half-edge, from those on its left: a ring has one more on its left.
+/// The windings on the right of a half-edge, from those on its left: a ring has one more on its
+/// left.
 void cross_edge(std::span<const RingUse> uses, int direction, Windings& windings) {
   for (const RingUse& use : uses) {
     const auto at =
@@ -138,33 +139,20 @@ void PlanarMap::find_coverings(int shape_count, int first_positive) {
   }
 }
 
-std::vector<PlanarMap::Border> PlanarMap::borders(int region) const {
-  std::vector<Border> stretches;
+void PlanarMap::add_borders(int region, std::vector<Border>& stretches) const {
   for (const int start : graph_.loops_of(region)) {
+    int previous = region;
     int h = start;
     do {
       const int other = graph_.face(PlaneGraph::twin(h));
       if (other != region) {
-        if (!stretches.empty() && stretches.back().region == other) {
-          stretches.back().length_mm += graph_.length_mm(h);
-        } else {
-          stretches.push_back({other, graph_.length_mm(h)});
-        }
+        if (other != previous) stretches.push_back({other, 0.0});
+        stretches.back().length_mm += graph_.length_mm(h);
       }
+      previous = other;
       h = graph_.next(h);
     } while (h != start);
   }
-  std::stable_sort(stretches.begin(), stretches.end(),
-                   [](const Border& a, const Border& b) { return a.region < b.region; });
-  std::vector<Border> joined;
-  for (const Border& stretch : stretches) {
-    if (joined.empty() || joined.back().region != stretch.region) {
-      joined.push_back(stretch);
-    } else {
-      joined.back().length_mm += stretch.length_mm;
-    }
-  }
-  return joined;
 }
 
 std::vector<std::vector<Polygon>> PlanarMap::trace(const std::vector<int>& group_of_region,

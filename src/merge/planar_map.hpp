@@ -43,8 +43,8 @@ class PlanarMap {
   }
   /// Zero for the unbounded region.
   [[nodiscard]] double area_mm2(int region) const { return graph_.area_mm2(region); }
-  /// Each neighbour once, ascending.
-  [[nodiscard]] std::vector<Border> borders(int region) const;
+  /// Appends the stretches of the region's border, a neighbour perhaps in several.
+  void add_borders(int region, std::vector<Border>& stretches) const;
 
   /// The regions of each group as polygons: outer rings counter-clockwise, holes clockwise, no
   /// ring meets itself even in a vertex; largest polygon first.

@@ -69,13 +69,14 @@ void PlaneGraph::join_equal_edges(const std::vector<RingEdge>& edges) {
     int turns;
   };
   std::vector<int> first(points_mm_.size() + 1, 0);
-  for (const RingEdge& edge : edges) ++first[static_cast<std::size_t>(std::min(edge.from, edge.to))];
+  for (const RingEdge& edge : edges)
+    ++first[static_cast<std::size_t>(std::min(edge.from, edge.to))];
   to_offsets(first);
   std::vector<Use> by_low(edges.size());
   for (const RingEdge& edge : edges) {
     const auto low = static_cast<std::size_t>(std::min(edge.from, edge.to));
     by_low[static_cast<std::size_t>(first[low]++)] = {std::max(edge.from, edge.to), edge.ring,
-                                                     edge.from < edge.to ? 1 : -1};
+                                                      edge.from < edge.to ? 1 : -1};
   }
   origin_.reserve(2 * edges.size());
   uses_.reserve(edges.size());
@@ -179,7 +180,8 @@ std::vector<int> PlaneGraph::outer_loops() const {
 void PlaneGraph::find_faces() {
   const std::vector<int> outer = outer_loops();
   face_of_loop_.assign(start_.size(), -1);
-  for (const int half_edge : outer) face_of_loop_[static_cast<std::size_t>(at(loop_, half_edge))] = -2;
+  for (const int half_edge : outer)
+    face_of_loop_[static_cast<std::size_t>(at(loop_, half_edge))] = -2;
   for (int& face : face_of_loop_) {
     if (face == -1) face = face_count_++;
   }

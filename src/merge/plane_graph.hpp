@@ -34,9 +34,7 @@ class PlaneGraph {
   /// The half-edge that follows along the same face.
   [[nodiscard]] int next(int half_edge) const { return at(next_, half_edge); }
   /// The face on the left; 0 is the unbounded one.
-  [[nodiscard]] int face(int half_edge) const {
-    return at(face_of_loop_, at(loop_, half_edge));
-  }
+  [[nodiscard]] int face(int half_edge) const { return at(face_of_loop_, at(loop_, half_edge)); }
   [[nodiscard]] double area_mm2(int face) const {
     return area_mm2_[static_cast<std::size_t>(face)];
   }
@@ -72,10 +70,10 @@ class PlaneGraph {
   std::vector<int> next_;
   std::vector<int> first_use_;
   std::vector<RingUse> uses_;
-  std::vector<int> loop_;          ///< of each half-edge
-  std::vector<int> start_;         ///< a half-edge of each loop
+  std::vector<int> loop_;   ///< of each half-edge
+  std::vector<int> start_;  ///< a half-edge of each loop
   std::vector<int> face_of_loop_;
-  std::vector<int> first_loop_;    ///< of each face in `loop_starts_`, and one more
+  std::vector<int> first_loop_;  ///< of each face in `loop_starts_`, and one more
   std::vector<int> loop_starts_;
   std::vector<double> area_mm2_;
   int face_count_ = 1;

@@ -11,8 +11,8 @@ namespace roomatlas::planar {
 [[nodiscard]] int exact_orientation(const Point2& a, const Point2& b, const Point2& c);
 
 /// 1 when `c` lies left of the line from `a` to `b`, -1 right of it, 0 on it. Exact for points of
-/// `EdgeSet`, whose differences doubles hold exactly: then each product is off by half a unit in its
-/// last place, and their difference by as much again.
+/// `EdgeSet`, whose differences doubles hold exactly: then each product is off by half a unit in
+/// its last place, and their difference by as much again.
 [[nodiscard]] inline int orientation(const Point2& a, const Point2& b, const Point2& c) {
   constexpr double kRounding = 0x1p-51;
   const double left = (b.x() - a.x()) * (c.y() - a.y());

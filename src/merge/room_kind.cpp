@@ -71,7 +71,7 @@ struct Width {
 
 Width width_of(const Polygon& polygon) {
   constexpr double kFinest_m = 0.25;
-  constexpr double kMaxSteps = 60.0;  // across a square of the polygon's area
+  constexpr double kMaxSteps = 32.0;  // across a square of the polygon's area
   const double step_m = std::max(kFinest_m, std::sqrt(area(polygon)) / kMaxSteps);
   const Box2 box = bounds(polygon.outer);
   double sum_m = 0.0;

@@ -8,9 +8,9 @@
 namespace roomatlas::planar {
 namespace {
 
-constexpr double kCellsPerEdge = 4.0;    // at most: memory
-constexpr double kCellPerLength = 1.5;   // of the mean edge: an edge passes through two or three
-constexpr double kMargin = 1e-6;         // of a cell, for rounding where an edge enters a column
+constexpr double kCellsPerEdge = 4.0;   // at most: memory
+constexpr double kCellPerLength = 1.5;  // of the mean edge: an edge passes through two or three
+constexpr double kMargin = 1e-6;        // of a cell, for rounding where an edge enters a column
 
 }  // namespace
 
@@ -54,7 +54,8 @@ void SegmentGrid::for_each_cell(const Point2& a, const Point2& b, Visit visit) c
     const double to = column == last ? right.y() : left.y() + rise * (enter + cell_ - left.x());
     const int low = row_of(std::min(from, to) - margin);
     const int high = row_of(std::max(from, to) + margin);
-    for (int row = low; row <= high; ++row) visit(static_cast<std::size_t>(row * columns_ + column));
+    for (int row = low; row <= high; ++row)
+      visit(static_cast<std::size_t>(row * columns_ + column));
   }
 }
 

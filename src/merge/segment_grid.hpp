@@ -8,7 +8,8 @@
 
 namespace roomatlas::planar {
 
-/// Square cells, each with the edges that pass through it: what is near an edge, without asking all.
+/// Square cells, each with the edges that pass through it: what is near an edge, without asking
+/// all.
 class SegmentGrid {
  public:
   explicit SegmentGrid(const EdgeSet& set);

@@ -75,9 +75,10 @@ void Tracer::add_ring(std::size_t begin, Polygon& polygon) {
     Ring ring;
     ring.reserve(open_.size() - begin);
     for (std::size_t i = begin; i < open_.size(); ++i) ring.push_back(graph_.point(open_[i]));
-    const auto lowest = std::min_element(ring.begin(), ring.end(), [](const auto& a, const auto& b) {
-      return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
-    });
+    const auto lowest =
+        std::min_element(ring.begin(), ring.end(), [](const auto& a, const auto& b) {
+          return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
+        });
     std::rotate(ring.begin(), lowest, ring.end());
     if (signed_area(ring) > 0.0 && (polygon.outer.empty() || is_larger(ring, polygon.outer))) {
       polygon.outer = std::move(ring);
@@ -144,7 +145,8 @@ std::vector<std::vector<Polygon>> Tracer::polygons(int groups) {
     if (group < 0 || seen[static_cast<std::size_t>(face)] != 0) continue;
     collect_faces(face, seen);
     Polygon polygon = polygon_of_faces();
-    if (!polygon.outer.empty()) found[static_cast<std::size_t>(group)].push_back(std::move(polygon));
+    if (!polygon.outer.empty())
+      found[static_cast<std::size_t>(group)].push_back(std::move(polygon));
   }
   for (auto& polygons : found) {
     std::sort(polygons.begin(), polygons.end(),
