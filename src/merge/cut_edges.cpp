@@ -11,6 +11,7 @@ namespace roomatlas::planar {
 namespace {
 
 constexpr int kMaxRounds = 40;           // three are common, six were the most in fuzz tests
+constexpr double kTilesPerFresh = 4.0;   // at most: memory
 constexpr std::size_t kSortedCell = 24;  // edges from which sorting a cell pays
 
 /// An edge has to be cut at a point.
@@ -31,6 +32,7 @@ class Cutter {
 
  private:
   void find_cuts();
+  [[nodiscard]] std::vector<int> near_fresh() const;
   void test_cell(std::vector<int>& cell);
   void test(int first, int second);
   void test_sharing(int first, int second, int shared);
@@ -68,6 +70,54 @@ bool Cutter::cut_once() {
   return true;
 }
 
+/// The edges that may meet a fresh one: those whose boxes share a tile with a fresh edge's box.
+std::vector<int> Cutter::near_fresh() const {
+  std::vector<int> near;
+  Box2 fresh_box;
+  double size = 0.0;
+  int fresh = 0;
+  for (std::size_t e = 0; e < boxes_.size(); ++e) {
+    if (is_fresh_[e] == 0) continue;
+    fresh_box.extend(boxes_[e].min);
+    fresh_box.extend(boxes_[e].max);
+    size += boxes_[e].size().sum();
+    ++fresh;
+  }
+  if (fresh == 0) return near;
+  const double tile =
+      std::max(size / fresh, fresh_box.size().maxCoeff() / std::sqrt(kTilesPerFresh * fresh)) + 1.0;
+  const auto index = [&](double offset, double extent) {
+    return static_cast<std::size_t>(std::clamp(offset, 0.0, extent) / tile);
+  };
+  const Point2 extent = fresh_box.size();
+  const std::size_t columns = index(extent.x(), extent.x()) + 1;
+  std::vector<char> is_marked(columns * (index(extent.y(), extent.y()) + 1), 0);
+  /// Calls `visit` with tiles until it returns true.
+  const auto any_tile = [&](const Box2& box, auto visit) {
+    const std::size_t last_x = index(box.max.x() - fresh_box.min.x(), extent.x());
+    const std::size_t last_y = index(box.max.y() - fresh_box.min.y(), extent.y());
+    for (std::size_t y = index(box.min.y() - fresh_box.min.y(), extent.y()); y <= last_y; ++y) {
+      for (std::size_t x = index(box.min.x() - fresh_box.min.x(), extent.x()); x <= last_x; ++x) {
+        if (visit(is_marked[y * columns + x])) return true;
+      }
+    }
+    return false;
+  };
+  for (std::size_t e = 0; e < boxes_.size(); ++e) {
+    if (is_fresh_[e] == 0) continue;
+    (void)any_tile(boxes_[e], [](char& mark) {
+      mark = 1;
+      return false;
+    });
+  }
+  for (std::size_t e = 0; e < boxes_.size(); ++e) {
+    if (!overlap(boxes_[e], fresh_box)) continue;
+    if (any_tile(boxes_[e], [](char mark) { return mark != 0; }))
+      near.push_back(static_cast<int>(e));
+  }
+  return near;
+}
+
 void Cutter::find_cuts() {
   boxes_.clear();
   boxes_.reserve(set_.edges.size());
@@ -76,14 +126,13 @@ void Cutter::find_cuts() {
     const Point2& b = set_.point(edge.to);
     boxes_.push_back({a.cwiseMin(b), a.cwiseMax(b)});
   }
-  const SegmentGrid grid(set_);
+  const std::vector<int> near = near_fresh();
+  const SegmentGrid grid(set_, near);
   std::vector<int> cell;
   for (int c = 0; c < grid.cell_count(); ++c) {
-    const auto found = grid.in_cell(c);
-    const bool is_done = found.size() < 2 || std::none_of(found.begin(), found.end(),
-                                                          [&](int e) { return is_fresh(e); });
-    if (is_done) continue;
-    cell.assign(found.begin(), found.end());
+    if (grid.in_cell(c).size() < 2) continue;
+    cell.clear();
+    for (const int place : grid.in_cell(c)) cell.push_back(near[static_cast<std::size_t>(place)]);
     test_cell(cell);
   }
 }

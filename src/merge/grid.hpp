@@ -42,10 +42,6 @@ struct Dropped {
 /// Extends the box by the polygon's plausible vertices.
 void extend(Box2& box, const Polygon& polygon_m);
 
-/// The ring without vertices on the straight line between their neighbours.
-[[nodiscard]] Ring without_straight_vertices(const Ring& ring_mm);
-[[nodiscard]] Polygon without_straight_vertices(const Polygon& polygon_mm);
-
 /// The ring with its vertices on whole millimetres, none of them repeated consecutively.
 [[nodiscard]] Ring rounded(const Ring& ring_mm);
 [[nodiscard]] Polygon rounded(const Polygon& polygon_mm);

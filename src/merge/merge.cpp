@@ -158,16 +158,13 @@ std::vector<Label> labels_of(const PlanarMap& map, const PlanShapes& shapes,
 std::vector<std::vector<Polygon>> traced(const PlanarMap& map, const std::vector<int>& group,
                                          int groups, const MillimetreGrid& grid) {
   auto polygons = map.trace(group, groups);
-  for (auto& of_group : polygons) {
-    for (Polygon& polygon : of_group) polygon = planar::without_straight_vertices(polygon);
-    of_group = grid.to_metres(of_group);
-  }
+  for (auto& of_group : polygons) of_group = grid.to_metres(of_group);
   return polygons;
 }
 
-/// Well inside the part: its clearance is the greatest but for a fifth of the usual one.
+/// Well inside the part: its clearance is the greatest but for a third of the usual one.
 Point2 label_point(const Polygon& part, const Polygon& smooth_part, double area_m2) {
-  constexpr double kOfWidth = 0.2;
+  constexpr double kOfWidth = 0.3;
   double perimeter_m = 0.0;
   for (std::size_t i = 0; i < part.outer.size(); ++i) {
     perimeter_m += (part.outer[(i + 1) % part.outer.size()] - part.outer[i]).norm();

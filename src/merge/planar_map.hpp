@@ -47,7 +47,8 @@ class PlanarMap {
   void add_borders(int region, std::vector<Border>& stretches) const;
 
   /// The regions of each group as polygons: outer rings counter-clockwise, holes clockwise, no
-  /// ring meets itself even in a vertex; largest polygon first.
+  /// ring meets itself even in a vertex, and vertices on a straight line are left out; largest
+  /// polygon first.
   /// @param group_of_region 0 to `groups` - 1, or -1 for what is left out. The unbounded region
   ///   always is.
   [[nodiscard]] std::vector<std::vector<Polygon>> trace(const std::vector<int>& group_of_region,

@@ -9,7 +9,7 @@ namespace roomatlas::planar {
 namespace {
 
 constexpr double kCellsPerEdge = 4.0;   // at most: memory
-constexpr double kCellPerLength = 1.5;  // of the mean edge: an edge passes through two or three
+constexpr double kCellPerLength = 1.0;  // of the mean edge: an edge passes through two or three
 constexpr double kMargin = 1e-6;        // of a cell, for rounding where an edge enters a column
 
 }  // namespace
@@ -78,10 +78,10 @@ void SegmentGrid::build(std::size_t count, Ends ends_of) {
   }
 }
 
-SegmentGrid::SegmentGrid(const EdgeSet& set) {
-  build(set.edges.size(), [&](std::size_t e) {
-    return std::pair<const Point2&, const Point2&>(set.point(set.edges[e].from),
-                                                   set.point(set.edges[e].to));
+SegmentGrid::SegmentGrid(const EdgeSet& set, const std::vector<int>& of) {
+  build(of.size(), [&](std::size_t i) {
+    const RingEdge& edge = set.edges[static_cast<std::size_t>(of[i])];
+    return std::pair<const Point2&, const Point2&>(set.point(edge.from), set.point(edge.to));
   });
 }
 

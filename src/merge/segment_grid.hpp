@@ -12,12 +12,13 @@ namespace roomatlas::planar {
 /// all.
 class SegmentGrid {
  public:
-  explicit SegmentGrid(const EdgeSet& set);
+  /// @param of indices of edges of the set.
+  SegmentGrid(const EdgeSet& set, const std::vector<int>& of);
   /// @param ends_of_edges two point numbers an edge.
   SegmentGrid(const std::vector<Point2>& points_mm, const std::vector<int>& ends_of_edges);
 
   [[nodiscard]] int cell_count() const { return columns_ * rows_; }
-  /// Indices of edges. Some may pass the cell by within a rounding error.
+  /// Places in `of`, or indices of edges. Some may pass the cell by within a rounding error.
   [[nodiscard]] std::span<const int> in_cell(int cell) const {
     const auto begin = static_cast<std::size_t>(first_[static_cast<std::size_t>(cell)]);
     const auto end = static_cast<std::size_t>(first_[static_cast<std::size_t>(cell) + 1]);

@@ -37,9 +37,7 @@ std::vector<Polygon> union_of(const std::vector<Polygon>& polygons) {
   for (int region = 0; region < map.region_count(); ++region) {
     group.push_back(map.covering(region).empty() ? -1 : 0);
   }
-  std::vector<Polygon> united_mm = map.trace(group, 1).front();
-  for (Polygon& polygon : united_mm) polygon = planar::without_straight_vertices(polygon);
-  return all.grid.to_metres(united_mm);
+  return all.grid.to_metres(map.trace(group, 1).front());
 }
 
 double overlap_area(const std::vector<Polygon>& first, const std::vector<Polygon>& second) {
