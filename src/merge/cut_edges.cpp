@@ -223,7 +223,7 @@ Point2 Cutter::crossing(int first, int second) const {
   const Point2 ab = set_.point(along.second) - a;
   const Point2 cd = set_.point(across.second) - c;
   const double fraction = std::clamp(cross(c - a, cd) / cross(ab, cd), 0.0, 1.0);
-  return on_fine_grid(a + fraction * ab);
+  return on_fine_grid(a + fraction * ab, set_.fine);
 }
 
 void Cutter::apply_cuts() {

@@ -8,14 +8,13 @@
 namespace roomatlas::planar {
 namespace {
 
-constexpr double kFine = 65536.0;  // points of the grid in a millimetre
 constexpr std::size_t kMinSlots = 16;
 
 }  // namespace
 
-Point2 on_fine_grid(const Point2& point_mm) {
-  return {std::nearbyint(point_mm.x() * kFine) / kFine + 0.0,  // + 0.0: no negative zero
-          std::nearbyint(point_mm.y() * kFine) / kFine + 0.0};
+Point2 on_fine_grid(const Point2& point_mm, double fine) {
+  return {std::nearbyint(point_mm.x() * fine) / fine + 0.0,  // + 0.0: no negative zero
+          std::nearbyint(point_mm.y() * fine) / fine + 0.0};
 }
 
 PointNumbers::PointNumbers(std::vector<Point2>& points_mm, std::size_t expected)

@@ -16,9 +16,10 @@ struct RingEdge {
   int ring = 0;
 };
 
-/// Edges between numbered points. Points lie on a grid of 2^-16 mm and within 2^35 mm of the
-/// origin, so that doubles hold them and their differences exactly.
+/// Edges between numbered points. Points lie on a fine grid: whole multiples of 1 / `fine` mm, less
+/// than 2^52 of them from each other, so that doubles hold them and their differences exactly.
 struct EdgeSet {
+  double fine = 0x1p16;           ///< units in a millimetre, a power of two
   std::vector<Point2> points_mm;  ///< distinct
   std::vector<RingEdge> edges;    ///< never from a point to itself
 
@@ -28,7 +29,7 @@ struct EdgeSet {
 };
 
 /// The nearest point of the grid on which all of an `EdgeSet` lies.
-[[nodiscard]] Point2 on_fine_grid(const Point2& point_mm);
+[[nodiscard]] Point2 on_fine_grid(const Point2& point_mm, double fine);
 
 /// Numbers points: equal ones have the same number.
 class PointNumbers {

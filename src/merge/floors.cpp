@@ -126,7 +126,7 @@ Outlines outlines_of(const std::vector<PlacedOutline>& outlines, const Millimetr
     std::vector<AsrId>& asrs = all.rooms.back().asrs;
     if (asrs.empty() || asrs.back() != asr) asrs.push_back(asr);
     double healed_mm2 = 0.0;
-    for (Polygon& shape : healed(entry.drawn_mm)) {
+    for (Polygon& shape : healed(entry.drawn_mm, grid.fine())) {
       healed_mm2 += area(shape);
       all.shapes_mm.push_back(std::move(shape));
       all.room_of_shape.push_back(static_cast<int>(all.rooms.size()) - 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "grid.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace roomatlas::planar {
@@ -45,6 +46,11 @@ MillimetreGrid::MillimetreGrid(const Box2& around) {
   if (around.empty()) return;
   origin_mm_ = {std::floor(around.min.x()) * kMillimetres,
                 std::floor(around.min.y()) * kMillimetres};
+  const double reach_mm =
+      std::max({1.0, around.min.cwiseAbs().maxCoeff(), around.max.cwiseAbs().maxCoeff()}) *
+      kMillimetres;
+  constexpr int kBits = 50;
+  fine_ = std::exp2(std::clamp(kBits - std::ilogb(reach_mm) - 1, 16, 34));
 }
 
 Point2 MillimetreGrid::to_grid(const Point2& point) const {

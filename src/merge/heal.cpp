@@ -71,7 +71,7 @@ bool is_simple(const Polygon& polygon_mm) {
   return true;
 }
 
-std::vector<Polygon> healed(const Polygon& polygon_mm) {
+std::vector<Polygon> healed(const Polygon& polygon_mm, double fine) {
   if (polygon_mm.outer.size() < 3) return {};
   Polygon whole{polygon_mm.outer, {}};
   for (const Ring& hole : polygon_mm.holes) {
@@ -82,7 +82,7 @@ std::vector<Polygon> healed(const Polygon& polygon_mm) {
     for (Ring& hole : whole.holes) run_counter_clockwise(hole, false);
     return {std::move(whole)};
   }
-  const PlanarMap map({whole});
+  const PlanarMap map({whole}, fine);
   std::vector<int> group;
   for (int region = 0; region < map.region_count(); ++region) {
     group.push_back(map.covering(region).empty() ? -1 : 0);

@@ -13,6 +13,7 @@ namespace roomatlas::planar {
 /// What the polygon covers under the non-zero rule, as polygons that are simple but for vertices in
 /// which two rings may meet: outer rings counter-clockwise, holes clockwise. Empty for a polygon
 /// without area.
-[[nodiscard]] std::vector<Polygon> healed(const Polygon& polygon_mm);
+/// @param fine see `EdgeSet`: crossings lie on that grid.
+[[nodiscard]] std::vector<Polygon> healed(const Polygon& polygon_mm, double fine);
 
 }  // namespace roomatlas::planar

@@ -137,18 +137,25 @@ RegionMap::RegionMap(const PlanarMap& map) : map_(map) {
 std::vector<Absorbed> absorb_small_rooms(const RegionMap& regions, double min_area_mm2,
                                          std::vector<Label>& labels) {
   std::vector<Absorbed> absorbed;
-  for (int round = 0; round < kMaxRounds; ++round) {
+  bool is_done = false;
+  for (int round = 0; round < kMaxRounds && !is_done; ++round) {
+    is_done = true;
     const Components components(regions, labels);
     const std::vector<Component>& all = components.all();
     const std::vector<std::size_t> small = small_rooms(all, min_area_mm2);
-    if (small.empty()) break;
     std::vector<char> is_settled(all.size(), 0);  // has given or taken in this round
     for (const std::size_t c : small) {
-      if (is_settled[c] != 0) continue;
+      if (is_settled[c] != 0) {
+        is_done = false;  // what it took may have made it large enough, or not
+        continue;
+      }
       const int neighbor = main_neighbor(components.borders(all[c]));
       const auto taker = static_cast<std::size_t>(std::max(neighbor, 0));
       const bool is_room = neighbor >= 0 && all[taker].label >= 0;
-      if (is_room && is_settled[taker] != 0) continue;  // joined in the next round
+      if (is_room && is_settled[taker] != 0) {
+        is_done = false;  // joined in the next round
+        continue;
+      }
       const Label to = is_room ? all[taker].label : kUnknown;
       components.relabel(all[c], to, labels);
       absorbed.push_back({all[c].label, to, all[c].area_mm2});

@@ -24,9 +24,10 @@ using planar::PlanarMap;
 constexpr double kMillimetres = 1000.0;
 constexpr double kSquareMillimetres = 1e6;
 constexpr double kMinDoorWidth_m = 0.01;
-constexpr double kWallCrumb_mm2 = 1e4;      // 10 cm x 10 cm
-constexpr double kWallRoughness = 0.25;     // of the thickness: what the outside of a wall smooths
-constexpr double kShapeTolerance_m = 0.04;  // for judging a room's shape
+constexpr double kWallCrumb_mm2 = 1e4;  // 10 cm x 10 cm
+constexpr double kWallRoughness =
+    1.0 / 3.0;                             // of the thickness: what the outside of a wall smooths
+constexpr double kShapeTolerance_m = 0.1;  // for judging a room's shape
 
 MillimetreGrid grid_around(const std::vector<PlacedOutline>& outlines,
                            const std::vector<PlacedDoor>& doors) {
@@ -200,7 +201,7 @@ FloorPlan merge(const std::vector<PlacedOutline>& placed_outlines,
   plan.doors =
       doors_of(sorted_doors(doors, plan.issues), grid, outlines, thickness_mm, openings_mm);
   const PlanShapes shapes = plan_shapes(outlines, openings_mm, thickness_mm);
-  const PlanarMap map(shapes.shapes_mm, shapes.first_wall);
+  const PlanarMap map(shapes.shapes_mm, grid.fine(), shapes.first_wall);
   const std::vector<Label> labels = labels_of(map, shapes, outlines, options, plan.issues);
 
   const int room_count = static_cast<int>(outlines.rooms.size());

@@ -12,7 +12,7 @@ void add_ring(const Ring& ring, int id, PointNumbers& numbers, EdgeSet& set) {
   int first = -1;
   int previous = -1;
   for (const Point2& point : ring) {
-    const int current = numbers.number_of(on_fine_grid(point));
+    const int current = numbers.number_of(on_fine_grid(point, set.fine));
     if (previous < 0) {
       first = current;
     } else if (current != previous) {
@@ -24,13 +24,13 @@ void add_ring(const Ring& ring, int id, PointNumbers& numbers, EdgeSet& set) {
 }
 
 /// The edges of all rings, which are numbered in the order of the shapes.
-EdgeSet edges_of(const std::vector<Polygon>& shapes, std::vector<int>& shape_of_ring) {
+EdgeSet edges_of(const std::vector<Polygon>& shapes, double fine, std::vector<int>& shape_of_ring) {
   std::size_t vertices = 0;
   for (const Polygon& shape : shapes) {
     vertices += shape.outer.size();
     for (const Ring& hole : shape.holes) vertices += hole.size();
   }
-  EdgeSet set;
+  EdgeSet set{fine, {}, {}};
   set.points_mm.reserve(vertices);
   set.edges.reserve(vertices);
   PointNumbers numbers(set.points_mm, vertices);
@@ -110,8 +110,8 @@ AllWindings windings_of(const PlaneGraph& graph) {
 
 }  // namespace
 
-PlanarMap::PlanarMap(const std::vector<Polygon>& shapes_mm, int first_positive)
-    : graph_(cut_where_they_meet(edges_of(shapes_mm, shape_of_ring_))) {
+PlanarMap::PlanarMap(const std::vector<Polygon>& shapes_mm, double fine, int first_positive)
+    : graph_(cut_where_they_meet(edges_of(shapes_mm, fine, shape_of_ring_))) {
   const int shape_count = static_cast<int>(shapes_mm.size());
   find_coverings(shape_count, first_positive < 0 ? shape_count : first_positive);
 }

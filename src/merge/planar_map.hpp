@@ -31,8 +31,9 @@ class PlanarMap {
 
   /// @param shapes_mm rings of less than three vertices are ignored. Vertices are rounded to the
   ///   grid of an `EdgeSet`.
+  /// @param fine units of that grid in a millimetre.
   /// @param first_positive shapes from this one on count under the positive rule; -1: none.
-  explicit PlanarMap(const std::vector<Polygon>& shapes_mm, int first_positive = -1);
+  PlanarMap(const std::vector<Polygon>& shapes_mm, double fine, int first_positive = -1);
 
   [[nodiscard]] int region_count() const { return graph_.face_count(); }
   /// Indices of the shapes over the region, ascending.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simplify.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -20,15 +21,21 @@ std::size_t farthest_from_first(const Ring& ring) {
 void mark(const Ring& ring, std::size_t first, std::size_t last, double tolerance,
           std::vector<char>& is_kept) {
   std::vector<std::pair<std::size_t, std::size_t>> open = {{first, last}};
-  const auto vertex = [&](std::size_t i) -> const Point2& { return ring[i % ring.size()]; };
+  const auto vertex = [&](std::size_t i) -> const Point2& {
+    return ring[i < ring.size() ? i : i - ring.size()];
+  };
   while (!open.empty()) {
     const auto [from, to] = open.back();
     open.pop_back();
-    const Segment2 chord{vertex(from), vertex(to)};
-    double worst = tolerance;
+    const Point2& start = vertex(from);
+    const Point2 along = vertex(to) - start;
+    const double inverse = along.squaredNorm() > 0.0 ? 1.0 / along.squaredNorm() : 0.0;
+    double worst = tolerance * tolerance;
     std::size_t at = from;
     for (std::size_t i = from + 1; i < to; ++i) {
-      const double off = distance(chord, vertex(i));
+      const Point2 to_vertex = vertex(i) - start;
+      const double fraction = std::clamp(to_vertex.dot(along) * inverse, 0.0, 1.0);
+      const double off = (to_vertex - fraction * along).squaredNorm();
       if (off <= worst) continue;
       worst = off;
       at = i;

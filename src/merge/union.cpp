@@ -32,7 +32,7 @@ Gridded gridded(const std::vector<Polygon>& first, const std::vector<Polygon>& s
 
 std::vector<Polygon> union_of(const std::vector<Polygon>& polygons) {
   const Gridded all = gridded(polygons, {});
-  const planar::PlanarMap map(all.shapes_mm);
+  const planar::PlanarMap map(all.shapes_mm, all.grid.fine());
   std::vector<int> group;
   for (int region = 0; region < map.region_count(); ++region) {
     group.push_back(map.covering(region).empty() ? -1 : 0);
@@ -42,7 +42,7 @@ std::vector<Polygon> union_of(const std::vector<Polygon>& polygons) {
 
 double overlap_area(const std::vector<Polygon>& first, const std::vector<Polygon>& second) {
   const Gridded all = gridded(first, second);
-  const planar::PlanarMap map(all.shapes_mm);
+  const planar::PlanarMap map(all.shapes_mm, all.grid.fine());
   double sum_mm2 = 0.0;
   for (int region = 0; region < map.region_count(); ++region) {
     const std::span<const int> over = map.covering(region);

@@ -28,11 +28,11 @@ EdgeSet random_edges(std::mt19937& random, int extent_mm, int count) {
 /// Whether edges meet in end points only, told by whole numbers.
 bool meet_in_ends_only(const EdgeSet& set) {
   for (const RingEdge& e : set.edges) {
-    const auto a = test::fine(set.point(e.from));
-    const auto b = test::fine(set.point(e.to));
+    const auto a = test::fine(set.point(e.from), set.fine);
+    const auto b = test::fine(set.point(e.to), set.fine);
     for (const RingEdge& f : set.edges) {
-      const auto c = test::fine(set.point(f.from));
-      const auto d = test::fine(set.point(f.to));
+      const auto c = test::fine(set.point(f.from), set.fine);
+      const auto d = test::fine(set.point(f.to), set.fine);
       if (test::cross_inside(a, b, c, d) || test::is_inside_edge(a, b, c)) return false;
     }
   }
@@ -41,7 +41,7 @@ bool meet_in_ends_only(const EdgeSet& set) {
 
 TEST(CutEdges, CutsBothEdgesWhereTheyCross) {
   const EdgeSet cut =
-      cut_where_they_meet({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, {{0, 1, 0}, {2, 3, 1}}});
+      cut_where_they_meet({0x1p16, {{0, 0}, {2, 2}, {2, 0}, {0, 2}}, {{0, 1, 0}, {2, 3, 1}}});
   EXPECT_EQ(cut.edges.size(), 4U);
   ASSERT_EQ(cut.points_mm.size(), 5U);
   EXPECT_EQ(cut.points_mm[4], Point2(1, 1));
@@ -49,10 +49,10 @@ TEST(CutEdges, CutsBothEdgesWhereTheyCross) {
 
 TEST(CutEdges, CutsAnEdgeWhereAnotherEndsOnItAndWhereItOverlaps) {
   const EdgeSet touched =
-      cut_where_they_meet({{{0, 0}, {4, 0}, {1, 0}, {1, 5}}, {{0, 1, 0}, {2, 3, 1}}});
+      cut_where_they_meet({0x1p16, {{0, 0}, {4, 0}, {1, 0}, {1, 5}}, {{0, 1, 0}, {2, 3, 1}}});
   EXPECT_EQ(touched.edges.size(), 3U);
   const EdgeSet overlapping =
-      cut_where_they_meet({{{0, 0}, {4, 0}, {1, 0}, {6, 0}}, {{0, 1, 0}, {2, 3, 1}}});
+      cut_where_they_meet({0x1p16, {{0, 0}, {4, 0}, {1, 0}, {6, 0}}, {{0, 1, 0}, {2, 3, 1}}});
   EXPECT_EQ(overlapping.edges.size(), 4U);  // 0-1, 1-4 twice, 4-6
 }
 

@@ -8,15 +8,16 @@
 
 namespace roomatlas::test {
 
-/// A point in units of 2^-16 mm, in whole numbers.
+/// A point of a fine grid, in whole numbers.
 struct FinePoint {
   std::int64_t x = 0;
   std::int64_t y = 0;
   bool operator==(const FinePoint&) const = default;
 };
 
-inline FinePoint fine(const Point2& point_mm) {
-  return {std::llround(point_mm.x() * 65536.0), std::llround(point_mm.y() * 65536.0)};
+/// @param units of the grid in a millimetre.
+inline FinePoint fine(const Point2& point_mm, double units) {
+  return {std::llround(point_mm.x() * units), std::llround(point_mm.y() * units)};
 }
 
 __extension__ using Wide = __int128;
