@@ -127,17 +127,35 @@ std::optional<RegularEdge> regular_edge(const Point2& a, const Point2& b,
   return std::nullopt;
 }
 
+/// Whether the ring turns a little, the same way, at both ends of the edge: then it is part of a
+/// curve.
+bool is_in_curve(const Ring& ring, std::size_t edge) {
+  const std::size_t count = ring.size();
+  const auto along = [&](std::size_t i) { return Point2(ring[(i + 1) % count] - ring[i % count]); };
+  const auto turn = [&](const Point2& in, const Point2& out) {
+    return std::atan2(cross(in, out), in.dot(out));
+  };
+  const double before = turn(along(edge + count - 1), along(edge));
+  const double after = turn(along(edge), along(edge + 1));
+  const auto is_slight = [](double angle) {
+    return std::abs(angle) > radians(4.0) && std::abs(angle) < radians(46.0);
+  };
+  return before * after > 0.0 && is_slight(before) && is_slight(after);
+}
+
 /// Which edges of a ring follow a direction: their numbers in a common list, or -1.
 using EdgeNumbers = std::vector<int>;
 
 EdgeNumbers regular_edges(const Ring& ring, const std::vector<double>& directions,
                           const RegularWallOptions& options, std::vector<RegularEdge>& edges) {
-  EdgeNumbers numbers;
-  for_each_edge(ring, [&](const Point2& a, const Point2& b) {
-    const auto edge = regular_edge(a, b, directions, options);
-    numbers.push_back(edge ? static_cast<int>(edges.size()) : -1);
-    if (edge) edges.push_back(*edge);
-  });
+  EdgeNumbers numbers(ring.size(), -1);
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (is_in_curve(ring, i)) continue;
+    const auto edge = regular_edge(ring[i], ring[(i + 1) % ring.size()], directions, options);
+    if (!edge) continue;
+    numbers[i] = static_cast<int>(edges.size());
+    edges.push_back(*edge);
+  }
   return numbers;
 }
 
