@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 namespace roomatlas::planar {
@@ -82,6 +83,11 @@ std::vector<int> Cutter::near_fresh() const {
     fresh_box.extend(boxes_[e].max);
     size += boxes_[e].size().sum();
     ++fresh;
+  }
+  if (fresh == static_cast<int>(boxes_.size())) {  // the first round
+    near.resize(boxes_.size());
+    std::iota(near.begin(), near.end(), 0);
+    return near;
   }
   if (fresh == 0) return near;
   const double tile =

@@ -11,6 +11,7 @@ namespace roomatlas::planar {
 namespace {
 
 constexpr double kReach_mm = 600.0;
+constexpr double kMaxAside_mm = 240.0;        // lines beside the door, from its jambs
 constexpr double kSliver_mm = 20.0;           // narrower floor is none
 constexpr double kNotch_mm = 150.0;           // one line may reach this much deeper than the middle
 constexpr double kMaxBesideDepth_mm = 600.0;  // a wall beside the door is not thicker
@@ -30,26 +31,48 @@ struct Stretch {
   int room = -1;
 };
 
-/// Lines across the door, and the outlines that they may meet.
+/// An edge of an outline near the door.
+struct NearEdge {
+  Segment2 edge;
+  int shape = 0;
+};
+
+/// A line across the door, and the edges that it may meet.
 struct Probe {
   const FloorLookup& floors;
-  const std::vector<int>& shapes;  ///< near the door, ascending
+  const std::vector<NearEdge>& edges;  ///< by ascending shape
   Point2 base;
   Point2 normal;
 };
 
-/// Adds where the line enters and leaves the ring, as offsets along the normal.
-void add_crossings(const Probe& probe, const Ring& ring, std::vector<double>& offsets) {
-  double previous = ring.empty() ? 0.0 : cross(probe.normal, ring.back() - probe.base);
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const double side = cross(probe.normal, ring[i] - probe.base);
-    if ((side >= 0.0) != (previous >= 0.0)) {
-      const Point2& from = ring[i == 0 ? ring.size() - 1 : i - 1];
-      const Point2 at = from + (ring[i] - from) * (previous / (previous - side));
-      offsets.push_back(std::clamp(probe.normal.dot(at - probe.base), -kReach_mm, kReach_mm));
-    }
-    previous = side;
+/// All edges of near outlines that lines across the door may meet, however far away: where a line
+/// is inside or outside of an outline follows from all that it meets.
+std::vector<NearEdge> edges_across(const FloorLookup& floors, const Segment2& jambs_mm) {
+  const Point2 unit = (jambs_mm.b - jambs_mm.a).normalized();
+  const double low = -kMaxAside_mm - 1.0;
+  const double high = (jambs_mm.b - jambs_mm.a).norm() + kMaxAside_mm + 1.0;
+  Box2 box;
+  for (const Point2& jamb : {jambs_mm.a, jambs_mm.b}) {
+    box.extend(jamb + Point2::Constant(kReach_mm));
+    box.extend(jamb - Point2::Constant(kReach_mm));
   }
+  std::vector<NearEdge> found;
+  const auto add = [&](const Ring& ring, int shape) {
+    double from = ring.empty() ? 0.0 : unit.dot(ring.back() - jambs_mm.a);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const double to = unit.dot(ring[i] - jambs_mm.a);
+      if (std::min(from, to) <= high && std::max(from, to) >= low) {
+        found.push_back({{ring[i == 0 ? ring.size() - 1 : i - 1], ring[i]}, shape});
+      }
+      from = to;
+    }
+  };
+  for (const int shape : floors.shapes.near(box)) {
+    const Polygon& polygon = floors.outlines.shapes_mm[static_cast<std::size_t>(shape)];
+    add(polygon.outer, shape);
+    for (const Ring& hole : polygon.holes) add(hole, shape);
+  }
+  return found;
 }
 
 /// A point on the line from which on an outline does, or does not, cover it.
@@ -60,17 +83,17 @@ struct Turn {
 
 std::vector<Turn> turns_along(const Probe& probe) {
   std::vector<Turn> turns;
-  std::vector<double> offsets;
-  for (const int shape : probe.shapes) {
-    offsets.clear();
-    const Polygon& polygon = probe.floors.outlines.shapes_mm[static_cast<std::size_t>(shape)];
-    add_crossings(probe, polygon.outer, offsets);
-    for (const Ring& hole : polygon.holes) add_crossings(probe, hole, offsets);
-    std::sort(offsets.begin(), offsets.end());
-    for (const double offset : offsets) turns.push_back({offset, shape});
+  for (const NearEdge& near : probe.edges) {
+    const double from = cross(probe.normal, near.edge.a - probe.base);
+    const double to = cross(probe.normal, near.edge.b - probe.base);
+    if ((from >= 0.0) == (to >= 0.0)) continue;
+    const Point2 at = near.edge.a + (near.edge.b - near.edge.a) * (from / (from - to));
+    const double offset = probe.normal.dot(at - probe.base);
+    turns.push_back({std::clamp(offset, -kReach_mm, kReach_mm), near.shape});
   }
-  std::stable_sort(turns.begin(), turns.end(),
-                   [](const Turn& a, const Turn& b) { return a.at_mm < b.at_mm; });
+  std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) {
+    return a.at_mm != b.at_mm ? a.at_mm < b.at_mm : a.shape < b.shape;
+  });
   return turns;
 }
 
@@ -201,18 +224,13 @@ Ring door_opening(const Segment2& jambs_mm, const FloorLookup& floors, int first
   const Point2 along = jambs_mm.b - jambs_mm.a;
   const Point2 unit = along.normalized();
   const Point2 normal(-unit.y(), unit.x());
-  Box2 box;
-  for (const Point2& jamb : {jambs_mm.a, jambs_mm.b}) {
-    box.extend(jamb + Point2::Constant(kReach_mm));
-    box.extend(jamb - Point2::Constant(kReach_mm));
-  }
-  const std::vector<int> near = floors.shapes.near(box);
+  const std::vector<NearEdge> near = edges_across(floors, jambs_mm);
   Ends between;
   for (const double fraction : {0.1, 0.3, 0.5, 0.7, 0.9}) {
     add(gap_at_door({floors, near, jambs_mm.a + fraction * along, normal}, first, second), between);
   }
   Ends beside;
-  for (const double aside_mm : {120.0, 240.0}) {
+  for (const double aside_mm : {kMaxAside_mm / 2.0, kMaxAside_mm}) {
     for (const Point2& base :
          {Point2(jambs_mm.a - aside_mm * unit), Point2(jambs_mm.b + aside_mm * unit)}) {
       const auto gap = gap_at_door({floors, near, base, normal}, first, second);

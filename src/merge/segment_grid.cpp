@@ -8,8 +8,8 @@
 namespace roomatlas::planar {
 namespace {
 
-constexpr double kCellsPerEdge = 4.0;   // at most: memory
-constexpr double kCellPerLength = 1.0;  // of the mean edge: an edge passes through two or three
+constexpr double kCellsPerEdge = 6.0;   // at most: memory
+constexpr double kCellPerLength = 0.6;  // of the mean edge: an edge passes through two or three
 constexpr double kMargin = 1e-6;        // of a cell, for rounding where an edge enters a column
 
 }  // namespace
