@@ -3,6 +3,7 @@
 
 #include "roomatlas/core/geometry.hpp"
 
+#include <cmath>
 #include <vector>
 
 namespace roomatlas {
