@@ -205,10 +205,6 @@ void add_plan(CLI::App& app, Settings& settings) {
              "cut rooms at the doors that only other visits found (needs the readings)");
   stage.add("wall-thickness", assemble.merge.wall_thickness_m,
             "m; of walls whose other side nobody saw", 0.02, 2.0);
-  stage.flag("regular-walls", assemble.regular_walls,
-             "straighten and align walls along the building's directions; off: as they were seen");
-  stage.add("regular-walls-distance", assemble.regular.max_distance_m,
-            "m; of a straightened wall from what was seen. Larger bends slanted walls", 0.01, 0.5);
   stage.flag("draw-path", settings.draw.show_trajectory, "draw the robot's path");
   stage.flag("draw-graph", settings.draw.show_room_graph, "draw the graph of rooms");
   stage.add("label-pixel", settings.label_pixel_m, "m; pixel of label pictures given as truth",

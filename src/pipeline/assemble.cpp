@@ -209,9 +209,6 @@ Assembly assemble_rooms(const AsrSource& source, const Placement& known,
     doors.push_back({jambs_of(door), door.room_a, door.room_b});
   }
   report(progress, "merge", 0.0);
-  if (options.regular_walls) {
-    outlines = std::move(with_regular_walls(outlines, options.regular).outlines);
-  }
   assembly.plan = merge(outlines, doors, options.merge);
   return assembly;
 }

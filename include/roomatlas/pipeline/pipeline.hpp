@@ -19,7 +19,6 @@
 #include "roomatlas/graph/recognise.hpp"
 #include "roomatlas/match/dead_reckoner.hpp"
 #include "roomatlas/merge/merge.hpp"
-#include "roomatlas/merge/regular_walls.hpp"
 #include "roomatlas/mission/mission.hpp"
 
 namespace roomatlas {
@@ -54,8 +53,6 @@ struct AssembleOptions {
   RoomOptions rooms;
   CorrectOptions correct;
   MergeOptions merge;
-  bool regular_walls = false;  ///< straighten walls along the building's directions before merging
-  RegularWallOptions regular;
   RecorderOptions record;  ///< for mapping rooms again once more is known
   bool map_again = true;  ///< cut the rooms' outlines at doors that only later visits found
   int max_rounds = 5;     ///< of recognising doorways and correcting
