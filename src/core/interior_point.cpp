@@ -3,19 +3,12 @@
 #include <cmath>
 #include <queue>
 
-#include "roomatlas/core/geometry.hpp"
+#include "roomatlas/core/clearance.hpp"
 
 namespace roomatlas {
 namespace {
 
-/// Distance to the polygon's boundary, negative outside.
-double clearance(const Polygon& polygon, const Point2& point) {
-  double nearest = distance_to_boundary(polygon.outer, point);
-  for (const Ring& hole : polygon.holes) {
-    nearest = std::min(nearest, distance_to_boundary(hole, point));
-  }
-  return contains(polygon, point) ? nearest : -nearest;
-}
+constexpr int kMaxCells = 20'000;  // ends the search in shapes of kilometres that are metres wide
 
 /// A square of the search, with the best clearance that any point in it could have.
 struct SearchCell {
@@ -24,10 +17,10 @@ struct SearchCell {
   double clearance_m = 0.0;
   double bound_m = 0.0;
 
-  SearchCell(const Polygon& polygon, const Point2& at, double half)
+  SearchCell(const Clearance& clearance, const Point2& at, double half)
       : center(at),
         half_m(half),
-        clearance_m(clearance(polygon, at)),
+        clearance_m(clearance.at(at)),
         bound_m(clearance_m + half * std::sqrt(2.0)) {}
   bool operator<(const SearchCell& other) const { return bound_m < other.bound_m; }
 };
@@ -38,10 +31,11 @@ Point2 interior_point(const Polygon& polygon, double precision_m) {
   const Box2 box = bounds(polygon.outer);
   if (box.empty()) return Point2::Zero();
   const double half = box.size().maxCoeff() / 2.0;
-  SearchCell best(polygon, (box.min + box.max) / 2.0, 0.0);
+  const Clearance clearance(polygon);
+  SearchCell best(clearance, (box.min + box.max) / 2.0, 0.0);
   std::priority_queue<SearchCell> queue;
-  queue.emplace(polygon, best.center, half);
-  while (!queue.empty()) {
+  queue.emplace(clearance, best.center, half);
+  for (int tried = 0; tried < kMaxCells && !queue.empty(); ++tried) {
     const SearchCell cell = queue.top();
     queue.pop();
     if (cell.clearance_m > best.clearance_m) best = cell;
@@ -49,7 +43,7 @@ Point2 interior_point(const Polygon& polygon, double precision_m) {
     const double quarter = cell.half_m / 2.0;
     for (const double dx : {-quarter, quarter}) {
       for (const double dy : {-quarter, quarter}) {
-        queue.emplace(polygon, cell.center + Point2(dx, dy), quarter);
+        queue.emplace(clearance, cell.center + Point2(dx, dy), quarter);
       }
     }
   }

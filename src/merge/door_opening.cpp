@@ -11,8 +11,8 @@ namespace roomatlas::planar {
 namespace {
 
 constexpr double kReach_mm = 600.0;
-constexpr double kStep_mm = 20.0;
-constexpr double kPrecision_mm = 1.0;
+constexpr double kMaxAside_mm = 240.0;        // lines beside the door, from its jambs
+constexpr double kSliver_mm = 20.0;           // narrower floor is none
 constexpr double kNotch_mm = 150.0;           // one line may reach this much deeper than the middle
 constexpr double kMaxBesideDepth_mm = 600.0;  // a wall beside the door is not thicker
 
@@ -24,48 +24,120 @@ struct Gap {
   int room_high = -1;
 };
 
-/// A line across the door.
+/// A stretch of one room's floor.
+struct Stretch {
+  double low_mm = 0.0;
+  double high_mm = 0.0;
+  int room = -1;
+};
+
+/// An edge of an outline near the door.
+struct NearEdge {
+  Segment2 edge;
+  int shape = 0;
+};
+
+/// A line across the door, and the edges that it may meet.
 struct Probe {
   const FloorLookup& floors;
+  const std::vector<NearEdge>& edges;  ///< by ascending shape
   Point2 base;
   Point2 normal;
-
-  [[nodiscard]] int room_at(double offset_mm) const {
-    return floors.room_at(base + offset_mm * normal);
-  }
-  /// Where floor begins between an offset with floor and one without; on the floor's side.
-  [[nodiscard]] double edge(double floor_mm, double none_mm) const {
-    while (std::abs(floor_mm - none_mm) > kPrecision_mm) {
-      const double middle = (floor_mm + none_mm) / 2.0;
-      (room_at(middle) >= 0 ? floor_mm : none_mm) = middle;
-    }
-    return floor_mm;
-  }
 };
+
+/// All edges of near outlines that lines across the door may meet, however far away: where a line
+/// is inside or outside of an outline follows from all that it meets.
+std::vector<NearEdge> edges_across(const FloorLookup& floors, const Segment2& jambs_mm) {
+  const Point2 unit = (jambs_mm.b - jambs_mm.a).normalized();
+  const double low = -kMaxAside_mm - 1.0;
+  const double high = (jambs_mm.b - jambs_mm.a).norm() + kMaxAside_mm + 1.0;
+  Box2 box;
+  for (const Point2& jamb : {jambs_mm.a, jambs_mm.b}) {
+    box.extend(jamb + Point2::Constant(kReach_mm));
+    box.extend(jamb - Point2::Constant(kReach_mm));
+  }
+  std::vector<NearEdge> found;
+  const auto add = [&](const Ring& ring, int shape) {
+    double from = ring.empty() ? 0.0 : unit.dot(ring.back() - jambs_mm.a);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const double to = unit.dot(ring[i] - jambs_mm.a);
+      if (std::min(from, to) <= high && std::max(from, to) >= low) {
+        found.push_back({{ring[i == 0 ? ring.size() - 1 : i - 1], ring[i]}, shape});
+      }
+      from = to;
+    }
+  };
+  for (const int shape : floors.shapes.near(box)) {
+    const Polygon& polygon = floors.outlines.shapes_mm[static_cast<std::size_t>(shape)];
+    add(polygon.outer, shape);
+    for (const Ring& hole : polygon.holes) add(hole, shape);
+  }
+  return found;
+}
+
+/// A point on the line from which on an outline does, or does not, cover it.
+struct Turn {
+  double at_mm = 0.0;
+  int shape = 0;
+};
+
+std::vector<Turn> turns_along(const Probe& probe) {
+  std::vector<Turn> turns;
+  for (const NearEdge& near : probe.edges) {
+    const double from = cross(probe.normal, near.edge.a - probe.base);
+    const double to = cross(probe.normal, near.edge.b - probe.base);
+    if ((from >= 0.0) == (to >= 0.0)) continue;
+    const Point2 at = near.edge.a + (near.edge.b - near.edge.a) * (from / (from - to));
+    const double offset = probe.normal.dot(at - probe.base);
+    turns.push_back({std::clamp(offset, -kReach_mm, kReach_mm), near.shape});
+  }
+  std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) {
+    return a.at_mm != b.at_mm ? a.at_mm < b.at_mm : a.shape < b.shape;
+  });
+  return turns;
+}
+
+/// The floor along the line, room by room.
+std::vector<Stretch> floor_along(const Probe& probe) {
+  std::vector<Stretch> floor;
+  std::vector<int> covering;
+  const std::vector<Turn> turns = turns_along(probe);
+  for (std::size_t i = 0; i + 1 < turns.size(); ++i) {
+    const auto at = std::lower_bound(covering.begin(), covering.end(), turns[i].shape);
+    if (at != covering.end() && *at == turns[i].shape) {
+      covering.erase(at);
+    } else {
+      covering.insert(at, turns[i].shape);
+    }
+    if (turns[i + 1].at_mm <= turns[i].at_mm) continue;
+    const int room = owner(covering, probe.floors.outlines.room_of_shape, probe.floors.room_mm2);
+    if (room < 0) continue;
+    const bool continues =
+        !floor.empty() && floor.back().room == room && floor.back().high_mm == turns[i].at_mm;
+    if (!continues) floor.push_back({turns[i].at_mm, 0.0, room});
+    floor.back().high_mm = turns[i + 1].at_mm;
+  }
+  std::erase_if(floor, [](const Stretch& s) {
+    const bool is_cut_off = s.low_mm <= -kReach_mm || s.high_mm >= kReach_mm;
+    return !is_cut_off && s.high_mm - s.low_mm < kSliver_mm;
+  });
+  return floor;
+}
 
 /// All gaps along the line, and borders where one room's floor touches another's.
 std::vector<Gap> gaps_along(const Probe& probe) {
   std::vector<Gap> gaps;
-  bool is_open = false;
-  Gap gap;
-  int previous = -1;
-  for (double at = -kReach_mm; at <= kReach_mm; at += kStep_mm) {
-    const int room = probe.room_at(at);
-    if (room < 0 && !is_open) {
-      const bool is_first = at == -kReach_mm;
-      gap = {is_first ? at : probe.edge(at - kStep_mm, at), kReach_mm, previous, -1};
-      is_open = true;
-    } else if (room >= 0 && is_open) {
-      gap.high_mm = probe.edge(at, at - kStep_mm);
-      gap.room_high = room;
+  Gap gap{-kReach_mm, kReach_mm, -1, -1};
+  for (const Stretch& floor : floor_along(probe)) {
+    gap.high_mm = floor.low_mm;
+    gap.room_high = floor.room;
+    const bool is_border = gap.high_mm == gap.low_mm && gap.room_low >= 0;
+    if (gap.high_mm > gap.low_mm || (is_border && gap.room_low != gap.room_high)) {
       gaps.push_back(gap);
-      is_open = false;
-    } else if (room >= 0 && previous >= 0 && room != previous) {
-      gaps.push_back({at - kStep_mm / 2.0, at - kStep_mm / 2.0, previous, room});
     }
-    previous = room;
+    gap = {floor.high_mm, kReach_mm, floor.room, -1};
   }
-  if (is_open) gaps.push_back(gap);
+  if (gap.high_mm > gap.low_mm) gaps.push_back(gap);
   return gaps;
 }
 
@@ -140,9 +212,11 @@ Depth depth_of(const Ends& between, const Ends& beside, double wall_thickness_mm
 
 }  // namespace
 
-int FloorLookup::room_at(const Point2& point_mm) const {
-  const std::vector<int> found = parts.covering(point_mm);
-  return found.empty() ? -1 : room_of_part[static_cast<std::size_t>(found.front())];
+FloorLookup::FloorLookup(const Outlines& of, const ShapeIndex& index)
+    : outlines(of), shapes(index), room_mm2(of.rooms.size(), 0.0) {
+  for (std::size_t s = 0; s < of.shapes_mm.size(); ++s) {
+    room_mm2[static_cast<std::size_t>(of.room_of_shape[s])] += area(of.shapes_mm[s]);
+  }
 }
 
 Ring door_opening(const Segment2& jambs_mm, const FloorLookup& floors, int first, int second,
@@ -150,15 +224,16 @@ Ring door_opening(const Segment2& jambs_mm, const FloorLookup& floors, int first
   const Point2 along = jambs_mm.b - jambs_mm.a;
   const Point2 unit = along.normalized();
   const Point2 normal(-unit.y(), unit.x());
+  const std::vector<NearEdge> near = edges_across(floors, jambs_mm);
   Ends between;
   for (const double fraction : {0.1, 0.3, 0.5, 0.7, 0.9}) {
-    add(gap_at_door({floors, jambs_mm.a + fraction * along, normal}, first, second), between);
+    add(gap_at_door({floors, near, jambs_mm.a + fraction * along, normal}, first, second), between);
   }
   Ends beside;
-  for (const double aside_mm : {120.0, 240.0}) {
+  for (const double aside_mm : {kMaxAside_mm / 2.0, kMaxAside_mm}) {
     for (const Point2& base :
          {Point2(jambs_mm.a - aside_mm * unit), Point2(jambs_mm.b + aside_mm * unit)}) {
-      const auto gap = gap_at_door({floors, base, normal}, first, second);
+      const auto gap = gap_at_door({floors, near, base, normal}, first, second);
       const bool is_wall = gap && gap->room_low >= 0 && gap->room_high >= 0 &&
                            gap->room_low != gap->room_high &&
                            gap->high_mm - gap->low_mm <= kMaxBesideDepth_mm;

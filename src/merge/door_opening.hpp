@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "floors.hpp"
 #include "shape_index.hpp"
 
 #include "roomatlas/core/geometry.hpp"
@@ -9,13 +10,13 @@
 
 namespace roomatlas::planar {
 
-/// The floors of all rooms, to be asked what lies at a point.
+/// The floors of all rooms, to be asked what lies along a line.
 struct FloorLookup {
-  const std::vector<int>& room_of_part;  ///< parallel to the parts in the index
-  const ShapeIndex& parts;
+  const Outlines& outlines;
+  const ShapeIndex& shapes;      ///< of the outlines
+  std::vector<double> room_mm2;  ///< size of each room, for `owner`
 
-  /// The room at the point, -1 where there is no floor.
-  [[nodiscard]] int room_at(const Point2& point_mm) const;
+  FloorLookup(const Outlines& of, const ShapeIndex& index);
 };
 
 /// The rectangle on the jamb line that reaches from the floor on one side of the wall to the

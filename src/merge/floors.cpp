@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "floors.hpp"
 
-#include "labels.hpp"
+#include "heal.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <string>
 
 namespace roomatlas::planar {
@@ -48,42 +47,6 @@ void report(AsrId asr, const Dropped& dropped, const Polygon& shape_mm, Issues& 
   }
 }
 
-/// Area under the non-zero rule of each shape, and of each room's shapes together.
-struct Areas {
-  std::vector<double> shape_mm2;
-  std::vector<double> room_mm2;
-};
-
-Areas areas_of(const PlanarMap& map, const std::vector<int>& room_of_shape, std::size_t rooms) {
-  Areas areas{std::vector<double>(room_of_shape.size(), 0.0), std::vector<double>(rooms, 0.0)};
-  for (int region = 0; region < map.region_count(); ++region) {
-    int last_room = -1;  // shapes are in the order of rooms
-    for (const int shape : map.covering(region)) {
-      const int room = room_of_shape[static_cast<std::size_t>(shape)];
-      areas.shape_mm2[static_cast<std::size_t>(shape)] += map.area_mm2(region);
-      if (room != last_room) areas.room_mm2[static_cast<std::size_t>(room)] += map.area_mm2(region);
-      last_room = room;
-    }
-  }
-  return areas;
-}
-
-/// The room with most outlines over the region; a tie goes to the smaller room.
-Label owner(const std::vector<int>& covering, const std::vector<int>& room_of_shape,
-            const std::vector<double>& room_mm2) {
-  std::map<int, int> votes;
-  for (const int shape : covering) ++votes[room_of_shape[static_cast<std::size_t>(shape)]];
-  Label best = kUnknown;
-  int most = 0;
-  for (const auto& [room, count] : votes) {
-    const bool is_smaller = best >= 0 && room_mm2[static_cast<std::size_t>(room)] <
-                                             room_mm2[static_cast<std::size_t>(best)];
-    if (count > most || (count == most && is_smaller)) best = room;
-    most = std::max(most, count);
-  }
-  return best;
-}
-
 void report_healed(AsrId asr, const Polygon& shape_mm, double healed_mm2, Issues& issues) {
   const double drawn_mm2 = signed_area(shape_mm.outer);
   if (drawn_mm2 < 0.0 && std::abs(-drawn_mm2 - healed_mm2) < kHealedArea_mm2) {
@@ -99,8 +62,7 @@ void report_healed(AsrId asr, const Polygon& shape_mm, double healed_mm2, Issues
   }
 }
 
-void report_absorbed(const Absorbed& piece, const std::vector<RoomOutlines>& rooms,
-                     Issues& issues) {
+void report_absorbed(const Absorbed& piece, const std::vector<RoomEntry>& rooms, Issues& issues) {
   const RoomId from = rooms[static_cast<std::size_t>(piece.from)].id;
   const std::string to =
       piece.to < 0 ? "unknown" : room_field(rooms[static_cast<std::size_t>(piece.to)].id);
@@ -108,70 +70,114 @@ void report_absorbed(const Absorbed& piece, const std::vector<RoomOutlines>& roo
                     "a piece of " + square_metres(piece.area_mm2) + " became " + to});
 }
 
-}  // namespace
+/// The area of each room: of what its outlines cover together.
+std::vector<double> room_areas(const PlanarMap& map, int first_outline, const Outlines& outlines) {
+  std::vector<double> room_mm2(outlines.rooms.size(), 0.0);
+  const auto first = static_cast<std::size_t>(first_outline);
+  for (int region = 0; region < map.region_count(); ++region) {
+    int last_room = -1;  // shapes are in the order of rooms
+    for (const int shape : map.covering(region)) {
+      const auto outline = static_cast<std::size_t>(shape) - first;
+      if (shape < first_outline || outline >= outlines.room_of_shape.size()) continue;
+      const int room = outlines.room_of_shape[outline];
+      if (room != last_room) room_mm2[static_cast<std::size_t>(room)] += map.area_mm2(region);
+      last_room = room;
+    }
+  }
+  return room_mm2;
+}
 
-std::vector<RoomOutlines> room_outlines(const std::vector<PlacedOutline>& outlines,
-                                        const MillimetreGrid& grid, Issues& issues) {
-  struct Entry {
-    const PlacedOutline* outline;
-    Polygon shape_mm;
-    Dropped dropped;
-  };
+/// An outline on the grid, before it is healed.
+struct Entry {
+  const PlacedOutline* outline;
+  Polygon drawn_mm;
+  Dropped dropped;
+};
+
+std::vector<Entry> sorted_entries(const std::vector<PlacedOutline>& outlines,
+                                  const MillimetreGrid& grid) {
   std::vector<Entry> entries;
+  entries.reserve(outlines.size());
   for (const PlacedOutline& outline : outlines) {
     Entry entry{&outline, {}, {}};
-    entry.shape_mm = on_grid(grid, outline.outline, &entry.dropped);
+    entry.drawn_mm = on_grid(grid, outline.outline, &entry.dropped);
     entries.push_back(std::move(entry));
   }
   std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
     const auto ids = [](const Entry& e) { return std::pair(e.outline->room, e.outline->asr); };
     if (ids(a) != ids(b)) return ids(a) < ids(b);
-    return ring_less(a.shape_mm.outer, b.shape_mm.outer);
+    return ring_less(a.drawn_mm.outer, b.drawn_mm.outer);
   });
-  std::vector<RoomOutlines> rooms;
-  for (Entry& entry : entries) {
-    const AsrId asr = entry.outline->asr;
-    report(asr, entry.dropped, entry.shape_mm, issues);
-    if (rooms.empty() || rooms.back().id != entry.outline->room) {
-      rooms.push_back({entry.outline->room, {}, {}, {}});
-    }
-    RoomOutlines& room = rooms.back();
-    if (room.asrs.empty() || room.asrs.back() != asr) room.asrs.push_back(asr);
-    room.shapes_mm.push_back(std::move(entry.shape_mm));
-    room.shape_asrs.push_back(asr);
-  }
-  return rooms;
+  return entries;
 }
 
-std::vector<std::vector<Polygon>> floors_of(const std::vector<RoomOutlines>& rooms,
-                                            double min_part_area_mm2, Issues& issues) {
-  std::vector<Polygon> shapes_mm;
-  std::vector<int> room_of_shape;
-  std::vector<AsrId> asrs;
-  for (std::size_t r = 0; r < rooms.size(); ++r) {
-    shapes_mm.insert(shapes_mm.end(), rooms[r].shapes_mm.begin(), rooms[r].shapes_mm.end());
-    asrs.insert(asrs.end(), rooms[r].shape_asrs.begin(), rooms[r].shape_asrs.end());
-    room_of_shape.resize(shapes_mm.size(), static_cast<int>(r));
+}  // namespace
+
+Outlines outlines_of(const std::vector<PlacedOutline>& outlines, const MillimetreGrid& grid,
+                     Issues& issues) {
+  Outlines all;
+  Issues healing;
+  for (const Entry& entry : sorted_entries(outlines, grid)) {
+    const AsrId asr = entry.outline->asr;
+    report(asr, entry.dropped, entry.drawn_mm, issues);
+    if (all.rooms.empty() || all.rooms.back().id != entry.outline->room) {
+      all.rooms.push_back({entry.outline->room, {}});
+    }
+    std::vector<AsrId>& asrs = all.rooms.back().asrs;
+    if (asrs.empty() || asrs.back() != asr) asrs.push_back(asr);
+    double healed_mm2 = 0.0;
+    for (Polygon& shape : healed(entry.drawn_mm, grid.fine())) {
+      healed_mm2 += area(shape);
+      all.shapes_mm.push_back(std::move(shape));
+      all.room_of_shape.push_back(static_cast<int>(all.rooms.size()) - 1);
+    }
+    report_healed(asr, entry.drawn_mm, healed_mm2, healing);
   }
-  const PlanarMap map(shapes_mm);
-  const Areas areas = areas_of(map, room_of_shape, rooms.size());
-  for (std::size_t s = 0; s < shapes_mm.size(); ++s) {
-    report_healed(asrs[s], shapes_mm[s], areas.shape_mm2[s], issues);
+  issues.insert(issues.end(), healing.begin(), healing.end());
+  return all;
+}
+
+Label owner(std::span<const int> covering, const std::vector<int>& room_of_shape,
+            const std::vector<double>& room_mm2) {
+  Label best = kUnknown;
+  std::ptrdiff_t most = 0;
+  const auto room_of = [&](int shape) { return room_of_shape[static_cast<std::size_t>(shape)]; };
+  for (auto first = covering.begin(); first != covering.end();) {
+    const int room = room_of(*first);
+    const auto next =
+        std::find_if(first, covering.end(), [&](int shape) { return room_of(shape) != room; });
+    const std::ptrdiff_t votes = next - first;
+    const bool is_smaller = best >= 0 && room_mm2[static_cast<std::size_t>(room)] <
+                                             room_mm2[static_cast<std::size_t>(best)];
+    if (votes > most || (votes == most && is_smaller)) best = room;
+    most = std::max(most, votes);
+    first = next;
   }
+  return best;
+}
+
+std::vector<Label> floor_labels(const RegionMap& regions, int first_outline,
+                                const Outlines& outlines, double min_part_area_mm2,
+                                Issues& issues) {
+  const PlanarMap& map = regions.map();
+  const std::vector<double> room_mm2 = room_areas(map, first_outline, outlines);
+  const int count = static_cast<int>(outlines.shapes_mm.size());
   std::vector<Label> labels;
+  labels.reserve(static_cast<std::size_t>(map.region_count()));
+  std::vector<int> covering;
   for (int region = 0; region < map.region_count(); ++region) {
-    labels.push_back(owner(map.covering(region), room_of_shape, areas.room_mm2));
+    covering.clear();
+    for (const int shape : map.covering(region)) {
+      const int outline = shape - first_outline;
+      if (outline >= 0 && outline < count) covering.push_back(outline);
+    }
+    labels.push_back(owner(covering, outlines.room_of_shape, room_mm2));
   }
-  fill_pinholes(map, kPinhole_mm2, labels);
-  for (const Absorbed& piece : absorb_small_rooms(map, min_part_area_mm2, labels)) {
-    if (piece.area_mm2 >= kHealedArea_mm2) report_absorbed(piece, rooms, issues);
+  fill_pinholes(regions, kPinhole_mm2, labels);
+  for (const Absorbed& piece : absorb_small_rooms(regions, min_part_area_mm2, labels)) {
+    if (piece.area_mm2 >= kHealedArea_mm2) report_absorbed(piece, outlines.rooms, issues);
   }
-  std::vector<std::vector<Polygon>> floors_mm = map.trace(labels, static_cast<int>(rooms.size()));
-  for (auto& parts : floors_mm) {
-    for (Polygon& part : parts) part = rounded(part);
-    std::erase_if(parts, [](const Polygon& part) { return part.outer.size() < 3; });
-  }
-  return floors_mm;
+  return labels;
 }
 
 }  // namespace roomatlas::planar

@@ -2,30 +2,46 @@
 #pragma once
 
 #include "grid.hpp"
+#include "labels.hpp"
 
 #include "roomatlas/merge/merge.hpp"
 
+#include <span>
 #include <vector>
 
 namespace roomatlas::planar {
 
-/// What one room of the input holds, on the grid.
-struct RoomOutlines {
+/// One room of the input.
+struct RoomEntry {
   RoomId id = 0;
-  std::vector<AsrId> asrs;         ///< ascending, each once
-  std::vector<Polygon> shapes_mm;  ///< one an outline
-  std::vector<AsrId> shape_asrs;   ///< parallel to `shapes_mm`
+  std::vector<AsrId> asrs;  ///< ascending, each once
 };
 
-/// The outlines by ascending room id, in an order that does not depend on that of the input.
-/// Dropped and repeated vertices become Issues.
-[[nodiscard]] std::vector<RoomOutlines> room_outlines(const std::vector<PlacedOutline>& outlines,
-                                                      const MillimetreGrid& grid, Issues& issues);
+/// The healed outlines of all rooms on the grid.
+struct Outlines {
+  std::vector<RoomEntry> rooms;    ///< by ascending id
+  std::vector<Polygon> shapes_mm;  ///< simple; in the order of rooms
+  std::vector<int> room_of_shape;  ///< parallel to `shapes_mm`
+};
 
-/// The place of each room before doors and walls are set, on whole millimetres, disjoint up to
-/// that rounding; parallel to `rooms`.
-/// @param min_part_area_mm2 smaller pieces of a room go to their surroundings.
-[[nodiscard]] std::vector<std::vector<Polygon>> floors_of(const std::vector<RoomOutlines>& rooms,
-                                                          double min_part_area_mm2, Issues& issues);
+/// The outlines in an order that does not depend on that of the input. What had to be dropped or
+/// healed becomes Issues. Shapes of one outline do not overlap.
+[[nodiscard]] Outlines outlines_of(const std::vector<PlacedOutline>& outlines,
+                                   const MillimetreGrid& grid, Issues& issues);
+
+/// The room with most shapes over a place; a tie goes to the smaller room. Unknown where there is
+/// none.
+/// @param covering shapes, ascending.
+/// @param room_mm2 the size of each room.
+[[nodiscard]] Label owner(std::span<const int> covering, const std::vector<int>& room_of_shape,
+                          const std::vector<double>& room_mm2);
+
+/// The place of each room before doors and walls are set: pinholes are filled, and smaller pieces
+/// of a room than `min_part_area_mm2` go to their surroundings, with an Issue.
+/// @param first_outline of the map's shapes.
+/// @return of each region its room or unknown.
+[[nodiscard]] std::vector<Label> floor_labels(const RegionMap& regions, int first_outline,
+                                              const Outlines& outlines, double min_part_area_mm2,
+                                              Issues& issues);
 
 }  // namespace roomatlas::planar

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "grid.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace roomatlas::planar {
 namespace {
 
 constexpr double kMillimetres = 1000.0;
-constexpr double kEarthRadius_m = 1e7;          // rounded up
-constexpr double kStraightTolerance_mm = 1e-4;  // of crossings that were rounded to doubles
+constexpr double kEarthRadius_m = 1e7;  // rounded up
 
 Ring on_grid(const MillimetreGrid& grid, const Ring& ring_m, Dropped& dropped) {
   Ring ring_mm;
@@ -40,19 +40,17 @@ Polygon with_each_ring(const Polygon& polygon, Change change) {
   return changed;
 }
 
-/// Whether `b` lies between `a` and `c`, within the tolerance.
-bool is_straight(const Point2& a, const Point2& b, const Point2& c) {
-  const Point2 whole = c - a;
-  if ((b - a).dot(c - b) < 0.0) return false;
-  return std::abs(cross(whole, b - a)) <= kStraightTolerance_mm * whole.norm();
-}
-
 }  // namespace
 
 MillimetreGrid::MillimetreGrid(const Box2& around) {
   if (around.empty()) return;
   origin_mm_ = {std::floor(around.min.x()) * kMillimetres,
                 std::floor(around.min.y()) * kMillimetres};
+  const double reach_mm =
+      std::max({1.0, around.min.cwiseAbs().maxCoeff(), around.max.cwiseAbs().maxCoeff()}) *
+      kMillimetres;
+  constexpr int kBits = 50;
+  fine_ = std::exp2(std::clamp(kBits - std::ilogb(reach_mm) - 1, 16, 34));
 }
 
 Point2 MillimetreGrid::to_grid(const Point2& point) const {
@@ -102,29 +100,6 @@ void extend(Box2& box, const Polygon& polygon_m) {
       if (is_plausible(point)) box.extend(point);
     }
   }
-}
-
-Ring without_straight_vertices(const Ring& ring_mm) {
-  Ring kept;
-  for (const Point2& point : ring_mm) {
-    while (kept.size() >= 2 && is_straight(kept[kept.size() - 2], kept.back(), point)) {
-      kept.pop_back();
-    }
-    kept.push_back(point);
-  }
-  std::size_t begin = 0;
-  while (kept.size() - begin > 3 && is_straight(kept[kept.size() - 2], kept.back(), kept[begin])) {
-    kept.pop_back();
-  }
-  while (kept.size() - begin > 3 && is_straight(kept.back(), kept[begin], kept[begin + 1])) {
-    ++begin;
-  }
-  return {kept.begin() + static_cast<std::ptrdiff_t>(begin), kept.end()};
-}
-
-Polygon without_straight_vertices(const Polygon& polygon_mm) {
-  return with_each_ring(polygon_mm,
-                        [](const Ring& ring) { return without_straight_vertices(ring); });
 }
 
 Ring rounded(const Ring& ring_mm) {

@@ -7,15 +7,17 @@
 
 namespace roomatlas::planar {
 
-/// Metres to whole millimetres about a local origin and back. Crossings of edges between such
-/// points are far enough from other points for rounded arithmetic to tell them apart, and a
-/// building far from its frame's origin loses nothing.
+/// Metres to whole millimetres about a local origin and back. A building far from its frame's
+/// origin loses nothing.
 class MillimetreGrid {
  public:
   MillimetreGrid() = default;
   /// @param around the origin is its lower left corner, rounded to a metre.
   explicit MillimetreGrid(const Box2& around);
 
+  /// Units of the fine grid in a millimetre, on which crossings lie: as fine as coordinates in
+  /// metres can tell apart where the building is, less two bits.
+  [[nodiscard]] double fine() const { return fine_; }
   [[nodiscard]] Point2 to_grid(const Point2& point) const;
   [[nodiscard]] Point2 to_metres(const Point2& point_mm) const;
   [[nodiscard]] Ring to_metres(const Ring& ring_mm) const;
@@ -23,6 +25,7 @@ class MillimetreGrid {
 
  private:
   Point2 origin_mm_ = Point2::Zero();
+  double fine_ = 0x1p16;
 };
 
 /// False for NaN, for infinities, and for what is farther than the Earth is large: such a number
@@ -41,10 +44,6 @@ struct Dropped {
 
 /// Extends the box by the polygon's plausible vertices.
 void extend(Box2& box, const Polygon& polygon_m);
-
-/// The ring without vertices on the straight line between their neighbours.
-[[nodiscard]] Ring without_straight_vertices(const Ring& ring_mm);
-[[nodiscard]] Polygon without_straight_vertices(const Polygon& polygon_mm);
 
 /// The ring with its vertices on whole millimetres, none of them repeated consecutively.
 [[nodiscard]] Ring rounded(const Ring& ring_mm);

@@ -3,6 +3,7 @@
 
 #include "planar_map.hpp"
 
+#include <span>
 #include <vector>
 
 namespace roomatlas::planar {
@@ -14,21 +15,22 @@ constexpr Label kUnknown = -1;
 constexpr Label kWall = -2;
 constexpr Label kDoor = -3;
 
-/// Regions of one label that hang together by more than a vertex.
-struct Component {
-  Label label = kUnknown;
-  bool is_bounded = true;
-  double area_mm2 = 0.0;
-  double perimeter_mm = 0.0;
-  std::vector<int> regions;
-  std::vector<PlanarMap::Border> borders;  ///< here `region` is the neighbouring component
+/// A planar map, and which of its regions lie side by side. Keeps a reference to the map.
+class RegionMap {
+ public:
+  explicit RegionMap(const PlanarMap& map);
+
+  [[nodiscard]] const PlanarMap& map() const { return map_; }
+  [[nodiscard]] std::span<const PlanarMap::Border> borders(int region) const {
+    const auto r = static_cast<std::size_t>(region);
+    return {borders_.data() + first_[r], first_[r + 1] - first_[r]};
+  }
+
+ private:
+  const PlanarMap& map_;
+  std::vector<std::size_t> first_;
+  std::vector<PlanarMap::Border> borders_;
 };
-
-[[nodiscard]] std::vector<Component> components_of(const PlanarMap& map,
-                                                   const std::vector<Label>& labels);
-
-/// The index of the neighbour with the longest common border; -1 without neighbours.
-[[nodiscard]] int main_neighbor(const Component& component);
 
 /// A piece that lost its label to what surrounds it.
 struct Absorbed {
@@ -39,17 +41,18 @@ struct Absorbed {
 
 /// Gives pieces of rooms smaller than `min_area_mm2` to the neighbour with the longest border
 /// (unknown where that is a door or a wall), smallest first.
-[[nodiscard]] std::vector<Absorbed> absorb_small_rooms(const PlanarMap& map, double min_area_mm2,
+[[nodiscard]] std::vector<Absorbed> absorb_small_rooms(const RegionMap& regions,
+                                                       double min_area_mm2,
                                                        std::vector<Label>& labels);
 
 /// Gives unknown pockets inside one room that are smaller than `max_area_mm2` to the room.
-void fill_pinholes(const PlanarMap& map, double max_area_mm2, std::vector<Label>& labels);
+void fill_pinholes(const RegionMap& regions, double max_area_mm2, std::vector<Label>& labels);
 
 /// Gives crumbs of wall smaller than `max_area_mm2`, left between a door and uneven floors, to the
-/// room with the longest border.
-void clear_wall_crumbs(const PlanarMap& map, double max_area_mm2, std::vector<Label>& labels);
+/// room with the longest border. Wall that no room or door is next to becomes unknown.
+void clear_wall_crumbs(const RegionMap& regions, double max_area_mm2, std::vector<Label>& labels);
 
 /// Makes wall of unknown pockets that are narrower than `max_width_mm` in the mean.
-void fill_wall_cavities(const PlanarMap& map, double max_width_mm, std::vector<Label>& labels);
+void fill_wall_cavities(const RegionMap& regions, double max_width_mm, std::vector<Label>& labels);
 
 }  // namespace roomatlas::planar

@@ -5,7 +5,8 @@
 #include "floors.hpp"
 #include "labels.hpp"
 #include "room_kind.hpp"
-#include "wall_bands.hpp"
+#include "simplify.hpp"
+#include "wall_outline.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,15 +18,16 @@ namespace {
 
 using planar::Label;
 using planar::MillimetreGrid;
+using planar::Outlines;
 using planar::PlanarMap;
-using planar::RoomOutlines;
 
 constexpr double kMillimetres = 1000.0;
 constexpr double kSquareMillimetres = 1e6;
 constexpr double kMinDoorWidth_m = 0.01;
 constexpr double kWallCrumb_mm2 = 1e4;  // 10 cm x 10 cm
-
-using Floors = std::vector<std::vector<Polygon>>;  // the parts of each room, millimetres
+constexpr double kWallRoughness =
+    1.0 / 3.0;                             // of the thickness: what the outside of a wall smooths
+constexpr double kShapeTolerance_m = 0.1;  // for judging a room's shape
 
 MillimetreGrid grid_around(const std::vector<PlacedOutline>& outlines,
                            const std::vector<PlacedDoor>& doors) {
@@ -35,16 +37,6 @@ MillimetreGrid grid_around(const std::vector<PlacedOutline>& outlines,
     planar::extend(box, {{door.jambs.a, door.jambs.b}, {}});
   }
   return MillimetreGrid(box);
-}
-
-/// The position of each room with a floor.
-std::map<RoomId, int> positions_of(const std::vector<RoomOutlines>& rooms,
-                                   const Floors& floors_mm) {
-  std::map<RoomId, int> position_of;
-  for (std::size_t r = 0; r < rooms.size(); ++r) {
-    if (!floors_mm[r].empty()) position_of.emplace(rooms[r].id, static_cast<int>(r));
-  }
-  return position_of;
 }
 
 /// Usable doors in an order that does not depend on that of the input.
@@ -70,25 +62,31 @@ std::vector<PlacedDoor> sorted_doors(const std::vector<PlacedDoor>& doors, Issue
   return sorted;
 }
 
-/// The rooms on both sides: those with a floor, the smaller id first.
-void set_rooms(PlanDoor& door, const std::vector<RoomOutlines>& rooms, int first, int second) {
+/// The rooms on both sides, the smaller id first.
+/// @param first, second positions of rooms, -1 where there is none.
+void set_rooms(PlanDoor& door, const Outlines& outlines, int first, int second) {
+  const auto id_of = [&](int room) { return outlines.rooms[static_cast<std::size_t>(room)].id; };
   if (first < 0 || (second >= 0 && second < first)) std::swap(first, second);
-  if (first >= 0) door.room_a = rooms[static_cast<std::size_t>(first)].id;
-  if (second >= 0 && second != first) door.room_b = rooms[static_cast<std::size_t>(second)].id;
+  if (first >= 0) door.room_a = id_of(first);
+  if (second >= 0 && second != first) door.room_b = id_of(second);
+}
+
+/// The position of each room with an outline.
+std::map<RoomId, int> positions_of(const Outlines& outlines) {
+  std::map<RoomId, int> position_of;
+  for (const int room : outlines.room_of_shape) {
+    position_of.emplace_hint(position_of.end(), outlines.rooms[static_cast<std::size_t>(room)].id,
+                             room);
+  }
+  return position_of;
 }
 
 std::vector<PlanDoor> doors_of(const std::vector<PlacedDoor>& doors, const MillimetreGrid& grid,
-                               const std::vector<RoomOutlines>& rooms, const Floors& floors_mm,
-                               double wall_thickness_mm, std::vector<Polygon>& openings_mm) {
-  std::vector<Polygon> parts_mm;
-  std::vector<int> room_of_part;
-  for (std::size_t r = 0; r < floors_mm.size(); ++r) {
-    parts_mm.insert(parts_mm.end(), floors_mm[r].begin(), floors_mm[r].end());
-    room_of_part.resize(parts_mm.size(), static_cast<int>(r));
-  }
-  const planar::ShapeIndex index(parts_mm);
-  const planar::FloorLookup lookup{room_of_part, index};
-  const std::map<RoomId, int> position_of = positions_of(rooms, floors_mm);
+                               const Outlines& outlines, double wall_thickness_mm,
+                               std::vector<Polygon>& openings_mm) {
+  const planar::ShapeIndex index(outlines.shapes_mm);
+  const planar::FloorLookup lookup(outlines, index);
+  const std::map<RoomId, int> position_of = positions_of(outlines);
   const auto index_of = [&](const std::optional<RoomId>& id) {  // -1: no floor, or not known
     const auto at = id ? position_of.find(*id) : position_of.end();
     return at == position_of.end() ? -1 : at->second;
@@ -105,98 +103,124 @@ std::vector<PlanDoor> doors_of(const std::vector<PlacedDoor>& doors, const Milli
     result.jambs = {grid.to_metres(jambs_mm.a), grid.to_metres(jambs_mm.b)};
     result.width_m = (result.jambs.b - result.jambs.a).norm();
     result.opening = grid.to_metres(opening_mm);
-    set_rooms(result, rooms, first, second);
+    set_rooms(result, outlines, first, second);
     openings_mm.push_back({opening_mm, {}});
     placed.push_back(std::move(result));
   }
   return placed;
 }
 
-/// The second planar map: every point a door opening, a room, wall or unknown.
-struct LabelledPlan {
-  PlanarMap map;
-  std::vector<Label> labels;
+/// Shapes whose planar map is the plan: door openings, outlines, and the outlines with walls
+/// around.
+struct PlanShapes {
+  std::vector<Polygon> shapes_mm;
+  int first_outline = 0;
+  int first_wall = 0;
 };
 
-LabelledPlan labelled(const Floors& floors_mm, const std::vector<Polygon>& openings_mm,
-                      const MergeOptions& options) {
-  std::vector<Polygon> shapes_mm;
-  std::vector<Label> label_of_shape;
-  const auto add = [&](const std::vector<Polygon>& shapes, Label label) {
-    shapes_mm.insert(shapes_mm.end(), shapes.begin(), shapes.end());
-    label_of_shape.resize(shapes_mm.size(), label);
-  };
-  const double thickness_mm = options.wall_thickness_m * kMillimetres;
-  add(openings_mm, planar::kDoor);  // first come, first served below
-  for (std::size_t r = 0; r < floors_mm.size(); ++r) add(floors_mm[r], static_cast<Label>(r));
-  for (const auto& parts : floors_mm) {
-    for (const Polygon& part : parts) add(planar::wall_bands(part, thickness_mm), planar::kWall);
+PlanShapes plan_shapes(const Outlines& outlines, const std::vector<Polygon>& openings_mm,
+                       double wall_thickness_mm) {
+  PlanShapes all{openings_mm, static_cast<int>(openings_mm.size()), 0};
+  all.shapes_mm.insert(all.shapes_mm.end(), outlines.shapes_mm.begin(), outlines.shapes_mm.end());
+  all.first_wall = static_cast<int>(all.shapes_mm.size());
+  if (!(wall_thickness_mm > 0.0)) return all;
+  for (const Polygon& shape : outlines.shapes_mm) {
+    const Polygon smooth = planar::simplified(shape, kWallRoughness * wall_thickness_mm);
+    all.shapes_mm.push_back(planar::rounded(planar::wall_outline(smooth, wall_thickness_mm)));
   }
-  LabelledPlan plan{PlanarMap(shapes_mm), {}};
-  for (int region = 0; region < plan.map.region_count(); ++region) {
-    const std::vector<int>& over = plan.map.covering(region);
-    plan.labels.push_back(over.empty() ? planar::kUnknown
-                                       : label_of_shape[static_cast<std::size_t>(over.front())]);
-  }
-  (void)planar::absorb_small_rooms(plan.map, options.min_part_area_m2 * kSquareMillimetres,
-                                   plan.labels);
-  planar::clear_wall_crumbs(plan.map, kWallCrumb_mm2, plan.labels);
-  planar::fill_wall_cavities(plan.map, thickness_mm, plan.labels);
-  return plan;
+  return all;
 }
 
-std::vector<std::vector<Polygon>> traced(const LabelledPlan& plan, const std::vector<int>& group,
-                                         int groups, const MillimetreGrid& grid) {
-  auto polygons = plan.map.trace(group, groups);
-  for (auto& of_group : polygons) {
-    for (Polygon& polygon : of_group) polygon = planar::without_straight_vertices(polygon);
-    of_group = grid.to_metres(of_group);
+/// Every point a door opening, a room, wall or unknown: floors first, then doors cut into them,
+/// then walls where there is neither.
+std::vector<Label> labels_of(const PlanarMap& map, const PlanShapes& shapes,
+                             const Outlines& outlines, const MergeOptions& options,
+                             Issues& issues) {
+  const planar::RegionMap regions(map);
+  const double min_part_mm2 = options.min_part_area_m2 * kSquareMillimetres;
+  std::vector<Label> labels =
+      planar::floor_labels(regions, shapes.first_outline, outlines, min_part_mm2, issues);
+  for (int region = 0; region < map.region_count(); ++region) {
+    Label& label = labels[static_cast<std::size_t>(region)];
+    const std::span<const int> over = map.covering(region);
+    if (over.empty()) continue;
+    if (over.front() < shapes.first_outline) {
+      label = planar::kDoor;
+    } else if (label == planar::kUnknown && over.back() >= shapes.first_wall) {
+      label = planar::kWall;
+    }
   }
+  (void)planar::absorb_small_rooms(regions, min_part_mm2, labels);
+  planar::clear_wall_crumbs(regions, kWallCrumb_mm2, labels);
+  planar::fill_wall_cavities(regions, options.wall_thickness_m * kMillimetres, labels);
+  return labels;
+}
+
+std::vector<std::vector<Polygon>> traced(const PlanarMap& map, const std::vector<int>& group,
+                                         int groups, const MillimetreGrid& grid) {
+  auto polygons = map.trace(group, groups);
+  for (auto& of_group : polygons) of_group = grid.to_metres(of_group);
   return polygons;
 }
 
-PlanRoom room_of(const RoomOutlines& outlines, std::vector<Polygon> parts) {
+/// Well inside the part: its clearance is the greatest but for a third of the usual one.
+Point2 label_point(const Polygon& part, const Polygon& smooth_part, double area_m2) {
+  constexpr double kOfWidth = 0.3;
+  double perimeter_m = 0.0;
+  for (std::size_t i = 0; i < part.outer.size(); ++i) {
+    perimeter_m += (part.outer[(i + 1) % part.outer.size()] - part.outer[i]).norm();
+  }
+  const Point2 point =
+      interior_point(smooth_part, std::max(0.05, kOfWidth * area_m2 / perimeter_m));
+  return contains(part, point) ? point : interior_point(part);
+}
+
+PlanRoom room_of(const planar::RoomEntry& entry, std::vector<Polygon> parts) {
   PlanRoom room;
-  room.id = outlines.id;
-  room.name = std::to_string(outlines.id);
-  room.asrs = outlines.asrs;
+  room.id = entry.id;
+  room.name = std::to_string(entry.id);
+  room.asrs = entry.asrs;
   room.parts = std::move(parts);
   for (const Polygon& part : room.parts) room.area_m2 += area(part);
-  room.label_point = interior_point(room.parts.front());
-  room.kind = kind_of(room.parts.front(), room.area_m2);
+  const Polygon& part = room.parts.front();
+  const Polygon smooth_part = planar::simplified(part, kShapeTolerance_m);
+  room.label_point = label_point(part, smooth_part, area(part));
+  room.kind = kind_of(smooth_part, room.area_m2);
   return room;
 }
 
 }  // namespace
 
-FloorPlan merge(const std::vector<PlacedOutline>& outlines, const std::vector<PlacedDoor>& doors,
-                const MergeOptions& options) {
+FloorPlan merge(const std::vector<PlacedOutline>& placed_outlines,
+                const std::vector<PlacedDoor>& doors, const MergeOptions& options) {
   FloorPlan plan;
-  const MillimetreGrid grid = grid_around(outlines, doors);
-  const auto rooms = planar::room_outlines(outlines, grid, plan.issues);
-  const Floors floors_mm =
-      planar::floors_of(rooms, options.min_part_area_m2 * kSquareMillimetres, plan.issues);
+  const MillimetreGrid grid = grid_around(placed_outlines, doors);
+  const Outlines outlines = planar::outlines_of(placed_outlines, grid, plan.issues);
+  const double thickness_mm = options.wall_thickness_m * kMillimetres;
   std::vector<Polygon> openings_mm;
-  plan.doors = doors_of(sorted_doors(doors, plan.issues), grid, rooms, floors_mm,
-                        options.wall_thickness_m * kMillimetres, openings_mm);
-  const LabelledPlan final_map = labelled(floors_mm, openings_mm, options);
+  plan.doors =
+      doors_of(sorted_doors(doors, plan.issues), grid, outlines, thickness_mm, openings_mm);
+  const PlanShapes shapes = plan_shapes(outlines, openings_mm, thickness_mm);
+  const PlanarMap map(shapes.shapes_mm, grid.fine(), shapes.first_wall);
+  const std::vector<Label> labels = labels_of(map, shapes, outlines, options, plan.issues);
 
-  const int room_count = static_cast<int>(rooms.size());
+  const int room_count = static_cast<int>(outlines.rooms.size());
   std::vector<int> body;  // of each region: its room, or one more for walls
   std::vector<int> free;
-  for (const Label label : final_map.labels) {
+  for (const Label label : labels) {
     body.push_back(label == planar::kWall ? room_count : std::max(label, -1));
     free.push_back(label >= 0 || label == planar::kDoor ? 0 : -1);
   }
-  auto bodies = traced(final_map, body, room_count + 1, grid);
+  auto bodies = traced(map, body, room_count + 1, grid);
   plan.walls = std::move(bodies.back());
-  plan.free_space = std::move(traced(final_map, free, 1, grid).front());
-  for (std::size_t r = 0; r < rooms.size(); ++r) {
+  plan.free_space = std::move(traced(map, free, 1, grid).front());
+  for (std::size_t r = 0; r < outlines.rooms.size(); ++r) {
     if (bodies[r].empty()) {
-      plan.issues.push_back({Severity::warning, "", 0, "room " + std::to_string(rooms[r].id),
+      plan.issues.push_back({Severity::warning, "", 0,
+                             "room " + std::to_string(outlines.rooms[r].id),
                              "has no place of its own: not in the plan"});
     } else {
-      plan.rooms.push_back(room_of(rooms[r], std::move(bodies[r])));
+      plan.rooms.push_back(room_of(outlines.rooms[r], std::move(bodies[r])));
     }
   }
   return plan;

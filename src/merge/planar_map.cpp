@@ -1,167 +1,165 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "planar_map.hpp"
 
-#include "shape_index.hpp"
-
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace roomatlas::planar {
 namespace {
 
-bool is_before(const Point2& a, const Point2& b) {
-  return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
+/// Appends a ring's edges.
+void add_ring(const Ring& ring, int id, PointNumbers& numbers, EdgeSet& set) {
+  int first = -1;
+  int previous = -1;
+  for (const Point2& point : ring) {
+    const int current = numbers.number_of(on_fine_grid(point, set.fine));
+    if (previous < 0) {
+      first = current;
+    } else if (current != previous) {
+      set.edges.push_back({previous, current, id});
+    }
+    previous = current;
+  }
+  if (previous != first) set.edges.push_back({previous, first, id});
 }
 
-/// The distinct vertices and edges of all rings.
-struct Edges {
-  std::vector<Point2> points;
-  std::vector<std::pair<int, int>> pairs;
-};
-
-template <typename Visit>
-void for_each_ring(const std::vector<Polygon>& shapes, Visit visit) {
+/// The edges of all rings, which are numbered in the order of the shapes.
+EdgeSet edges_of(const std::vector<Polygon>& shapes, double fine, std::vector<int>& shape_of_ring) {
+  std::size_t vertices = 0;
   for (const Polygon& shape : shapes) {
-    if (shape.outer.size() >= 3) visit(shape.outer);
-    for (const Ring& hole : shape.holes) {
-      if (hole.size() >= 3) visit(hole);
+    vertices += shape.outer.size();
+    for (const Ring& hole : shape.holes) vertices += hole.size();
+  }
+  EdgeSet set{fine, {}, {}};
+  set.points_mm.reserve(vertices);
+  set.edges.reserve(vertices);
+  PointNumbers numbers(set.points_mm, vertices);
+  const auto add = [&](const Ring& ring, std::size_t shape) {
+    const int id = static_cast<int>(shape_of_ring.size());
+    shape_of_ring.push_back(static_cast<int>(shape));
+    if (ring.size() >= 3) add_ring(ring, id, numbers, set);
+  };
+  for (std::size_t s = 0; s < shapes.size(); ++s) {
+    add(shapes[s].outer, s);
+    for (const Ring& hole : shapes[s].holes) add(hole, s);
+  }
+  return set;
+}
+
+/// How often rings wind around a region, by ring; those that do not are left out.
+using Windings = std::vector<RingUse>;
+
+/// The windings on the right of a half-edge, from those on its left: a ring has one more on its
+/// left.
+void cross_edge(std::span<const RingUse> uses, int direction, Windings& windings) {
+  for (const RingUse& use : uses) {
+    const auto at =
+        std::lower_bound(windings.begin(), windings.end(), use.ring,
+                         [](const RingUse& winding, int ring) { return winding.ring < ring; });
+    const int change = -direction * use.turns;
+    if (at == windings.end() || at->ring != use.ring) {
+      if (change != 0) windings.insert(at, {use.ring, change});
+    } else {
+      at->turns += change;
+      if (at->turns == 0) windings.erase(at);
     }
   }
 }
 
-Edges edges_of(const std::vector<Polygon>& shapes) {
-  Edges edges;
-  for_each_ring(shapes, [&](const Ring& ring) {
-    edges.points.insert(edges.points.end(), ring.begin(), ring.end());
-  });
-  std::sort(edges.points.begin(), edges.points.end(), is_before);
-  edges.points.erase(std::unique(edges.points.begin(), edges.points.end()), edges.points.end());
-  const auto id = [&](const Point2& point) {
-    return static_cast<int>(
-        std::lower_bound(edges.points.begin(), edges.points.end(), point, is_before) -
-        edges.points.begin());
+/// The windings of every region in one list.
+struct AllWindings {
+  struct Place {
+    std::size_t begin = 0;
+    std::size_t count = 0;
   };
-  for_each_ring(shapes, [&](const Ring& ring) {
-    int previous = id(ring.back());
-    for (const Point2& point : ring) {
-      const int current = id(point);
-      if (current != previous) edges.pairs.push_back(std::minmax(previous, current));
-      previous = current;
-    }
-  });
-  std::sort(edges.pairs.begin(), edges.pairs.end());
-  edges.pairs.erase(std::unique(edges.pairs.begin(), edges.pairs.end()), edges.pairs.end());
-  return edges;
-}
-
-/// Three corners, their area and how far the triangle is from being flat.
-struct Measured {
-  double area_mm2 = 0.0;
-  double height_mm = 0.0;
-  Point2 centroid = Point2::Zero();
+  std::vector<RingUse> list;
+  std::vector<Place> of_face;
 };
 
-Measured measured(const TriangleMesh& mesh, const Triangle& triangle) {
-  std::array<Point2, 3> p;
-  for (std::size_t i = 0; i < 3; ++i) {
-    p[i] = mesh.points_mm[static_cast<std::size_t>(triangle.corner[i])];
+/// Spreads from the unbounded face, around which nothing winds, over the edges between faces.
+AllWindings windings_of(const PlaneGraph& graph) {
+  AllWindings all;
+  all.of_face.resize(static_cast<std::size_t>(graph.face_count()));
+  std::vector<char> is_known(all.of_face.size(), 0);
+  std::vector<int> open = {PlaneGraph::kOutside};
+  is_known[PlaneGraph::kOutside] = 1;
+  Windings beyond;
+  while (!open.empty()) {
+    const int face = open.back();
+    open.pop_back();
+    const AllWindings::Place here = all.of_face[static_cast<std::size_t>(face)];
+    for (const int start : graph.loops_of(face)) {
+      int h = start;
+      do {
+        const auto other = static_cast<std::size_t>(graph.face(PlaneGraph::twin(h)));
+        if (is_known[other] == 0) {
+          is_known[other] = 1;
+          open.push_back(static_cast<int>(other));
+          const auto begin = all.list.begin() + static_cast<std::ptrdiff_t>(here.begin);
+          beyond.assign(begin, begin + static_cast<std::ptrdiff_t>(here.count));
+          cross_edge(graph.uses(h / 2), h % 2 == 0 ? 1 : -1, beyond);
+          all.of_face[other] = {all.list.size(), beyond.size()};
+          all.list.insert(all.list.end(), beyond.begin(), beyond.end());
+        }
+        h = graph.next(h);
+      } while (h != start);
+    }
   }
-  const double doubled = cross(p[1] - p[0], p[2] - p[0]);
-  const double longest =
-      std::max({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
-  return {doubled / 2.0, doubled / longest, (p[0] + p[1] + p[2]) / 3.0};
+  return all;
 }
 
 }  // namespace
 
-PlanarMap::PlanarMap(const std::vector<Polygon>& shapes_mm) {
-  const Edges edges = edges_of(shapes_mm);
-  mesh_ = triangulate(edges.points, edges.pairs);
-  flood();
-  measure(shapes_mm);
-  find_borders();
+PlanarMap::PlanarMap(const std::vector<Polygon>& shapes_mm, double fine, int first_positive)
+    : graph_(cut_where_they_meet(edges_of(shapes_mm, fine, shape_of_ring_))) {
+  const int shape_count = static_cast<int>(shapes_mm.size());
+  find_coverings(shape_count, first_positive < 0 ? shape_count : first_positive);
 }
 
-void PlanarMap::flood() {
-  region_of_triangle_.assign(mesh_.triangles.size(), -1);
-  std::vector<std::size_t> open;
-  const auto spread = [&](std::size_t seed, int region) {
-    region_of_triangle_[seed] = region;
-    open.push_back(seed);
-    while (!open.empty()) {
-      const Triangle triangle = mesh_.triangles[open.back()];
-      open.pop_back();
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (triangle.is_constrained[i] || triangle.neighbor[i] < 0) continue;
-        const auto next = static_cast<std::size_t>(triangle.neighbor[i]);
-        if (region_of_triangle_[next] >= 0) continue;
-        region_of_triangle_[next] = region;
-        open.push_back(next);
+void PlanarMap::find_coverings(int shape_count, int first_positive) {
+  const AllWindings all = windings_of(graph_);
+  std::vector<int> outer_ring(static_cast<std::size_t>(shape_count), 0);
+  for (std::size_t ring = shape_of_ring_.size(); ring-- > 0;) {
+    outer_ring[static_cast<std::size_t>(shape_of_ring_[ring])] = static_cast<int>(ring);
+  }
+  first_cover_.push_back(0);
+  for (const AllWindings::Place& place : all.of_face) {
+    for (std::size_t i = place.begin; i < place.begin + place.count;) {
+      const int shape = shape_of_ring_[static_cast<std::size_t>(all.list[i].ring)];
+      const bool is_in_outer = all.list[i].ring == outer_ring[static_cast<std::size_t>(shape)];
+      int rings = 0;
+      int turns = 0;
+      for (; i < place.begin + place.count; ++i, ++rings) {
+        if (shape_of_ring_[static_cast<std::size_t>(all.list[i].ring)] != shape) break;
+        turns += all.list[i].turns;
       }
+      if (shape >= first_positive ? turns > 0 : is_in_outer && rings == 1) covers_.push_back(shape);
     }
-  };
-  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    const Triangle& triangle = mesh_.triangles[t];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const bool leads_outside = triangle.neighbor[i] < 0 && !triangle.is_constrained[i];
-      if (leads_outside && region_of_triangle_[t] < 0) spread(t, kOutside);
-    }
-  }
-  int region = kOutside;
-  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    if (region_of_triangle_[t] < 0) spread(t, ++region);
-  }
-  regions_.resize(static_cast<std::size_t>(region) + 1);
-}
-
-void PlanarMap::measure(const std::vector<Polygon>& shapes_mm) {
-  std::vector<Measured> fattest(regions_.size());
-  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    const auto region = static_cast<std::size_t>(region_of_triangle_[t]);
-    const Measured triangle = measured(mesh_, mesh_.triangles[t]);
-    regions_[region].area_mm2 += triangle.area_mm2;
-    if (triangle.height_mm > fattest[region].height_mm) fattest[region] = triangle;
-  }
-  regions_[kOutside].area_mm2 = 0.0;
-  const ShapeIndex index(shapes_mm);
-  for (std::size_t r = 1; r < regions_.size(); ++r) {
-    regions_[r].covering = index.covering(fattest[r].centroid);
+    first_cover_.push_back(static_cast<int>(covers_.size()));
   }
 }
 
-void PlanarMap::find_borders() {
-  std::vector<std::tuple<int, int, double>> stretches;
-  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    const Triangle& triangle = mesh_.triangles[t];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const int beyond = triangle.neighbor[i];
-      const int from = region_of_triangle_[t];
-      const int to = beyond < 0 ? kOutside : region_of_triangle_[static_cast<std::size_t>(beyond)];
-      if (from == to) continue;
-      const Point2& a = mesh_.points_mm[static_cast<std::size_t>(triangle.corner[(i + 1) % 3])];
-      const Point2& b = mesh_.points_mm[static_cast<std::size_t>(triangle.corner[(i + 2) % 3])];
-      stretches.emplace_back(from, to, (b - a).norm());
-      if (beyond < 0) stretches.emplace_back(to, from, (b - a).norm());
-    }
-  }
-  std::sort(stretches.begin(), stretches.end());
-  for (const auto& [from, to, length] : stretches) {
-    auto& borders = regions_[static_cast<std::size_t>(from)].borders;
-    if (borders.empty() || borders.back().region != to) borders.push_back({to, 0.0});
-    borders.back().length_mm += length;
+void PlanarMap::add_borders(int region, std::vector<Border>& stretches) const {
+  for (const int start : graph_.loops_of(region)) {
+    int previous = region;
+    int h = start;
+    do {
+      const int other = graph_.face(PlaneGraph::twin(h));
+      if (other != region) {
+        if (other != previous) stretches.push_back({other, 0.0});
+        stretches.back().length_mm += graph_.length_mm(h);
+      }
+      previous = other;
+      h = graph_.next(h);
+    } while (h != start);
   }
 }
 
 std::vector<std::vector<Polygon>> PlanarMap::trace(const std::vector<int>& group_of_region,
                                                    int groups) const {
-  std::vector<int> group_of_triangle;
-  group_of_triangle.reserve(region_of_triangle_.size());
-  for (const int region : region_of_triangle_) {
-    group_of_triangle.push_back(
-        region == kOutside ? -1 : group_of_region[static_cast<std::size_t>(region)]);
-  }
-  return trace_boundaries(mesh_, group_of_triangle, groups);
+  std::vector<int> group = group_of_region;
+  group[kOutside] = -1;
+  return trace_boundaries(graph_, group, groups);
 }
 
 }  // namespace roomatlas::planar

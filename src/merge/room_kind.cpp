@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "room_kind.hpp"
 
+#include "roomatlas/core/clearance.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -55,14 +57,6 @@ double long_side(const Ring& outer) {
   return longest;
 }
 
-double clearance(const Polygon& polygon, const Point2& point) {
-  double nearest = distance_to_boundary(polygon.outer, point);
-  for (const Ring& hole : polygon.holes) {
-    nearest = std::min(nearest, distance_to_boundary(hole, point));
-  }
-  return nearest;
-}
-
 /// How wide a shape is, sampled on a grid.
 struct Width {
   double mean_m = 0.0;      ///< four times the mean clearance: the width, for a long strip
@@ -71,16 +65,17 @@ struct Width {
 
 Width width_of(const Polygon& polygon) {
   constexpr double kFinest_m = 0.25;
-  constexpr double kMaxSteps = 60.0;  // across a square of the polygon's area
+  constexpr double kMaxSteps = 20.0;  // across a square of the polygon's area
   const double step_m = std::max(kFinest_m, std::sqrt(area(polygon)) / kMaxSteps);
   const Box2 box = bounds(polygon.outer);
+  const Clearance clearance(polygon);
   double sum_m = 0.0;
   int count = 0;
   int wide = 0;
   for (double x = box.min.x() + step_m / 2.0; x < box.max.x(); x += step_m) {
     for (double y = box.min.y() + step_m / 2.0; y < box.max.y(); y += step_m) {
-      if (!contains(polygon, Point2(x, y))) continue;
-      const double clearance_m = clearance(polygon, Point2(x, y));
+      const double clearance_m = clearance.at({x, y});
+      if (clearance_m < 0.0) continue;
       sum_m += clearance_m;
       ++count;
       if (2.0 * clearance_m > kCorridorWidth_m) ++wide;

@@ -3,63 +3,95 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-namespace roomatlas {
+namespace roomatlas::planar {
 namespace {
 
-std::int64_t key_of(double column, double row) {
-  constexpr std::int64_t kStride = std::int64_t{1} << 32;
-  return static_cast<std::int64_t>(column) * kStride + static_cast<std::int64_t>(row);
-}
+constexpr double kCellsPerEdge = 6.0;   // at most: memory
+constexpr double kCellPerLength = 0.6;  // of the mean edge: an edge passes through two or three
+constexpr double kMargin = 1e-6;        // of a cell, for rounding where an edge enters a column
 
 }  // namespace
 
-/// A long segment is kept in pieces of at most half a cell, each in the cell of its middle: what
-/// comes near to a point is then in the cells around it.
-void SegmentGrid::add(const Segment2& segment) {
-  if (!segment.a.allFinite() || !segment.b.allFinite()) return;
-  const Point2 along = segment.b - segment.a;
-  const int pieces = std::max(1, static_cast<int>(std::ceil(along.norm() / (kCell_m / 2.0))));
-  for (int i = 0; i < pieces; ++i) {
-    const Segment2 piece{segment.a + along * (static_cast<double>(i) / pieces),
-                         segment.a + along * (static_cast<double>(i + 1) / pieces)};
-    const Point2 middle = (piece.a + piece.b) / (2.0 * kCell_m);
-    cells_[key_of(std::floor(middle.x()), std::floor(middle.y()))].push_back(piece);
+int SegmentGrid::clamped(double index, int count) {
+  return static_cast<int>(std::clamp(index, 0.0, static_cast<double>(count - 1)));
+}
+
+template <typename Ends>
+void SegmentGrid::set_size(std::size_t count, Ends ends_of) {
+  if (count == 0) return;
+  Box2 box;
+  double length = 0.0;
+  for (std::size_t e = 0; e < count; ++e) {
+    const auto [a, b] = ends_of(e);
+    box.extend(a);
+    box.extend(b);
+    length += (b - a).norm();
+  }
+  low_ = box.min;
+  const auto edges = static_cast<double>(count);
+  const Point2 size = box.size();
+  cell_ = std::max({kCellPerLength * length / edges,
+                    std::sqrt(size.x() * size.y() / (kCellsPerEdge * edges)),
+                    size.maxCoeff() / (kCellsPerEdge * edges)});
+  columns_ = static_cast<int>(size.x() / cell_) + 1;
+  rows_ = static_cast<int>(size.y() / cell_) + 1;
+}
+
+/// Column by column, the rows between where the edge enters and where it leaves.
+template <typename Visit>
+void SegmentGrid::for_each_cell(const Point2& a, const Point2& b, Visit visit) const {
+  const Point2& left = a.x() <= b.x() ? a : b;
+  const Point2& right = a.x() <= b.x() ? b : a;
+  const int first = column_of(left.x());
+  const int last = column_of(right.x());
+  const double rise = last > first ? (right.y() - left.y()) / (right.x() - left.x()) : 0.0;
+  const double margin = kMargin * cell_;
+  for (int column = first; column <= last; ++column) {
+    const double enter = low_.x() + column * cell_;
+    const double from = column == first ? left.y() : left.y() + rise * (enter - left.x());
+    const double to = column == last ? right.y() : left.y() + rise * (enter + cell_ - left.x());
+    const int low = row_of(std::min(from, to) - margin);
+    const int high = row_of(std::max(from, to) + margin);
+    for (int row = low; row <= high; ++row)
+      visit(static_cast<std::size_t>(row * columns_ + column));
   }
 }
 
-void SegmentGrid::add_line(const Polyline& line) {
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) add({line[i], line[i + 1]});
-}
-
-void SegmentGrid::add_ring(const Ring& ring) {
-  for (std::size_t i = 0; i < ring.size(); ++i) add({ring[i], ring[(i + 1) % ring.size()]});
-}
-
-template <typename Test>
-bool SegmentGrid::any_around(const Point2& point, Test test) const {
-  const double column = std::floor(point.x() / kCell_m);
-  const double row = std::floor(point.y() / kCell_m);
-  for (int i = -2; i <= 2; ++i) {
-    for (int j = -2; j <= 2; ++j) {
-      const auto cell = cells_.find(key_of(column + i, row + j));
-      if (cell == cells_.end()) continue;
-      if (std::any_of(cell->second.begin(), cell->second.end(), test)) return true;
-    }
+template <typename Ends>
+void SegmentGrid::build(std::size_t count, Ends ends_of) {
+  set_size(count, ends_of);
+  first_.assign(static_cast<std::size_t>(cell_count()) + 1, 0);
+  for (std::size_t e = 0; e < count; ++e) {
+    const auto [a, b] = ends_of(e);
+    for_each_cell(a, b, [&](std::size_t c) { ++first_[c]; });
   }
-  return false;
+  int sum = 0;
+  for (int& first : first_) first = sum += first;
+  entries_.resize(static_cast<std::size_t>(sum));
+  for (std::size_t e = count; e-- > 0;) {
+    const auto [a, b] = ends_of(e);
+    for_each_cell(a, b, [&](std::size_t c) {
+      entries_[static_cast<std::size_t>(--first_[c])] = static_cast<int>(e);
+    });
+  }
 }
 
-bool SegmentGrid::is_near(const Point2& point, double reach_m) const {
-  return any_around(point,
-                    [&](const Segment2& segment) { return distance(segment, point) <= reach_m; });
-}
-
-bool SegmentGrid::crosses(const Segment2& probe) const {
-  return any_around((probe.a + probe.b) / 2.0, [&](const Segment2& segment) {
-    const auto at = crossing_fraction(probe, segment);
-    return at && *at >= 0.0 && *at <= 1.0;
+SegmentGrid::SegmentGrid(const EdgeSet& set, const std::vector<int>& of) {
+  build(of.size(), [&](std::size_t i) {
+    const RingEdge& edge = set.edges[static_cast<std::size_t>(of[i])];
+    return std::pair<const Point2&, const Point2&>(set.point(edge.from), set.point(edge.to));
   });
 }
 
-}  // namespace roomatlas
+SegmentGrid::SegmentGrid(const std::vector<Point2>& points_mm,
+                         const std::vector<int>& ends_of_edges) {
+  build(ends_of_edges.size() / 2, [&](std::size_t e) {
+    return std::pair<const Point2&, const Point2&>(
+        points_mm[static_cast<std::size_t>(ends_of_edges[2 * e])],
+        points_mm[static_cast<std::size_t>(ends_of_edges[2 * e + 1])]);
+  });
+}
+
+}  // namespace roomatlas::planar

@@ -8,15 +8,7 @@
 
 namespace roomatlas::planar {
 
-/// How often the ring runs around the point, counter-clockwise positive. Points on the ring may
-/// go either way.
-[[nodiscard]] int winding_number(const Ring& ring, const Point2& point);
-
-/// Non-zero rule for the outer ring, and none of the holes (each under the same rule): the
-/// orientation of rings does not matter.
-[[nodiscard]] bool covers(const Polygon& shape, const Point2& point);
-
-/// Finds the polygons over a point. Keeps references to the polygons: they must outlive it.
+/// Finds polygons by their bounding boxes.
 class ShapeIndex {
  public:
   explicit ShapeIndex(const std::vector<Polygon>& shapes);
@@ -24,12 +16,11 @@ class ShapeIndex {
   ShapeIndex(const ShapeIndex&) = delete;
   ShapeIndex& operator=(const ShapeIndex&) = delete;
 
-  /// Indices of the shapes that cover the point, ascending.
-  [[nodiscard]] std::vector<int> covering(const Point2& point) const;
+  /// Indices of the shapes whose bounding boxes meet the box, ascending.
+  [[nodiscard]] std::vector<int> near(const Box2& box) const;
 
  private:
   struct Tree;
-  const std::vector<Polygon>& shapes_;
   std::unique_ptr<Tree> tree_;
 };
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "segment_grid.hpp"
+#include "nearby_segments.hpp"
 
 namespace roomatlas {
 namespace {
@@ -21,8 +21,8 @@ struct Piece {
 
 /// What the pieces are judged by.
 struct Known {
-  SegmentGrid walls;       ///< and doors
-  SegmentGrid boundaries;  ///< of free space
+  NearbySegments walls;       ///< and doors
+  NearbySegments boundaries;  ///< of free space
   UnexploredOptions options;
 
   [[nodiscard]] bool is_unexplored(const Piece& piece) const {

@@ -32,22 +32,20 @@ Gridded gridded(const std::vector<Polygon>& first, const std::vector<Polygon>& s
 
 std::vector<Polygon> union_of(const std::vector<Polygon>& polygons) {
   const Gridded all = gridded(polygons, {});
-  const planar::PlanarMap map(all.shapes_mm);
+  const planar::PlanarMap map(all.shapes_mm, all.grid.fine());
   std::vector<int> group;
   for (int region = 0; region < map.region_count(); ++region) {
     group.push_back(map.covering(region).empty() ? -1 : 0);
   }
-  std::vector<Polygon> united_mm = map.trace(group, 1).front();
-  for (Polygon& polygon : united_mm) polygon = planar::without_straight_vertices(polygon);
-  return all.grid.to_metres(united_mm);
+  return all.grid.to_metres(map.trace(group, 1).front());
 }
 
 double overlap_area(const std::vector<Polygon>& first, const std::vector<Polygon>& second) {
   const Gridded all = gridded(first, second);
-  const planar::PlanarMap map(all.shapes_mm);
+  const planar::PlanarMap map(all.shapes_mm, all.grid.fine());
   double sum_mm2 = 0.0;
   for (int region = 0; region < map.region_count(); ++region) {
-    const std::vector<int>& over = map.covering(region);
+    const std::span<const int> over = map.covering(region);
     const int split = static_cast<int>(first.size());
     if (!over.empty() && over.front() < split && over.back() >= split) {
       sum_mm2 += map.area_mm2(region);

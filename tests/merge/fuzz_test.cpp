@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random polygons, checked by ways that share nothing with the planar map.
+#include "merge/dirty_polygons.hpp"
+#include "merge/exact_crossing.hpp"
 #include "merge/shapes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <random>
 
 namespace roomatlas {
@@ -126,6 +129,96 @@ TEST(UnionFuzz, IsIdempotentAndKeepsRingsApart) {
         EXPECT_GE(hole.size(), 3U);
       }
     }
+  }
+}
+
+/// More rounds are a matter of patience: ROOMATLAS_FUZZ=10000 for what the documents state.
+int fuzz_rounds() {
+  const char* text = std::getenv("ROOMATLAS_FUZZ");
+  return text == nullptr ? 400 : std::atoi(text);
+}
+
+/// The farthest that a coordinate is from the origin, in metres.
+double reach_of(const std::vector<Polygon>& polygons) {
+  double reach = 1.0;
+  for (const Polygon& polygon : polygons) {
+    for (const Point2& point : polygon.outer) reach = std::max(reach, point.cwiseAbs().maxCoeff());
+    for (const Ring& hole : polygon.holes) {
+      for (const Point2& point : hole) reach = std::max(reach, point.cwiseAbs().maxCoeff());
+    }
+  }
+  return reach;
+}
+
+/// What is wrong with rings that should be simple, told by whole numbers; empty: nothing.
+/// @param reach_m of the input: decides the grid on which crossings lie.
+std::string fault_of(const std::vector<Polygon>& polygons, double reach_m) {
+  const double units = std::exp2(std::clamp(49 - std::ilogb(reach_m * 1000.0), 16, 34));
+  struct Edge {
+    test::FinePoint from, to;
+  };
+  std::vector<Edge> edges;
+  std::string fault;
+  const Point2 base = polygons.empty() ? Point2(0, 0) : polygons.front().outer.front();
+  const Point2 base_m(std::floor(base.x()), std::floor(base.y()));
+  const auto add = [&](const Ring& ring, bool is_outer) {
+    if (ring.size() < 3) fault = "a ring of less than three vertices";
+    std::vector<test::FinePoint> points;
+    for (const Point2& point : ring) points.push_back(test::fine((point - base_m) * 1000.0, units));
+    test::Wide doubled = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const test::FinePoint& next = points[(i + 1) % points.size()];
+      doubled += test::doubled_area(points[0], points[i], next);
+      edges.push_back({points[i], next});
+      for (std::size_t j = 0; j < i; ++j) {
+        if (points[i] == points[j]) fault = "a ring passes a vertex twice";
+      }
+    }
+    if ((doubled > 0) != is_outer || doubled == 0) fault = "a ring runs the wrong way round";
+  };
+  for (const Polygon& polygon : polygons) {
+    add(polygon.outer, true);
+    for (const Ring& hole : polygon.holes) add(hole, false);
+  }
+  for (const Edge& e : edges) {
+    for (const Edge& f : edges) {
+      if (test::cross_inside(e.from, e.to, f.from, f.to)) fault = "two edges cross";
+      if (test::is_inside_edge(e.from, e.to, f.from)) fault = "a vertex lies on an edge";
+    }
+  }
+  return fault;
+}
+
+TEST(UnionFuzz, DirtyPolygonsHaveValidRingsAndTheAreaOfAnIndependentComputation) {
+  test::DirtyPolygons dirty(1);
+  for (int round = 0; round < fuzz_rounds(); ++round) {
+    const auto polygons = dirty.next();
+    const auto united = union_of(polygons);
+    const double expected_m2 = test::StripArea(polygons).square_metres();
+    const double reach_m = reach_of(polygons);
+    constexpr double kNothing_m2 = 1e-15;  // what rounding leaves of lines without area
+    const double last_bits_m2 = 0x1p-49 * reach_m * perimeter(united);  // of coordinates out there
+    EXPECT_NEAR(total_area(united), expected_m2, 1e-6 * expected_m2 + last_bits_m2 + kNothing_m2)
+        << "round " << round;
+    EXPECT_EQ(fault_of(united, reach_m), "") << "round " << round;
+  }
+}
+
+TEST(MergeFuzz, ThrowsNothingAndLosesNoFloorOfDirtyPolygons) {
+  test::DirtyPolygons dirty(2);
+  for (int round = 0; round < fuzz_rounds() / 4; ++round) {
+    const auto polygons = dirty.next();
+    std::vector<PlacedOutline> outlines;
+    for (const Polygon& polygon : polygons) {
+      const AsrId asr = static_cast<AsrId>(outlines.size()) + 1;
+      outlines.push_back({asr, asr % 3 + 1, polygon});
+    }
+    const FloorPlan plan = merge(outlines, {}, {.min_part_area_m2 = 0.0});
+    const double covered_m2 = total_area(union_of(polygons));
+    const double slack_m2 = 1e-6 * covered_m2 + 1e-6;
+    EXPECT_GE(total_area(plan.free_space), covered_m2 - slack_m2) << "round " << round;
+    const double on_grid_m2 = 1e-3 * perimeter(plan.free_space);  // overlap_area rounds to 1 mm
+    EXPECT_LE(overlap_area(plan.free_space, plan.walls), on_grid_m2) << "round " << round;
   }
 }
 
