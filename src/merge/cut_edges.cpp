@@ -11,7 +11,7 @@
 namespace roomatlas::planar {
 namespace {
 
-constexpr int kMaxRounds = 40;  // never reached by 10,000 dirty sets of polygons
+constexpr int kMaxRounds = 40;           // never reached by 10,000 dirty sets of polygons
 constexpr double kTilesPerFresh = 4.0;   // at most: memory
 constexpr std::size_t kSortedCell = 24;  // edges from which sorting a cell pays
 
