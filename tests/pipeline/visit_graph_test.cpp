@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <Eigen/LU>
+#include <cmath>
+
 namespace roomatlas {
 namespace {
 
