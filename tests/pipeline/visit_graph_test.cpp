@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <Eigen/LU>
+#include <cmath>
+
 namespace roomatlas {
 namespace {
 
@@ -61,7 +64,7 @@ TEST(VisitGraph, MatchesOfWallsHaveTheInformationAndPoseOfTheStore) {
       pose_graph_of(with_match(row_of_visits(), 1, 3), {closure(1, 3, information)}, {});
   ASSERT_EQ(graph.edges.size(), 3U);
   EXPECT_EQ(graph.edges[2].information, information);
-  EXPECT_DOUBLE_EQ(graph.edges[2].from_from_to.x, 8.0);
+  EXPECT_DOUBLE_EQ(graph.edges[2].from_from_to.position().x(), 8.0);
   EXPECT_EQ(graph.edges[2].kind, EdgeKind::loop);
 }
 
