@@ -110,7 +110,8 @@ std::vector<std::vector<AsrId>> cycle_basis(const RoomGraph& graph) {
 
 std::string to_dot(const RoomGraph& graph) {
   std::ostringstream dot;
-  dot << "graph rooms {\n";
+  dot << "graph rooms {\n  graph [layout=neato, overlap=scale];\n";  // `dot` itself hangs on 1000
+                                                                     // edges
   for (const Vertex v : boost::make_iterator_range(boost::vertices(graph))) {
     dot << "  " << graph[v].asr << " [label=\"ASR " << graph[v].asr;
     if (graph[v].room != 0) dot << "\\nroom " << graph[v].room;

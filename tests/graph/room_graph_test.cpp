@@ -92,7 +92,7 @@ TEST(RoomGraph, OfNoMissionIsEmpty) {
   EXPECT_TRUE(edges_of(graph).empty());
   EXPECT_TRUE(components_of(graph).empty());
   EXPECT_TRUE(cycle_basis(graph).empty());
-  EXPECT_EQ(to_dot(graph), "graph rooms {\n}\n");
+  EXPECT_EQ(to_dot(graph), "graph rooms {\n  graph [layout=neato, overlap=scale];\n}\n");
 }
 
 TEST(RoomGraph, RefusesAnEdgeToAnUnknownAsr) {
@@ -172,6 +172,8 @@ TEST(Dot, IsAHeadAStatementForEachVertexAndEdgeAndAClosingBrace) {
   for (std::string line; std::getline(lines, line);) {
     if (line == "graph rooms {") {
       kinds += '{';
+    } else if (line == "  graph [layout=neato, overlap=scale];") {
+      kinds += 'g';
     } else if (std::regex_match(line, std::regex(R"re(  \d+ \[label="[^"]*"\];)re"))) {
       kinds += 'v';
     } else if (std::regex_match(line, std::regex(R"re(  \d+ -- \d+ \[style=[a-z]+\];)re"))) {
@@ -180,7 +182,7 @@ TEST(Dot, IsAHeadAStatementForEachVertexAndEdgeAndAClosingBrace) {
       kinds += line;
     }
   }
-  EXPECT_EQ(kinds, "{vvvvvveeeeee}");
+  EXPECT_EQ(kinds, "{gvvvvvveeeeee}");
 }
 
 TEST(SetRooms, WritesTheRoomOfEachAsrIntoItsVertex) {
