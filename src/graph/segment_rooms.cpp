@@ -251,6 +251,7 @@ class Rooms {
   RoomSegmentation decided() {
     RoomSegmentation rooms = segmented();
     for (int round = 0; round < kMostRounds && open_false_doors(rooms); ++round) {
+      rooms = {};  // its cells are many: gives them back first
       rooms = segmented();
     }
     return rooms;

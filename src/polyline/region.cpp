@@ -78,32 +78,35 @@ CellMask either(CellMask first, const CellMask& second) {
 }
 
 CellMask dilated(const CellMask& mask, int radius) {
-  return dilated_along(dilated_along(mask, {1, 0}, radius), {0, 1}, radius);
+  CellMask result = dilated_along(mask, {1, 0}, radius);
+  return dilated_along(result, {0, 1}, radius);
 }
 
 CellMask eroded(const CellMask& mask, int radius) {
   CellMask outside({{mask.box.min.x - radius, mask.box.min.y - radius},
                     {mask.box.max.x + radius, mask.box.max.y + radius}});
   for_each_cell(outside.box, [&](const Cell& cell) { outside.set(cell, !mask.at(cell)); });
-  const CellMask grown = dilated(outside, radius);
+  outside = dilated_along(outside, {1, 0}, radius);
+  outside = dilated_along(outside, {0, 1}, radius);
   CellMask result(mask.box);
-  for_each_cell(mask.box, [&](const Cell& cell) { result.set(cell, !grown.at(cell)); });
+  for_each_cell(mask.box, [&](const Cell& cell) { result.set(cell, !outside.at(cell)); });
   return result;
 }
 
 CellMask connected_to(const CellMask& mask, const std::vector<Cell>& seeds) {
-  CellMask wanted(mask.box);
-  for (const Cell& seed : seeds) wanted.set(seed, true);
   CellMask result(mask.box);
-  for_each_component(
-      mask.box, [&](const Cell& cell) { return mask.at(cell); },
-      [&](const std::vector<Cell>& component) {
-        if (std::none_of(component.begin(), component.end(),
-                         [&](const Cell& cell) { return wanted.at(cell); })) {
-          return;
-        }
-        for (const Cell& cell : component) result.set(cell, true);
-      });
+  std::vector<Cell> open;
+  const auto take = [&](const Cell& cell) {
+    if (!mask.at(cell) || result.at(cell)) return;
+    result.set(cell, true);
+    open.push_back(cell);
+  };
+  for (const Cell& seed : seeds) take(seed);
+  while (!open.empty()) {
+    const Cell at = open.back();
+    open.pop_back();
+    for (const Cell& side : kSides) take(moved(at, side));
+  }
   return result;
 }
 
