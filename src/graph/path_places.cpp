@@ -67,10 +67,16 @@ std::vector<std::size_t> PathPlaces::sets(const std::vector<bool>& is_closed) co
   return set_of;
 }
 
-bool PathPlaces::is_driven_through(std::size_t opening) const {
-  return std::any_of(links_.begin(), links_.begin() + driven_links_, [&](const Link& link) {
-    return std::find(link.crossed.begin(), link.crossed.end(), opening) != link.crossed.end();
-  });
+std::vector<std::pair<std::size_t, std::size_t>> PathPlaces::drives_through(
+    std::size_t opening) const {
+  std::vector<std::pair<std::size_t, std::size_t>> drives;
+  for (auto link = links_.begin(); link != links_.begin() + driven_links_; ++link) {
+    const auto& crossed = link->crossed;
+    if (std::find(crossed.begin(), crossed.end(), opening) != crossed.end()) {
+      drives.emplace_back(link->a, link->b);
+    }
+  }
+  return drives;
 }
 
 /// A pose opens a place unless one that it can be joined to directly lies in the same square.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -34,7 +35,9 @@ class PathPlaces {
   [[nodiscard]] std::vector<std::size_t> sets(const std::vector<bool>& is_closed) const;
   /// The place of each pose.
   [[nodiscard]] const std::vector<std::size_t>& of_poses() const { return place_of_pose_; }
-  [[nodiscard]] bool is_driven_through(std::size_t opening) const;
+  /// The places before and behind an opening, each time that the robot drove through it.
+  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> drives_through(
+      std::size_t opening) const;
 
  private:
   using Sets = boost::disjoint_sets_with_storage<>;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <map>
 
 #include "path_places.hpp"
@@ -41,9 +42,8 @@ class Rooms {
         places_(grid, path, openings, options.see_m),
         is_closed_(openings.size(), true) {
     for (std::size_t i = 0; i < openings.size(); ++i) {
-      if (openings[i].width_m() > options.doors.max_width_m && places_.is_driven_through(i)) {
-        is_closed_[i] = false;
-      }
+      drives_through_.push_back(places_.drives_through(i));
+      if (is_wide(i) && !drives_through_[i].empty()) is_closed_[i] = false;
     }
   }
 
@@ -124,28 +124,57 @@ class Rooms {
     return 0;
   }
 
+  [[nodiscard]] bool is_wide(std::size_t opening) const {
+    return openings_[opening].width_m() > options_.doors.max_width_m;
+  }
+
+  /// The floor of each room, by its number; 0: of none, too large to matter.
+  [[nodiscard]] std::vector<double> areas_m2(const RoomSegmentation& rooms) const {
+    const double cell_m2 = rooms.frame.cell_m * rooms.frame.cell_m;
+    std::vector<double> areas(static_cast<std::size_t>(rooms.rooms) + 1, 0.0);
+    for (const auto room : rooms.room_of_cell) areas[static_cast<std::size_t>(room)] += cell_m2;
+    areas[0] = std::numeric_limits<double>::infinity();
+    return areas;
+  }
+
+  /// The rooms that an opening parts: those beside it, and those that were driven between. A room
+  /// may have no floor beside it, or none at all.
+  using RoomPair = std::pair<RoomId, RoomId>;
+  [[nodiscard]] std::vector<RoomPair> rooms_at(std::size_t opening, const RoomOpening& beside,
+                                               const std::vector<RoomId>& room_of_place) const {
+    std::vector<RoomPair> pairs;
+    if (beside.is_door()) pairs.emplace_back(beside.behind, beside.ahead);
+    for (const auto& [from, to] : drives_through_[opening]) {
+      const RoomPair pair(room_of_place[from], room_of_place[to]);
+      if (pair.first != pair.second) pairs.push_back(pair);
+    }
+    return pairs;
+  }
+
   /// Opens what is no door after all. False when every closed opening may stay closed.
   bool open_false_doors(const RoomSegmentation& rooms) {
-    std::vector<double> area_m2(static_cast<std::size_t>(rooms.rooms) + 1, 0.0);
-    for (const RoomId room : rooms.room_of_cell) {
-      area_m2[static_cast<std::size_t>(room)] += rooms.frame.cell_m * rooms.frame.cell_m;
+    std::vector<double> area_m2 = areas_m2(rooms);
+    const auto of = [&](RoomId room) -> double& { return area_m2[static_cast<std::size_t>(room)]; };
+    std::vector<RoomId> room_of_place(places_.of_poses().size(), 0);  // at most one a pose
+    for (std::size_t i = 0; i < rooms.room_of_pose.size(); ++i) {
+      room_of_place[places_.of_poses()[i]] = rooms.room_of_pose[i];
     }
-    area_m2[0] = 0.0;
     bool any = false;
     std::size_t next = 0;  // of the rooms' openings, which are the closed ones in their order
     for (std::size_t i = 0; i < openings_.size(); ++i) {
       if (!is_closed_[i]) continue;
       const RoomOpening& opening = rooms.openings[next++];
-      const auto of = [&](RoomId room) -> double& {
-        return area_m2[static_cast<std::size_t>(room)];
-      };
-      const double smaller_m2 = std::min(of(opening.behind), of(opening.ahead));
-      const bool is_wide = openings_[i].width_m() > options_.doors.max_width_m;
-      const bool is_small = opening.is_door() && smaller_m2 < options_.min_room_m2;
-      if (opening.behind != opening.ahead && !is_small && !(is_wide && opening.is_door())) continue;
+      const std::vector<RoomPair> pairs = rooms_at(i, opening, room_of_place);
+      const auto small = std::find_if(pairs.begin(), pairs.end(), [&](const RoomPair& pair) {
+        return std::min(of(pair.first), of(pair.second)) < options_.min_room_m2;
+      });
+      const bool is_small = small != pairs.end();
+      if (opening.behind != opening.ahead && !is_small && !(is_wide(i) && opening.is_door())) {
+        continue;
+      }
       is_closed_[i] = false;
       any = true;
-      if (is_small) of(opening.behind) = of(opening.ahead) = options_.min_room_m2;  // one a round
+      if (is_small) of(small->first) = of(small->second) = options_.min_room_m2;  // one a round
     }
     return any;
   }
@@ -157,6 +186,7 @@ class Rooms {
   const CellMask roomy_;
   const PathPlaces places_;
   std::vector<bool> is_closed_;
+  std::vector<std::vector<std::pair<std::size_t, std::size_t>>> drives_through_;  ///< by opening
 };
 
 }  // namespace

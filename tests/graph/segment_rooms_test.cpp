@@ -111,6 +111,18 @@ TEST(SegmentRooms, AWindowEndsARoomAndAWidePassageDoesNot) {
   EXPECT_EQ(room_at(rooms, 6.0, 3.0), 1);
 }
 
+TEST(SegmentRooms, EveryRoomHasFloor) {
+  // two doors in a row, 0.7 m apart: the vestibule between them is no room
+  SketchedBuilding building(9.1, 5.0);
+  building.box(4.0, 0.0, 5.1, 2.0);
+  building.box(4.0, 2.9, 5.1, 5.0);
+  building.drive({{1, 1}, {3, 2.4}, {4.55, 2.45}, {7, 2.4}});
+  const RoomSegmentation rooms = rooms_of(building);
+  EXPECT_EQ(rooms.rooms, 2);
+  std::set<RoomId> with_floor(rooms.room_of_cell.begin(), rooms.room_of_cell.end());
+  for (RoomId room = 1; room <= rooms.rooms; ++room) EXPECT_TRUE(with_floor.contains(room)) << room;
+}
+
 TEST(SegmentRooms, EveryPoseHasARoomAndNumbersFollowTheDrive) {
   SketchedBuilding building = test::two_rooms();
   building.drive({{7, 1}, {5, 2.4}, {1, 2.4}});
