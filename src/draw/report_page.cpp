@@ -2,29 +2,10 @@
 #include "roomatlas/draw/report.hpp"
 
 #include "report_assets.hpp"
+#include "roomatlas/draw/markup_text.hpp"
 
 namespace roomatlas {
 namespace {
-
-std::string html_text(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
 
 /// JSON inside a script element must not hold what could end it; in JSON a `<` stands in texts
 /// only.
@@ -41,7 +22,7 @@ std::string script_text(const std::string& json) {
 }
 
 std::string part(const std::string& name, const std::string& title, const std::string& data_json) {
-  if (name == "title") return html_text(title);
+  if (name == "title") return markup_text(title);
   if (name == "data") return script_text(data_json);
   return drawing::report_assets().at(name);
 }

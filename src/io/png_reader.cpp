@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cairo_handles.hpp"
 #include "picture.hpp"
 
 #include "roomatlas/core/issue.hpp"
@@ -12,16 +13,6 @@
 
 namespace roomatlas::io {
 namespace {
-
-template <auto Free>
-struct Deleter {
-  template <typename T>
-  void operator()(T* pointer) const {
-    Free(pointer);
-  }
-};
-using Surface = std::unique_ptr<cairo_surface_t, Deleter<cairo_surface_destroy>>;
-using Context = std::unique_ptr<cairo_t, Deleter<cairo_destroy>>;
 
 cairo_status_t take_bytes(void* from, unsigned char* to, unsigned int length) {
   auto& rest = *static_cast<std::string_view*>(from);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/io/room_tables.hpp"
+#include "roomatlas/draw/markup_text.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -24,26 +25,6 @@ std::string csv_field(const std::string& text) {
   return quoted + '"';
 }
 
-std::string xml_text(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) >= ' ') escaped += c;  // XML 1.0 knows no control codes
-    }
-  }
-  return escaped;
-}
-
 /// How many doors each room has.
 std::map<RoomId, int> door_counts(const FloorPlan& plan) {
   std::map<RoomId, int> counts;
@@ -55,7 +36,7 @@ std::map<RoomId, int> door_counts(const FloorPlan& plan) {
 }
 
 std::string data(const char* key, const std::string& value) {
-  return std::string("<data key=\"") + key + "\">" + xml_text(value) + "</data>";
+  return std::string("<data key=\"") + key + "\">" + markup_text(value) + "</data>";
 }
 
 constexpr const char* kGraphmlHead = R"(<?xml version="1.0" encoding="UTF-8"?>

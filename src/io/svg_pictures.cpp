@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cairo_handles.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/io/pdf.hpp"
 
@@ -15,16 +16,9 @@ constexpr double kCssPixelsPerInch = 96.0;
 constexpr double kPointsPerInch = 72.0;
 constexpr double kLargestSide_px = 32000.0;  // cairo's limit is 32767
 
-template <auto Free>
-struct Deleter {
-  template <typename T>
-  void operator()(T* pointer) const {
-    Free(pointer);
-  }
-};
-using Handle = std::unique_ptr<RsvgHandle, Deleter<g_object_unref>>;
-using Surface = std::unique_ptr<cairo_surface_t, Deleter<cairo_surface_destroy>>;
-using Context = std::unique_ptr<cairo_t, Deleter<cairo_destroy>>;
+using io::Context;
+using io::Surface;
+using Handle = std::unique_ptr<RsvgHandle, io::Deleter<g_object_unref>>;
 
 /// Takes the error's text and frees it.
 std::string text_of(GError* error) {
