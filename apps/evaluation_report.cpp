@@ -40,6 +40,8 @@ void print(const TruePosesBeforeAfter& poses) {
              poses.after.poses);
   print_row("position", "odometry", "m", poses.before.position_m);
   print_row("position", "corrected", "m", poses.after.position_m);
+  print_row("position, fitted", "odometry", "m", poses.before.fitted_position_m);
+  print_row("position, fitted", "corrected", "m", poses.after.fitted_position_m);
   print_row("heading", "odometry", "deg", poses.before.heading_deg);
   print_row("heading", "corrected", "deg", poses.after.heading_deg);
 }

@@ -33,14 +33,21 @@ struct Exported {
   std::string ogr_driver;
 };
 
-Exported read(const Path& store_file) {
+Exported read(const Path& store_file, bool measured_walls) {
   const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
   if (!store.has_assembly()) {
     throw NotEnoughError(store_file.string() +
                          ": not assembled yet: run `roomatlas assemble` on it first");
   }
-  Exported exported{
-      store.metadata(), store.correction(), store.plan(), {}, {}, store.closures(), {}, {}, {}};
+  Exported exported{store.metadata(),
+                    store.correction(),
+                    measured_walls ? store.measured_plan() : store.plan(),
+                    {},
+                    {},
+                    store.closures(),
+                    {},
+                    {},
+                    {}};
   exported.placed = place(store, exported.correction);
   exported.graph = graph_of(store, exported.correction);
   return exported;
@@ -174,7 +181,7 @@ void export_all(const Settings& settings, const Path& store_file,
                                    fmt::join(export_formats(), ",")));
     }
   }
-  Exported from = read(store_file);
+  Exported from = read(store_file, options.measured_walls);
   from.on_earth = options.reference();
   from.north_deg = options.north_deg();
   from.ogr_driver = options.ogr_driver;

@@ -42,6 +42,13 @@ void add_export_options(CLI::App* command, ExportOptions& options) {
       ->configurable(false);
 }
 
+void add_measured_walls(CLI::App* command, ExportOptions& options) {
+  command
+      ->add_flag("--measured-walls", options.measured_walls,
+                 "the walls as measured, where `assemble` made them regular")
+      ->configurable(false);
+}
+
 void add_ogr_option(CLI::App* command, ExportOptions& options) {
   command
       ->add_option("--ogr", options.ogr_driver,

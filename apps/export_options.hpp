@@ -18,6 +18,7 @@ struct ExportOptions {
   std::vector<double> georef;   ///< latitude, longitude, heading of the y axis in deg; or empty
   std::optional<double> north;  ///< where north is on the plan, clockwise from up in deg
   std::string ogr_driver;       ///< of the format `ogr`
+  bool measured_walls = false;  ///< walls as measured instead of regular ones
 
   /// Throws UsageError when it is not on the earth.
   [[nodiscard]] std::optional<GeoReference> reference() const;
@@ -27,6 +28,8 @@ struct ExportOptions {
 
 /// Adds `--georef` and `--north` to a command.
 void add_export_options(CLI::App* command, ExportOptions& options);
+/// Adds `--measured-walls`.
+void add_measured_walls(CLI::App* command, ExportOptions& options);
 /// Adds `--ogr`, the format behind `-f ogr`.
 void add_ogr_option(CLI::App* command, ExportOptions& options);
 

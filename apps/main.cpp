@@ -161,6 +161,7 @@ void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
   output(exported, a.out, "folder for the files");
   apps::add_export_options(exported, a.exported);
   apps::add_ogr_option(exported, a.exported);
+  apps::add_measured_walls(exported, a.exported);
 
   CLI::App* evaluate =
       command("evaluate", "errors of stores, trajectories or logs, against truth and without any",

@@ -214,6 +214,11 @@ void add_plan(CLI::App& app, Settings& settings) {
             "share of wall beside a door's jambs, else it is no door but a gap", 0.0, 1.0);
   stage.flag("map-again", assemble.map_again,
              "cut rooms at the doors that only other visits found (needs the readings)");
+  stage.flag("regular-walls", assemble.regular_walls,
+             "draw walls along the building's directions, on common lines; the walls as measured "
+             "stay in the store (`export --measured-walls`)");
+  stage.add("regular-distance", assemble.regular.max_distance_m,
+            "m; how far a regular wall may be from where it was seen", 0.0, 1.0);
   stage.add("wall-thickness", assemble.merge.wall_thickness_m,
             "m; of walls whose other side nobody saw", 0.02, 2.0);
   stage.flag("draw-path", settings.draw.show_trajectory, "draw the robot's path");

@@ -83,10 +83,10 @@ void print(const FloorPlan& world, const std::vector<Outcome>& outcomes) {
   std::printf(
       "| seed | rooms entered | collisions | path | isomorphic | edits | rooms F1 | doors F1 | "
       "door "
-      "position | room rotation before, after | position before, after |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|\n");
+      "position | room rotation before, after | position before, after | fitted |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   int isomorphic = 0;
-  std::vector<std::vector<double>> columns(9);
+  std::vector<std::vector<double>> columns(10);
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     const Outcome& outcome = outcomes[i];
     if (!outcome.failure.empty()) {
@@ -104,23 +104,24 @@ void print(const FloorPlan& world, const std::vector<Outcome>& outcomes) {
                                      judged.room_poses->before.rotation_deg.median,
                                      judged.room_poses->after.rotation_deg.median,
                                      judged.true_poses->before.position_m.mean,
-                                     judged.true_poses->after.position_m.mean};
+                                     judged.true_poses->after.position_m.mean,
+                                     judged.true_poses->after.fitted_position_m.mean};
     for (std::size_t c = 0; c < row.size(); ++c) {
       if (std::isfinite(row[c])) columns[c].push_back(row[c]);
     }
     std::printf(
         "| %zu | %zu of %zu | %d | %.0f m | %s | %.0f | %.2f | %.2f | %s | %.2f, %.2f deg | "
-        "%.2f, %.2f m |\n",
+        "%.2f, %.2f m | %.3f m |\n",
         i + 1, outcome.drive.entered.size(), world.rooms.size(), outcome.drive.collisions, row[0],
         plan.graph->isomorphic ? "yes" : "no", row[1], row[2], row[3], metres(row[4]).c_str(),
-        row[5], row[6], row[7], row[8]);
+        row[5], row[6], row[7], row[8], row[9]);
   }
   const auto middle = [&](std::size_t column) { return median(columns[column]); };
   std::printf(
       "| median | | | %.0f m | %d of %zu | %.0f | %.2f | %.2f | %.2f m | %.2f, %.2f deg | %.2f, "
-      "%.2f m |\n",
+      "%.2f m | %.3f m |\n",
       middle(0), isomorphic, outcomes.size(), middle(1), middle(2), middle(3), middle(4), middle(5),
-      middle(6), middle(7), middle(8));
+      middle(6), middle(7), middle(8), middle(9));
 }
 
 OdometryPreset preset_of(const std::string& name) {

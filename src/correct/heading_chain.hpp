@@ -35,13 +35,6 @@ struct WallSighting {
   double length_m = 0.0;
 };
 
-/// Another way that the heading may have gone: by 90 degrees more, or less, from some place on.
-struct HeadingSlip {
-  double share = 0.0;            ///< of the posterior, [0, 1]
-  std::size_t first_node = 0;    ///< where it parts
-  std::vector<double> more_rad;  ///< to be added from there on; the last value holds until the end
-};
-
 struct HeadingChain {
   double log_evidence = 0.0;           ///< against walls that lie anyhow
   std::vector<double> correction_rad;  ///< by node, continuous: no step exceeds 45 degrees
@@ -60,13 +53,5 @@ struct HeadingChain {
                                           std::span<const WallSighting> sightings,
                                           std::span<const double> directions_rad,
                                           const HeadingChainOptions& options);
-
-/// Where paths drawn from the posterior (forward filtering, backward sampling) wind another way
-/// than the mean, the likeliest first. The same paths each time.
-[[nodiscard]] std::vector<HeadingSlip> find_slips(std::span<const HeadingNode> nodes,
-                                                  std::span<const WallSighting> sightings,
-                                                  std::span<const double> directions_rad,
-                                                  const HeadingChainOptions& options,
-                                                  const std::vector<double>& mean_rad);
 
 }  // namespace roomatlas

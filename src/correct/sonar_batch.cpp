@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "block_cholesky.hpp"
 #include "roomatlas/correct/wall_direction.hpp"
@@ -18,7 +19,14 @@ constexpr std::array kShrunk = {0.0, 0.0,  0.0,  0.1, 0.1, 0.22, 0.22, 0.3, 0.3,
 constexpr int kStepsARound = 3;
 constexpr double kFineScaleM = 0.15;  // below it walls count in full
 
-/// Normal equations of the nodes for one set of pairs.
+/// What is solved for.
+struct Unknowns {
+  std::vector<Pose2> map_from_node;
+  double length_scale = 1.0;
+};
+
+/// Normal equations of the nodes for one set of pairs, and of the one scale of all lengths. The
+/// scale touches every node: it stands beside the sparse matrix, not in it.
 class Equations {
  public:
   Equations(std::size_t nodes, const std::vector<NodePair>& pairs)
@@ -27,6 +35,9 @@ class Equations {
   void clear() {
     matrix_.clear();
     right_side_.assign(3 * nodes_, 0.0);
+    by_scale_.assign(3 * nodes_, 0.0);
+    scale_weight_ = 0.0;
+    scale_right_ = 0.0;
   }
 
   /// Adds weight times the square of a residual of one node's heading.
@@ -47,6 +58,19 @@ class Equations {
       right_side_[3 * position(second) + i] -= weight * residual.value * residual.by_second[i];
     }
   }
+  /// What a residual that was added says of the scale, too.
+  void add_scale(std::size_t first, std::size_t second, const PairResidual& residual,
+                 double by_scale, double weight) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      by_scale_[3 * position(first) + i] += weight * residual.by_first[i] * by_scale;
+      by_scale_[3 * position(second) + i] += weight * residual.by_second[i] * by_scale;
+    }
+    add_scale(residual.value, by_scale, weight);
+  }
+  void add_scale(double residual, double by_scale, double weight) {
+    scale_weight_ += weight * by_scale * by_scale;
+    scale_right_ -= weight * residual * by_scale;
+  }
   /// Holds a node where it is.
   void hold(std::size_t node, double weight) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -57,9 +81,11 @@ class Equations {
   }
 
   /// Moves the poses. @return root mean square of the moves; negative when the system is singular
-  double solve(std::vector<Pose2>& poses) {
+  double solve(Unknowns& unknowns) {
     if (matrix_.factorize() != -1) return -1.0;
     matrix_.solve(right_side_.data());
+    unknowns.length_scale += eliminate_scale();
+    std::vector<Pose2>& poses = unknowns.map_from_node;
     double squares = 0.0;
     for (std::size_t k = 0; k < nodes_; ++k) {
       const double* const step = right_side_.data() + 3 * position(k);
@@ -71,6 +97,18 @@ class Equations {
   }
 
  private:
+  /// The step of the scale by the Schur complement; takes its part out of the nodes' steps.
+  double eliminate_scale() {
+    std::vector<double> node_by_scale = by_scale_;
+    matrix_.solve(node_by_scale.data());
+    const auto dot = [](const std::vector<double>& a, const std::vector<double>& b) {
+      return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+    };
+    const double step = (scale_right_ - dot(by_scale_, right_side_)) /
+                        (scale_weight_ - dot(by_scale_, node_by_scale));
+    for (std::size_t i = 0; i < right_side_.size(); ++i) right_side_[i] -= step * node_by_scale[i];
+    return step;
+  }
   [[nodiscard]] std::size_t position(std::size_t node) const {
     return static_cast<std::size_t>(supernodes_.position[node]);
   }
@@ -89,6 +127,9 @@ class Equations {
   BlockCholesky<3> matrix_;
   std::size_t nodes_;
   std::vector<double> right_side_;
+  std::vector<double> by_scale_;  ///< of the normal matrix, the scale's column
+  double scale_weight_ = 0.0;
+  double scale_right_ = 0.0;
 };
 
 /// Geman and McClure's weight: 1 at 0, and 0 for what is far off.
@@ -97,19 +138,32 @@ double geman_mcclure(double squared, double scale_squared) {
   return share * share;
 }
 
-void add_steps(const SonarBatch& batch, const SonarBatchOptions& options,
-               const std::vector<Pose2>& poses, Equations& equations) {
+void add_steps(const SonarBatch& batch, const SonarBatchOptions& options, const Unknowns& unknowns,
+               Equations& equations) {
   const double robust = options.step_robust_sigmas * options.step_robust_sigmas;
+  const std::vector<Pose2>& poses = unknowns.map_from_node;
   for (std::size_t k = 1; k < poses.size(); ++k) {
     const DrivenStep& step = batch.steps[k];
-    const auto residuals = step_residuals(poses[k - 1], poses[k], step.before_from_here);
+    const Pose2& driven = step.before_from_here;
+    const Pose2 scaled{unknowns.length_scale * driven.x_m, unknowns.length_scale * driven.y_m,
+                       driven.theta_rad};
+    const auto residuals = step_residuals(poses[k - 1], poses[k], scaled);
+    const std::array by_scale = {-driven.x_m, -driven.y_m, 0.0};
     const std::array sigmas = {step.along_sigma_m, step.across_sigma_m, step.turn_sigma_rad};
     for (std::size_t i = 0; i < 3; ++i) {
       const double variance = sigmas[i] * sigmas[i];
       const double chi = residuals[i].value * residuals[i].value / variance;
-      equations.add(k - 1, k, residuals[i], 1.0 / (variance * (1.0 + chi / robust)));
+      const double weight = 1.0 / (variance * (1.0 + chi / robust));
+      equations.add(k - 1, k, residuals[i], weight);
+      equations.add_scale(k - 1, k, residuals[i], by_scale[i], weight);
     }
   }
+  const double variance = options.length_sigma * options.length_sigma;
+  equations.add_scale(unknowns.length_scale - 1.0, 1.0, 1.0 / variance);
+}
+
+double heading_sigma(const SeenWall& wall, const SonarBatchOptions& options) {
+  return std::hypot(options.wall_heading_rad, radians(1.0) / wall.length_m);
 }
 
 void add_headings(const SonarBatch& batch, const SonarBatchOptions& options,
@@ -118,11 +172,10 @@ void add_headings(const SonarBatch& batch, const SonarBatchOptions& options,
     const SeenWall& wall = batch.walls[i];
     const double off =
         wrap_quarter(poses[wall.node].theta_rad + wall.normal_rad - batch.direction_rad[i]);
-    const double sigma = std::hypot(options.wall_heading_rad, radians(1.0) / wall.length_m);
-    const double variance = sigma * sigma;
-    equations.add_heading(wall.node, off,
-                          options.heading_weight * std::min(1.0, wall.length_m) / variance *
-                              geman_mcclure(off * off, 4.0 * variance));
+    const double sigma = heading_sigma(wall, options);
+    equations.add_heading(
+        wall.node, off,
+        heading_information(wall, options) * geman_mcclure(off * off, 4.0 * sigma * sigma));
   }
 }
 
@@ -153,10 +206,11 @@ void add_pairs(const SonarBatch& batch, const SonarBatchOptions& options,
 
 /// A few Gauss-Newton steps with the pairs as they are. False when a system was singular.
 bool settle(const SonarBatch& batch, const SonarBatchOptions& options,
-            const std::vector<WallPair>& pairs, double scale_m, std::vector<Pose2>& poses) {
+            const std::vector<WallPair>& pairs, double scale_m, Unknowns& unknowns) {
+  const std::size_t nodes = unknowns.map_from_node.size();
   std::vector<int> partners(batch.walls.size(), 0);
   std::vector<NodePair> coupled;
-  for (std::size_t k = 1; k < poses.size(); ++k) {
+  for (std::size_t k = 1; k < nodes; ++k) {
     coupled.emplace_back(static_cast<std::int32_t>(k - 1), static_cast<std::int32_t>(k));
   }
   for (const WallPair& pair : pairs) {
@@ -165,19 +219,19 @@ bool settle(const SonarBatch& batch, const SonarBatchOptions& options,
     coupled.emplace_back(static_cast<std::int32_t>(batch.walls[pair.first].node),
                          static_cast<std::int32_t>(batch.walls[pair.second].node));
   }
-  Equations equations(poses.size(), coupled);
+  Equations equations(nodes, coupled);
   constexpr double kFirmly = 1e6;
   constexpr double kStillM = 1e-4;
   for (int step = 0; step < kStepsARound; ++step) {
     equations.clear();
     equations.hold(0, kFirmly);
-    add_steps(batch, options, poses, equations);
-    add_headings(batch, options, poses, equations);
-    add_pairs(batch, options, pairs, partners, scale_m, poses, equations);
-    std::vector<Pose2> moved = poses;
+    add_steps(batch, options, unknowns, equations);
+    add_headings(batch, options, unknowns.map_from_node, equations);
+    add_pairs(batch, options, pairs, partners, scale_m, unknowns.map_from_node, equations);
+    Unknowns moved = unknowns;
     const double move = equations.solve(moved);
     if (move < 0.0) return false;
-    poses = std::move(moved);
+    unknowns = std::move(moved);
     if (move < kStillM) break;
   }
   return true;
@@ -185,20 +239,27 @@ bool settle(const SonarBatch& batch, const SonarBatchOptions& options,
 
 }  // namespace
 
+double heading_information(const SeenWall& wall, const SonarBatchOptions& options) {
+  const double sigma = heading_sigma(wall, options);
+  return options.heading_weight * std::min(1.0, wall.length_m) / (sigma * sigma);
+}
+
 SonarBatchResult solve_sonar_batch(const SonarBatch& batch, const SonarBatchOptions& options) {
   SonarBatchResult result;
-  result.map_from_node = batch.map_from_node;
+  Unknowns unknowns{batch.map_from_node};
   result.solved = true;
   for (const double shrunk : kShrunk) {
     const double scale_m =
         options.start_scale_m * std::pow(options.end_scale_m / options.start_scale_m, shrunk);
-    const auto pairs = find_wall_pairs(batch.walls, result.map_from_node, scale_m, options.pairs);
+    const auto pairs = find_wall_pairs(batch.walls, unknowns.map_from_node, scale_m, options.pairs);
     result.pairs = pairs.size();
-    if (!settle(batch, options, pairs, scale_m, result.map_from_node)) {
+    if (!settle(batch, options, pairs, scale_m, unknowns)) {
       result.solved = false;
       break;
     }
   }
+  result.map_from_node = std::move(unknowns.map_from_node);
+  result.length_scale = unknowns.length_scale;
   return result;
 }
 

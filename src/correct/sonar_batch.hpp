@@ -34,14 +34,21 @@ struct SonarBatchOptions {
   double step_robust_sigmas = 3.0;  ///< Cauchy's loss of odometry
   double heading_weight = 0.5;      ///< of a wall that follows the building
   double parallel_weight = 0.3;     ///< of the partners' headings
+  double length_sigma = 0.003;      ///< of odometry's lengths as a whole, as a share: tight, since
+                                    ///< cones full of clutter make rooms look smaller
   double wall_heading_rad = 0.035;  ///< sigma of a wall's direction, and one over its length more
 };
 
 struct SonarBatchResult {
   std::vector<Pose2> map_from_node;
-  std::size_t pairs = 0;  ///< in the last round
-  bool solved = false;    ///< false: a system was singular, and the poses are those before it
+  double length_scale = 1.0;  ///< times odometry's lengths: what the walls make of them
+  std::size_t pairs = 0;      ///< in the last round
+  bool solved = false;        ///< false: a system was singular, and the poses are those before it
 };
+
+/// How sure a wall that follows the building makes its node's heading: one over the variance,
+/// 1/rad^2.
+[[nodiscard]] double heading_information(const SeenWall& wall, const SonarBatchOptions& options);
 
 [[nodiscard]] SonarBatchResult solve_sonar_batch(const SonarBatch& batch,
                                                  const SonarBatchOptions& options);

@@ -12,17 +12,19 @@ namespace {
 constexpr double kNodeM = 0.3;
 constexpr double kNodeRad = 0.25;
 
-/// How many readings the first search looks at: as many as hold some hundred metres of way.
-std::size_t coarse_readings(std::span<const RangeReading> readings) {
-  constexpr double kEnoughM = 300.0;
+constexpr double kCoarseWayM = 300.0;   // what the first search looks at
+constexpr double kEnoughWayM = 1000.0;  // habits do not change: more costs time alone
+
+/// The readings of the first metres of a mission.
+std::span<const RangeReading> beginning(std::span<const RangeReading> readings, double enough_m) {
   double way_m = 0.0;
   std::size_t count = 1;
-  for (; count < readings.size() && way_m < kEnoughM; ++count) {
+  for (; count < readings.size() && way_m < enough_m; ++count) {
     way_m += (readings[count].odom_from_robot.position() -
               readings[count - 1].odom_from_robot.position())
                  .norm();
   }
-  return count;
+  return readings.first(std::min(readings.size(), count));
 }
 
 /// Keeps the calibration with the highest score.
@@ -126,14 +128,13 @@ Calibration calibrate_odometry(std::span<const RangeReading> readings,
                                const DriveDirections& directions,
                                const WallSegmentOptions& segments,
                                const HeadingChainOptions& chain) {
-  const auto beginning = readings.first(std::min(readings.size(), coarse_readings(readings)));
-  Search coarse(beginning, directions, segments, chain, {});
+  Search coarse(beginning(readings, kCoarseWayM), directions, segments, chain, {});
   const auto deg = [](double value) { return radians(value); };
   coarse.along(
       &OdometryHabits::bias_rad_per_m,
       {deg(-4.0), deg(-3.5), deg(-3.0), deg(-2.5), deg(-2.0), deg(-1.5), deg(-1.0), deg(-0.5),
        deg(0.5), deg(1.0), deg(1.5), deg(2.0), deg(2.5), deg(3.0), deg(3.5), deg(4.0)});
-  Search search(readings, directions, segments, chain, coarse.best());
+  Search search(beginning(readings, kEnoughWayM), directions, segments, chain, coarse.best());
   search.along(&OdometryHabits::bias_rad_per_m, {deg(-0.25), deg(0.25)});
   search.find_directions();
   search.doubt({1.6, 2.4});  // may be the other habits, until they are found

@@ -19,7 +19,7 @@ class LabelSpace {
  public:
   LabelSpace(const FloorPlan& plan, const Sheet& sheet);
 
-  /// Neither over another label nor over a door, a dimension or a note.
+  /// Neither over another label nor over a door, furniture, a dimension or a note.
   [[nodiscard]] bool is_free(const Box2& box_mm) const;
   /// Over no room, wall or door.
   [[nodiscard]] bool is_outside_building(const Box2& box_mm) const;

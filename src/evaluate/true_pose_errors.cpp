@@ -11,6 +11,7 @@ namespace {
 
 /// A pose of the trajectory and the true pose at its time.
 struct PosePair {
+  double timestamp_s = 0.0;
   Pose2 building_from_robot;
   Pose2 truth_from_robot;
 };
@@ -20,7 +21,7 @@ std::vector<PosePair> matched(const Trajectory& trajectory, const Trajectory& tr
   PoseLookup true_pose(truth, {.match = TimeMatch::interpolate});
   for (const auto& [timestamp_s, building_from_robot] : trajectory) {
     if (const auto found = true_pose.next(timestamp_s)) {
-      pairs.push_back({building_from_robot, found->pose});
+      pairs.push_back({timestamp_s, building_from_robot, found->pose});
     }
   }
   return pairs;
@@ -46,14 +47,21 @@ TruePoseErrors true_pose_errors(const Trajectory& trajectory, const Trajectory& 
       pairs.front().truth_from_robot * inverse(pairs.front().building_from_robot);
   std::vector<double> position_m;
   std::vector<double> heading_deg;
-  for (const auto& [building_from_robot, truth_from_robot] : pairs) {
+  for (const auto& [timestamp_s, building_from_robot, truth_from_robot] : pairs) {
     const Pose2 error = inverse(truth_from_robot) * (aligned_at_first * building_from_robot);
     position_m.push_back(error.position().norm());
+    result.errors.push_back({timestamp_s, position_m.back()});
     heading_deg.push_back(degrees(std::abs(error.theta_rad)));
   }
   result.position_m = statistics(std::move(position_m));
   result.heading_deg = statistics(std::move(heading_deg));
   result.truth_from_building = least_squares_alignment(pairs);
+  std::vector<double> fitted_m;
+  for (const PosePair& pair : pairs) {
+    const Point2 at = result.truth_from_building * pair.building_from_robot.position();
+    fitted_m.push_back((at - pair.truth_from_robot.position()).norm());
+  }
+  result.fitted_position_m = statistics(std::move(fitted_m));
   return result;
 }
 

@@ -35,7 +35,19 @@ struct Chord {
 class Chords {
  public:
   Chords(const BuildingGrid& grid, const OpeningOptions& options)
-      : grid_(grid), options_(options), step_m_(grid.frame.cell_m / 2.0) {}
+      : grid_(grid), options_(options), step_m_(grid.frame.cell_m / 2.0) {
+    const double reach_m = options.max_width_m / 2.0 + kOffCenterM;
+    for (int i = 0; i < 2 * kHeadings; ++i) {
+      const Point2 along = direction(kPi * i / kHeadings + kPi / 2.0);
+      std::vector<CellStep>& ray = rays_.emplace_back();
+      for (double at_m = step_m_; at_m <= reach_m; at_m += step_m_) {
+        const Point2 cells = Point2(0.5, 0.5) + at_m / grid.frame.cell_m * along;
+        ray.push_back(
+            {{static_cast<int>(std::floor(cells.x())), static_cast<int>(std::floor(cells.y()))},
+             at_m});
+      }
+    }
+  }
 
   /// The opening in the middle of its passage: chords as narrow follow each other through a wall.
   [[nodiscard]] Opening centered(const Opening& opening) const {
@@ -54,18 +66,18 @@ class Chords {
     return chord_through(opening.middle() + off_m * along, opening).value_or(opening);
   }
 
-  [[nodiscard]] std::optional<Chord> narrowest_at(const Point2& at) const {
+  [[nodiscard]] std::optional<Chord> narrowest_at(const Cell& cell) const {
     std::optional<Chord> best;
-    const double reach_m = options_.max_width_m / 2.0 + kOffCenterM;
+    const Point2 at = grid_.frame.center_of(cell);
     for (int i = 0; i < kHeadings; ++i) {
-      const double heading_rad = kPi * i / kHeadings;
-      const Point2 left = direction(heading_rad + kPi / 2.0);
-      const auto to_left_m = obstacle_along(at, left, reach_m);
+      const auto to_left_m = obstacle_on(rays_[static_cast<std::size_t>(i)], cell);
       if (!to_left_m) continue;
-      const auto to_right_m = obstacle_along(at, -left, reach_m);
+      const auto to_right_m = obstacle_on(rays_[static_cast<std::size_t>(i + kHeadings)], cell);
       if (!to_right_m || std::abs(*to_left_m - *to_right_m) > kOffCenterM) continue;
       const double width_m = *to_left_m + *to_right_m;
       if (best && width_m > best->width_m - 1e-9) continue;
+      const double heading_rad = kPi * i / kHeadings;
+      const Point2 left = direction(heading_rad + kPi / 2.0);
       best = Chord{{{at + *to_left_m * left, at - *to_right_m * left}, heading_rad}, width_m};
     }
     if (!best || best->width_m < kMinChordM || best->width_m > options_.max_width_m ||
@@ -77,6 +89,20 @@ class Chords {
   }
 
  private:
+  /// A cell on a ray from the middle of a cell, seen from there.
+  struct CellStep {
+    Cell cell;
+    double at_m = 0.0;
+  };
+  /// Distance along a ray from the middle of a cell to the first obstacle.
+  [[nodiscard]] std::optional<double> obstacle_on(const std::vector<CellStep>& ray,
+                                                  const Cell& from) const {
+    for (const CellStep& step : ray) {
+      if (grid_.obstacle.at({from.x + step.cell.x, from.y + step.cell.y})) return step.at_m;
+    }
+    return std::nullopt;
+  }
+
   /// Distance along `along` to the first obstacle; nothing within `reach_m`.
   [[nodiscard]] std::optional<double> obstacle_along(const Point2& from, const Point2& along,
                                                      double reach_m) const {
@@ -160,6 +186,8 @@ class Chords {
   const BuildingGrid& grid_;
   const OpeningOptions& options_;
   const double step_m_;
+  std::vector<std::vector<CellStep>>
+      rays_;  ///< from the left of each heading, turned by a half turn
 };
 
 /// Of chords that are near each other the narrowest decides: one opening or none.
@@ -205,7 +233,7 @@ std::vector<Opening> find_openings(const BuildingGrid& grid, const OpeningOption
   std::vector<Chord> found;
   for_each_cell(grid.passable.box, [&](const Cell& cell) {
     if (!grid.passable.at(cell) || !near_obstacle.at(cell)) return;
-    if (const auto chord = chords.narrowest_at(grid.frame.center_of(cell))) found.push_back(*chord);
+    if (const auto chord = chords.narrowest_at(cell)) found.push_back(*chord);
   });
   std::vector<Opening> openings = one_a_place(std::move(found));
   for (Opening& opening : openings) opening = chords.centered(opening);

@@ -53,6 +53,7 @@ void create_schema(Database& database) {
   database.execute("PRAGMA application_id = " + std::to_string(kApplicationId));
   database.execute("PRAGMA user_version = " + std::to_string(kGeoPackageVersion));
   for (const char* sql : {kGeoPackageSql, kMissionSql, kResultSql}) database.execute(sql);
+  for (const char* prefix : {"", kMeasured}) database.execute(shapes_sql(prefix));
   register_tables(database);
   create_layer_styles(database);
   create_former_rooms(database);

@@ -10,7 +10,7 @@
 namespace roomatlas {
 
 inline constexpr std::int64_t kApplicationId = 0x47504B47;  ///< "GPKG"
-inline constexpr int kSchemaVersion = 2;  ///< changes when an older reader would fail or err
+inline constexpr int kSchemaVersion = 3;  ///< changes when an older reader would fail or err
 inline constexpr std::int32_t kBuildingSrsId = 100001;  ///< the building's own frame, in metres
 inline constexpr const char* kSchemaVersionKey = "schema_version";
 

@@ -11,7 +11,7 @@ namespace {
 /// One feature layer while it is written: gathers the layer's bounding box.
 class Layer {
  public:
-  Layer(Database& db, const char* table) : db_(db), table_(table) {}
+  Layer(Database& db, std::string table) : db_(db), table_(std::move(table)) {}
   Layer(const Layer&) = delete;
   Layer& operator=(const Layer&) = delete;
 
@@ -45,7 +45,7 @@ class Layer {
   }
 
   Database& db_;
-  const char* table_;
+  std::string table_;
   Box2 extent_;
 };
 
@@ -55,29 +55,29 @@ std::string joined(const std::vector<AsrId>& ids) {
   return text;
 }
 
-void write_rooms(Database& db, const std::vector<PlanRoom>& rooms) {
-  Layer layer(db, "rooms");
-  for (const PlanRoom& room : rooms) {
-    db.run("INSERT INTO rooms VALUES (?, ?, ?, ?, ?, ?, ?, ?)", room.id, layer.blob(room.parts),
-           room.name, stored_name(kRoomKinds, room.kind), room.area_m2, room.label_point,
-           joined(room.asrs));
-  }
-  layer.write_extent();
-}
-
-void write_doors(Database& db, const std::vector<PlanDoor>& doors) {
-  Layer layer(db, "doors");
-  for (const PlanDoor& door : doors) {
-    db.run("INSERT INTO doors VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)", door.id,
-           layer.blob(Polygon{door.opening, {}}), door.width_m, door.room_a, door.room_b,
-           door.jambs.a, door.jambs.b);
-  }
-  layer.write_extent();
-}
-
-void write_polygons(Database& db, const char* table, const std::vector<Polygon>& polygons) {
+void write_rooms(Database& db, const std::string& table, const std::vector<PlanRoom>& rooms) {
   Layer layer(db, table);
-  const std::string insert = "INSERT INTO " + std::string(table) + " VALUES (NULL, ?)";
+  const std::string insert = "INSERT INTO " + table + " VALUES (?, ?, ?, ?, ?, ?, ?, ?)";
+  for (const PlanRoom& room : rooms) {
+    db.run(insert, room.id, layer.blob(room.parts), room.name, stored_name(kRoomKinds, room.kind),
+           room.area_m2, room.label_point, joined(room.asrs));
+  }
+  layer.write_extent();
+}
+
+void write_doors(Database& db, const std::string& table, const std::vector<PlanDoor>& doors) {
+  Layer layer(db, table);
+  const std::string insert = "INSERT INTO " + table + " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)";
+  for (const PlanDoor& door : doors) {
+    db.run(insert, door.id, layer.blob(Polygon{door.opening, {}}), door.width_m, door.room_a,
+           door.room_b, door.jambs.a, door.jambs.b);
+  }
+  layer.write_extent();
+}
+
+void write_polygons(Database& db, const std::string& table, const std::vector<Polygon>& polygons) {
+  Layer layer(db, table);
+  const std::string insert = "INSERT INTO " + table + " VALUES (NULL, ?)";
   for (const Polygon& polygon : polygons) db.run(insert, layer.blob(polygon));
   layer.write_extent();
 }
@@ -98,11 +98,17 @@ void write_path(Database& db, const std::vector<AsrCorrection>& corrections) {
   layer.write_extent();
 }
 
+/// Rooms, doors, walls and free space.
+/// @param prefix of the tables' names
+void write_shapes(Database& db, const std::string& prefix, const FloorPlan& plan) {
+  write_rooms(db, prefix + "rooms", plan.rooms);
+  write_doors(db, prefix + "doors", plan.doors);
+  write_polygons(db, prefix + "walls", plan.walls);
+  write_polygons(db, prefix + "free_space", plan.free_space);
+}
+
 void write_plan(Database& db, const FloorPlan& plan) {
-  write_rooms(db, plan.rooms);
-  write_doors(db, plan.doors);
-  write_polygons(db, "walls", plan.walls);
-  write_polygons(db, "free_space", plan.free_space);
+  write_shapes(db, "", plan);
   write_polygons(db, "furniture", plan.furniture);
   for (const Issue& issue : plan.issues) {
     db.run("INSERT INTO plan_issues VALUES (NULL, ?, ?, ?, ?, ?)",
@@ -153,6 +159,10 @@ void GeoPackageStore::put_closures(const std::vector<Closure>& closures) {
           info(2, 2));
     }
   });
+}
+
+void GeoPackageStore::put_measured_plan(const FloorPlan& plan) {
+  state_->transaction([&](Database& db) { write_shapes(db, kMeasured, plan); });
 }
 
 void GeoPackageStore::put_assembly(const Correction& correction, const FloorPlan& plan,

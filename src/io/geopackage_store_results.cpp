@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geopackage_store_state.hpp"
+#include "geopackage_tables.hpp"
 #include "stored_names.hpp"
 #include "wkb.hpp"
 
+#include <algorithm>
 #include <charconv>
 
 namespace roomatlas {
@@ -103,15 +105,27 @@ Closure closure_of(Row& row) {
 
 /// The values of all rows of a query.
 template <typename Value>
-std::vector<Value> all(Database& db, const char* sql, Value (*value_of)(Row&)) {
+std::vector<Value> all(Database& db, const std::string& sql, Value (*value_of)(Row&)) {
   std::vector<Value> values;
   db.for_each_row(sql, [&](Row& row) { values.push_back(value_of(row)); });
   return values;
 }
 
-std::vector<Polygon> polygons_of(Database& db, const char* sql) {
+std::vector<Polygon> polygons_of(Database& db, const std::string& table) {
   return all<Polygon>(
-      db, sql, +[](Row& row) { return polygon_of_wkb(wkb_of_geopackage_blob(row.blob())); });
+      db, "SELECT geom FROM " + table + " ORDER BY id",
+      +[](Row& row) { return polygon_of_wkb(wkb_of_geopackage_blob(row.blob())); });
+}
+
+/// Rooms, doors, walls and free space.
+/// @param prefix of the tables' names
+FloorPlan shapes_of(Database& db, const std::string& prefix) {
+  FloorPlan plan;
+  plan.rooms = all(db, "SELECT * FROM " + prefix + "rooms ORDER BY id", room_of);
+  plan.doors = all(db, "SELECT * FROM " + prefix + "doors ORDER BY id", door_of);
+  plan.walls = polygons_of(db, prefix + "walls");
+  plan.free_space = polygons_of(db, prefix + "free_space");
+  return plan;
 }
 
 [[noreturn]] void throw_not_assembled(const std::filesystem::path& file) {
@@ -166,21 +180,32 @@ std::vector<Closure> GeoPackageStore::closures() const {
 
 FloorPlan GeoPackageStore::plan() const {
   return state_->reading([&](Database& db) {
-    FloorPlan plan;
+    FloorPlan plan = shapes_of(db, "");
     const std::int64_t found =
         db.for_each_row("SELECT title FROM assembly", [&](Row& row) { plan.title = row.text(); });
     if (found == 0) throw_not_assembled(state_->file);
-    plan.rooms = all(db, "SELECT * FROM rooms ORDER BY id", room_of);
-    plan.doors = all(db, "SELECT * FROM doors ORDER BY id", door_of);
-    plan.walls = polygons_of(db, "SELECT geom FROM walls ORDER BY id");
-    plan.free_space = polygons_of(db, "SELECT geom FROM free_space ORDER BY id");
-    plan.furniture = polygons_of(db, "SELECT geom FROM furniture ORDER BY id");
+    plan.furniture = polygons_of(db, "furniture");
     plan.issues = all(db,
                       "SELECT severity, file, line, field, message FROM plan_issues "
                       "ORDER BY id",
                       issue_of);
     return plan;
   });
+}
+
+FloorPlan GeoPackageStore::measured_plan() const {
+  FloorPlan plan = this->plan();
+  FloorPlan measured = state_->reading([](Database& db) { return shapes_of(db, kMeasured); });
+  if (measured.rooms.empty()) return plan;
+  for (PlanRoom& room : measured.rooms) {
+    const auto named = std::find_if(plan.rooms.begin(), plan.rooms.end(),
+                                    [&](const PlanRoom& other) { return other.id == room.id; });
+    if (named != plan.rooms.end()) room.name = named->name;
+  }
+  measured.title = std::move(plan.title);
+  measured.furniture = std::move(plan.furniture);
+  measured.issues = std::move(plan.issues);
+  return measured;
 }
 
 }  // namespace roomatlas

@@ -133,8 +133,9 @@ CREATE TABLE truth (
   world_from_robot_theta_rad REAL);
 )sql";
 
-const char* const kResultSql = R"sql(
-CREATE TABLE rooms (
+std::string shapes_sql(const std::string& prefix) {
+  const std::string create = "CREATE TABLE " + prefix;
+  return create + R"sql(rooms (
   id INTEGER PRIMARY KEY,
   geom MULTIPOLYGON,
   name TEXT NOT NULL,
@@ -143,8 +144,8 @@ CREATE TABLE rooms (
   label_x REAL,
   label_y REAL,
   asrs TEXT NOT NULL);
-
-CREATE TABLE doors (
+)sql" + create +
+         R"sql(doors (
   id INTEGER PRIMARY KEY,
   geom POLYGON,
   width_m REAL,
@@ -154,9 +155,14 @@ CREATE TABLE doors (
   jamb_a_y REAL,
   jamb_b_x REAL,
   jamb_b_y REAL);
+)sql" + create +
+         R"sql(walls (id INTEGER PRIMARY KEY, geom POLYGON);
+)sql" + create +
+         R"sql(free_space (id INTEGER PRIMARY KEY, geom POLYGON);
+)sql";
+}
 
-CREATE TABLE walls (id INTEGER PRIMARY KEY, geom POLYGON);
-CREATE TABLE free_space (id INTEGER PRIMARY KEY, geom POLYGON);
+const char* const kResultSql = R"sql(
 CREATE TABLE furniture (id INTEGER PRIMARY KEY, geom POLYGON);
 CREATE TABLE path (asr INTEGER PRIMARY KEY, geom LINESTRING);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 namespace roomatlas {
 
@@ -12,12 +13,16 @@ struct TableContents {
   const char* description;
 };
 
-inline constexpr std::array<TableContents, 17> kTables = {{
+inline constexpr std::array<TableContents, 21> kTables = {{
     {"rooms", "MULTIPOLYGON", "Rooms of the floor plan"},
     {"doors", "POLYGON", "Doorways: openings in the walls"},
     {"walls", "POLYGON", "Wall bodies with thickness"},
     {"free_space", "POLYGON", "Union of rooms and door openings"},
     {"furniture", "POLYGON", "Obstacles that are no walls"},
+    {"measured_rooms", "MULTIPOLYGON", "Rooms before their walls were made regular"},
+    {"measured_doors", "POLYGON", "Doorways in the walls as measured"},
+    {"measured_walls", "POLYGON", "Wall bodies as measured"},
+    {"measured_free_space", "POLYGON", "Free space as measured"},
     {"path", "LINESTRING", "Corrected path of the robot, one line a visit"},
     {"asr", nullptr, "Visits to spaces, each in its own frame"},
     {"exits", nullptr, "Passages through which the robot entered or left a visit"},
@@ -33,12 +38,19 @@ inline constexpr std::array<TableContents, 17> kTables = {{
 }};
 
 /// The tables that an assembly fills and the next one replaces.
-inline constexpr std::array<const char*, 11> kResultTables = {
-    "rooms",    "doors",       "walls",   "free_space",  "furniture", "path",
-    "assembly", "corrections", "factors", "plan_issues", "closures"};
+inline constexpr std::array<const char*, 15> kResultTables = {
+    "rooms",          "doors",          "walls",          "free_space",          "furniture",
+    "measured_rooms", "measured_doors", "measured_walls", "measured_free_space", "path",
+    "assembly",       "corrections",    "factors",        "plan_issues",         "closures"};
+
+/// Before the names of the tables that hold the plan as measured.
+inline constexpr const char* kMeasured = "measured_";
 
 extern const char* const kGeoPackageSql;  ///< the tables that the standard asks for
 extern const char* const kMissionSql;     ///< what the online stage writes
 extern const char* const kResultSql;      ///< what the offline stage writes
+
+/// The tables of a plan's shapes. @param prefix of their names: none, or kMeasured
+[[nodiscard]] std::string shapes_sql(const std::string& prefix);
 
 }  // namespace roomatlas

@@ -160,6 +160,18 @@ PlotSeries series_of(const char* name, const RelationErrors& errors) {
   return series;
 }
 
+/// At most about two thousand of the poses: a chart is not finer.
+PlotSeries series_of(const char* name, const TruePoseErrors& errors) {
+  constexpr std::size_t kMost = 2000;
+  PlotSeries series{name, {}, {}};
+  const std::size_t stride = errors.errors.size() / kMost + 1;
+  for (std::size_t i = 0; i < errors.errors.size(); i += stride) {
+    series.x.push_back(errors.errors[i].timestamp_s - errors.errors.front().timestamp_s);
+    series.y.push_back(errors.errors[i].position_m);
+  }
+  return series;
+}
+
 /// Errors over time and how they are spread, where there is truth for single ones.
 Json charts_of(const std::optional<Evaluation>& evaluation) {
   Json charts = Json::array();
@@ -175,6 +187,10 @@ Json charts_of(const std::optional<Evaluation>& evaluation) {
   if (evaluation->relations && !evaluation->relations->after.errors.empty()) {
     add("Translation error of relations", {series_of("odometry", evaluation->relations->before),
                                            series_of("corrected", evaluation->relations->after)});
+  }
+  if (evaluation->true_poses && !evaluation->true_poses->after.errors.empty()) {
+    add("Position error", {series_of("odometry", evaluation->true_poses->before),
+                           series_of("corrected", evaluation->true_poses->after)});
   }
   return charts;
 }

@@ -48,6 +48,7 @@ Json json_of(const TruePoseErrors& errors) {
   return {{"poses", errors.poses},
           {"matched", errors.matched},
           {"position_m", json_of(errors.position_m)},
+          {"fitted_position_m", json_of(errors.fitted_position_m)},
           {"heading_deg", json_of(errors.heading_deg)}};
 }
 

@@ -65,11 +65,10 @@ std::vector<std::optional<std::size_t>> matches_of(const std::vector<PlanRoom>& 
   return match;
 }
 
-using Renumbering = std::map<RoomId, RoomId>;
-
-Renumbering renumbering_of(const std::vector<PlanRoom>& former, const std::vector<PlanRoom>& now,
-                           const std::vector<std::optional<std::size_t>>& match) {
-  Renumbering number;
+std::map<RoomId, RoomId> renumbering_of(const std::vector<PlanRoom>& former,
+                                        const std::vector<PlanRoom>& now,
+                                        const std::vector<std::optional<std::size_t>>& match) {
+  std::map<RoomId, RoomId> number;
   std::set<RoomId> used;
   RoomId highest = 0;
   for (const PlanRoom& room : former) {
@@ -87,7 +86,11 @@ Renumbering renumbering_of(const std::vector<PlanRoom>& former, const std::vecto
   return number;
 }
 
-void renumber(FloorPlan& plan, const Renumbering& number) {
+}  // namespace
+
+bool is_named(const PlanRoom& room) { return room.name != std::to_string(room.id); }
+
+void renumber(FloorPlan& plan, const std::map<RoomId, RoomId>& number) {
   const auto follow = [&](std::optional<RoomId>& room) {
     if (room && number.contains(*room)) room = number.at(*room);
   };
@@ -99,42 +102,45 @@ void renumber(FloorPlan& plan, const Renumbering& number) {
     }
   }
   for (PlanRoom& room : plan.rooms) {
+    const auto now = number.find(room.id);
+    if (now == number.end()) continue;
     const bool had_name = is_named(room);
-    room.id = number.at(room.id);
+    room.id = now->second;
     if (!had_name) room.name = std::to_string(room.id);
-  }
-}
-
-}  // namespace
-
-bool is_named(const PlanRoom& room) { return room.name != std::to_string(room.id); }
-
-Issues carry_over(const std::vector<PlanRoom>& former, FloorPlan& plan,
-                  std::map<AsrId, RoomId>& room_of_asr) {
-  const auto match = matches_of(former, plan.rooms);
-  const Renumbering number = renumbering_of(former, plan.rooms, match);
-  renumber(plan, number);
-  for (auto& [asr, room] : room_of_asr) {
-    if (number.contains(room)) room = number.at(room);
-  }
-  std::vector<bool> is_found(former.size(), false);
-  for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
-    if (!match[i]) continue;
-    is_found[*match[i]] = true;
-    if (is_named(former[*match[i]])) plan.rooms[i].name = former[*match[i]].name;
   }
   std::sort(plan.rooms.begin(), plan.rooms.end(),
             [](const PlanRoom& a, const PlanRoom& b) { return a.id < b.id; });
-  Issues lost;
-  for (std::size_t i = 0; i < former.size(); ++i) {
-    if (is_found[i] || !is_named(former[i])) continue;
-    lost.push_back({Severity::warning, "", 0, "room " + std::to_string(former[i].id),
-                    "\"" + former[i].name +
-                        "\" was not found again, and its name is lost: give it to the room that "
-                        "it is now with `roomatlas rename`"});
+}
+
+CarriedOver carry_over(const std::vector<PlanRoom>& former, FloorPlan& plan,
+                       std::map<AsrId, RoomId>& room_of_asr) {
+  const auto match = matches_of(former, plan.rooms);
+  CarriedOver carried;
+  carried.number = renumbering_of(former, plan.rooms, match);
+  std::map<RoomId, std::string> name_of;
+  std::set<RoomId> found;
+  for (const auto& place : match) {
+    if (!place) continue;
+    const PlanRoom& room = former[*place];
+    found.insert(room.id);
+    if (is_named(room)) name_of[room.id] = room.name;
   }
-  plan.issues.insert(plan.issues.end(), lost.begin(), lost.end());
-  return lost;
+  renumber(plan, carried.number);
+  for (PlanRoom& room : plan.rooms) {
+    if (const auto name = name_of.find(room.id); name != name_of.end()) room.name = name->second;
+  }
+  for (auto& [asr, room] : room_of_asr) {
+    if (carried.number.contains(room)) room = carried.number.at(room);
+  }
+  for (const PlanRoom& room : former) {
+    if (found.contains(room.id) || !is_named(room)) continue;
+    carried.lost.push_back({Severity::warning, "", 0, "room " + std::to_string(room.id),
+                            "\"" + room.name +
+                                "\" was not found again, and its name is lost: give it to the "
+                                "room that it is now with `roomatlas rename`"});
+  }
+  plan.issues.insert(plan.issues.end(), carried.lost.begin(), carried.lost.end());
+  return carried;
 }
 
 }  // namespace roomatlas

@@ -2,8 +2,8 @@
 #include "simplify.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
-#include <vector>
 
 namespace roomatlas::planar {
 namespace {
@@ -49,19 +49,27 @@ void mark(const Ring& ring, std::size_t first, std::size_t last, double toleranc
 
 }  // namespace
 
-Ring simplified(const Ring& ring, double tolerance) {
-  if (ring.size() < 4) return ring;
+std::vector<std::size_t> corners_of(const Ring& ring, double tolerance) {
+  std::vector<std::size_t> all(ring.size());
+  std::iota(all.begin(), all.end(), 0);
+  if (ring.size() < 4) return all;
   const std::size_t far = farthest_from_first(ring);
   std::vector<char> is_kept(ring.size(), 0);
   is_kept[0] = 1;
   is_kept[far] = 1;
   mark(ring, 0, far, tolerance, is_kept);
   mark(ring, far, ring.size(), tolerance, is_kept);
-  Ring kept;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (is_kept[i] != 0) kept.push_back(ring[i]);
+  std::vector<std::size_t> kept;
+  for (const std::size_t i : all) {
+    if (is_kept[i] != 0) kept.push_back(i);
   }
-  return kept.size() < 3 ? ring : kept;
+  return kept.size() < 3 ? all : kept;
+}
+
+Ring simplified(const Ring& ring, double tolerance) {
+  Ring kept;
+  for (const std::size_t i : corners_of(ring, tolerance)) kept.push_back(ring[i]);
+  return kept;
 }
 
 Polygon simplified(const Polygon& polygon, double tolerance) {

@@ -3,7 +3,13 @@
 
 #include "roomatlas/core/geometry.hpp"
 
+#include <vector>
+
 namespace roomatlas::planar {
+
+/// The vertices of a ring that `simplified` keeps, ascending; all of them where less than a
+/// triangle would stay.
+[[nodiscard]] std::vector<std::size_t> corners_of(const Ring& ring, double tolerance);
 
 /// The ring with fewer vertices, each dropped one within the tolerance of the ring that stays
 /// (Douglas and Peucker 1973, between the two vertices that are farthest apart). A ring of which

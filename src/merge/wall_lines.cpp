@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 
 namespace roomatlas {
 namespace {
@@ -84,6 +83,34 @@ WallLine line_of(const Point2& from, const Point2& to) {
 }
 
 }  // namespace
+
+std::optional<RegularEdge> regular_edge(const Point2& a, const Point2& b,
+                                        const std::vector<double>& directions_rad,
+                                        const RegularWallOptions& options) {
+  if ((b - a).norm() < options.min_wall_m) return std::nullopt;
+  const double heading = std::atan2(b.y() - a.y(), b.x() - a.x());
+  for (std::size_t d = 0; d < directions_rad.size(); ++d) {
+    const double off = quarter_difference(heading, directions_rad[d]);
+    if (std::abs(off) > radians(options.max_turn_deg)) continue;
+    const double quarters = std::round((heading - off - directions_rad[d]) / kQuarter_rad);
+    const int quarter = (static_cast<int>(quarters) % 4 + 4) % 4;
+    RegularEdge edge{{a, b}, {}, static_cast<int>(d) * 4 + quarter};
+    edge.line.along = direction(directions_rad[d] + quarter * kQuarter_rad);
+    edge.line.offset_m = edge.line.normal().dot((a + b) / 2.0);
+    if (edge.line.distance(a) > options.max_distance_m) return std::nullopt;
+    return edge;
+  }
+  return std::nullopt;
+}
+
+double quarter_angle(const Point2& along) {
+  const double angle = std::fmod(std::atan2(along.y(), along.x()) + 2.0 * kPi, kQuarter_rad);
+  return angle < kQuarter_rad ? angle : 0.0;
+}
+
+double quarter_difference(double a_rad, double b_rad) {
+  return std::remainder(a_rad - b_rad, kQuarter_rad);
+}
 
 void align(std::vector<RegularEdge>& edges, double max_distance_m, double max_gap_m) {
   std::map<int, std::vector<Group>> by_direction;

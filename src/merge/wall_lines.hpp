@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "roomatlas/core/geometry.hpp"
+#include "roomatlas/merge/regular_walls.hpp"
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace roomatlas {
@@ -30,6 +31,19 @@ struct RegularEdge {
 
   [[nodiscard]] double length_m() const { return (evidence.b - evidence.a).norm(); }
 };
+
+inline constexpr double kQuarter_rad = kPi / 2.0;
+
+/// Angle modulo a quarter turn, [0, pi/2).
+[[nodiscard]] double quarter_angle(const Point2& along);
+
+/// Signed difference modulo a quarter turn, at most an eighth turn.
+[[nodiscard]] double quarter_difference(double a_rad, double b_rad);
+
+/// The edge as one that follows a direction of the building, if it may.
+[[nodiscard]] std::optional<RegularEdge> regular_edge(const Point2& a, const Point2& b,
+                                                      const std::vector<double>& directions_rad,
+                                                      const RegularWallOptions& options);
 
 /// Moves lines of edges that run the same way, nearly on one line and near each other, onto one.
 /// @param max_distance_m an edge's ends stay within it of the line.

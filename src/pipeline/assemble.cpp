@@ -231,8 +231,25 @@ Assembly assemble_rooms(const AsrSource& source, const Placement& known,
     doors.push_back({jambs_of(door), door.room_a, door.room_b});
   }
   report(progress, "merge", 0.0);
-  assembly.plan = merge(building.outlines, doors, options.merge);
-  for (PlanRoom& room : assembly.plan.rooms) room.asrs = asrs_of(room.id, assembly.room_of_asr);
+  const auto plan_of = [&](const auto& outlines, const auto& placed_doors) {
+    FloorPlan plan = merge(outlines, placed_doors, options.merge);
+    for (PlanRoom& room : plan.rooms) room.asrs = asrs_of(room.id, assembly.room_of_asr);
+    plan.furniture = building.furniture;
+    return plan;
+  };
+  assembly.plan = plan_of(building.outlines, doors);
+  if (options.regular_walls) {
+    assembly.measured_plan = std::move(assembly.plan);
+    const RegularOutlines regular =
+        with_regular_walls(std::move(building.outlines), doors, options.regular);
+    assembly.plan = plan_of(regular.outlines, regular.doors);
+    if (regular.kept > 0) {
+      assembly.plan.issues.push_back(
+          {Severity::note, "", 0, "regular walls",
+           std::to_string(regular.kept) + " of " + std::to_string(regular.outlines.size()) +
+               " outlines are drawn as measured: straightened they would cross themselves"});
+    }
+  }
   return assembly;
 }
 

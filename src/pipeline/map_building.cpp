@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "roomatlas/asr/trace_outline.hpp"
+#include "roomatlas/polyline/simplify.hpp"
 
 namespace roomatlas {
 namespace {
@@ -123,12 +124,30 @@ CellMask region_of(RoomId room, const RoomSegmentation& rooms, const BuildingGri
   return region;
 }
 
-/// The outline of each room that has one.
-std::vector<PlacedOutline> outlines_of(const PlacedReadings& placed, const BuildingGrid& grid,
-                                       const RoomSegmentation& rooms,
-                                       const std::map<AsrId, RoomId>& room_of_asr,
-                                       const std::vector<BuildingDoor>& doors,
-                                       const AssembleOptions& options) {
+/// The obstacles in what was filled: what stands free in a room.
+void add_furniture(const CellMask& region, const CellMask& filled, const BuildingGrid& grid,
+                   std::vector<Polygon>& furniture) {
+  CellMask stands_free(region.box);
+  for_each_cell(region.box, [&](const Cell& cell) {
+    stands_free.set(cell, filled.at(cell) && !region.at(cell) && grid.obstacle.at(cell));
+  });
+  for (const CellBoundary& boundary : trace_boundaries(stands_free, grid.frame)) {
+    if (signed_area(boundary.edge_midpoints) < 0.0) continue;  // a hole
+    Ring ring = boundary.edge_midpoints;
+    ring.push_back(ring.front());
+    Polygon piece;
+    for (const std::size_t kept : douglas_peucker(ring, grid.frame.cell_m, {})) {
+      piece.outer.push_back(ring[kept]);
+    }
+    piece.outer.pop_back();
+    if (piece.outer.size() >= 3) furniture.push_back(std::move(piece));
+  }
+}
+
+/// The outline of each room that has one, and what stands free in it.
+void add_outlines(const PlacedReadings& placed, const BuildingGrid& grid,
+                  const RoomSegmentation& rooms, const AssembleOptions& options,
+                  MappedBuilding& building) {
   const auto is_wall = [&](const Cell& cell) { return grid.obstacle.at(cell); };
   const WallNear wall_near = [&](const Cell& outside) -> std::optional<Point2> {
     const std::optional<Cell> wall = nearest_wall_cell(outside, is_wall);
@@ -136,21 +155,22 @@ std::vector<PlacedOutline> outlines_of(const PlacedReadings& placed, const Build
   };
   const auto hole_cells = static_cast<std::int64_t>(options.record.map.min_hole_m2 /
                                                     (grid.frame.cell_m * grid.frame.cell_m));
-  std::vector<PlacedOutline> outlines;
   for (RoomId room = 1; room <= rooms.rooms; ++room) {
     std::vector<Point2> jambs;
-    for (const BuildingDoor& door : doors) {
+    for (const BuildingDoor& door : building.doors) {
       if (door.room_a != room && door.room_b != room) continue;
       const Segment2 ends = jambs_of(door);
       jambs.insert(jambs.end(), {ends.a, ends.b});
     }
-    const auto first = std::find_if(room_of_asr.begin(), room_of_asr.end(),
+    const auto first = std::find_if(building.room_of_asr.begin(), building.room_of_asr.end(),
                                     [&](const auto& entry) { return entry.second == room; });
-    const CellMask region = holes_filled(region_of(room, rooms, grid), hole_cells);
-    outlines.push_back({first != room_of_asr.end() ? first->first : 0, room,
-                        trace_outline(region, grid.frame, wall_near, jambs, options.record.map)});
+    const CellMask region = region_of(room, rooms, grid);
+    const CellMask filled = holes_filled(region, hole_cells);
+    building.outlines.push_back(
+        {first != building.room_of_asr.end() ? first->first : 0, room,
+         trace_outline(filled, grid.frame, wall_near, jambs, options.record.map)});
+    add_furniture(region, filled, grid, building.furniture);
   }
-  return outlines;
 }
 
 }  // namespace
@@ -170,8 +190,7 @@ MappedBuilding map_building(const AsrSource& source, const Placement& placement,
   MappedBuilding building;
   building.room_of_asr = rooms_of_asrs(placed, rooms.room_of_pose);
   building.doors = doors_of(placed, rooms);
-  building.outlines =
-      outlines_of(placed, grid, rooms, building.room_of_asr, building.doors, options);
+  add_outlines(placed, grid, rooms, options, building);
   return building;
 }
 

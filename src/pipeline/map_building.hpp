@@ -15,6 +15,7 @@ struct MappedBuilding {
   std::map<AsrId, RoomId> room_of_asr;  ///< the room in which most of its path lies
   std::vector<BuildingDoor> doors;
   std::vector<PlacedOutline> outlines;  ///< one a room
+  std::vector<Polygon> furniture;       ///< what stands free in a room
 };
 
 /// True when every ASR has its readings and a path that was found in a map: then the mission can

@@ -10,15 +10,30 @@ constexpr Cell kSides[4] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
 
 Cell moved(const Cell& cell, const Cell& step) { return {cell.x + step.x, cell.y + step.y}; }
 
-/// Cells within `radius` along one axis.
-CellMask dilated_along(const CellMask& mask, const Cell& axis, int radius) {
+/// The cells of a mask along one axis.
+struct Lines {
+  std::ptrdiff_t count = 0;
+  std::ptrdiff_t across = 0;  ///< in the mask's list, from one line to the next
+  std::ptrdiff_t length = 0;
+  std::ptrdiff_t step = 0;  ///< from one cell of a line to the next
+};
+Lines rows_of(const CellBox& box) { return {box.height(), box.width(), box.width(), 1}; }
+Lines columns_of(const CellBox& box) { return {box.width(), 1, box.height(), box.width()}; }
+
+/// Cells within `radius` along the lines: those whose window holds a cell of the mask.
+CellMask dilated_along(const CellMask& mask, const Lines& lines, int radius) {
   CellMask result(mask.box);
-  for_each_cell(mask.box, [&](const Cell& cell) {
-    if (!mask.at(cell)) return;
-    for (int i = -radius; i <= radius; ++i) {
-      result.set({cell.x + i * axis.x, cell.y + i * axis.y}, true);
+  for (std::ptrdiff_t line = 0; line < lines.count; ++line) {
+    const auto at = [&](std::ptrdiff_t i) {
+      return static_cast<std::size_t>(line * lines.across + i * lines.step);
+    };
+    int inside = 0;
+    for (std::ptrdiff_t i = -radius; i < lines.length; ++i) {
+      if (i + radius < lines.length) inside += mask.bits[at(i + radius)];
+      if (i - radius > 0) inside -= mask.bits[at(i - radius - 1)];
+      if (i >= 0) result.bits[at(i)] = inside > 0 ? 1 : 0;
     }
-  });
+  }
   return result;
 }
 
@@ -78,16 +93,15 @@ CellMask either(CellMask first, const CellMask& second) {
 }
 
 CellMask dilated(const CellMask& mask, int radius) {
-  CellMask result = dilated_along(mask, {1, 0}, radius);
-  return dilated_along(result, {0, 1}, radius);
+  return dilated_along(dilated_along(mask, rows_of(mask.box), radius), columns_of(mask.box),
+                       radius);
 }
 
 CellMask eroded(const CellMask& mask, int radius) {
   CellMask outside({{mask.box.min.x - radius, mask.box.min.y - radius},
                     {mask.box.max.x + radius, mask.box.max.y + radius}});
   for_each_cell(outside.box, [&](const Cell& cell) { outside.set(cell, !mask.at(cell)); });
-  outside = dilated_along(outside, {1, 0}, radius);
-  outside = dilated_along(outside, {0, 1}, radius);
+  outside = dilated(outside, radius);
   CellMask result(mask.box);
   for_each_cell(mask.box, [&](const Cell& cell) { result.set(cell, !outside.at(cell)); });
   return result;

@@ -2,6 +2,8 @@
 // The batch's derivatives against numeric ones.
 #include "../../src/correct/sonar_factors.hpp"
 
+#include "../../src/correct/node_headings.hpp"
+
 #include <gtest/gtest.h>
 
 #include "correct/numeric_derivative.hpp"
@@ -64,6 +66,20 @@ TEST(AcrossResidual, IsHowFarTheSecondWallLiesBehindTheFirst) {
   const SeenWall first{0, 0.0, {2.0, 0.0}, 1.0, 0.0};
   const SeenWall second{1, 0.0, {1.2, 0.1}, 1.0, 20.0};
   EXPECT_NEAR(across_residual({0, 0, 0}, first, {1, 0, 0}, second, 0.5).value, 0.2, 1e-12);
+}
+
+TEST(RangeByHeading, IsTheDerivativeOfTheRangeToAWall) {
+  const ConeLine wall{0.3, 2.5, 0.0};
+  const double half_cone_rad = radians(10.0);
+  constexpr double kStep = 1e-6;
+  for (double axis_rad = -0.5; axis_rad < 1.1; axis_rad += 0.07) {
+    const auto range_at = [&](double turn_rad) {
+      return *range_to_line({{0.2, -0.1}, axis_rad + turn_rad, 0.0}, half_cone_rad, wall);
+    };
+    const double numeric = (range_at(kStep) - range_at(-kStep)) / (2.0 * kStep);
+    const ConeReturn heard{{0.2, -0.1}, axis_rad, range_at(0.0)};
+    EXPECT_NEAR(range_by_heading(heard, half_cone_rad, wall), numeric, 1e-6) << axis_rad;
+  }
 }
 
 }  // namespace

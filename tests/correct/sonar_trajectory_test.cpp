@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../../src/correct/node_headings.hpp"
 #include "support/sonar_world.hpp"
 
 namespace roomatlas {
@@ -104,6 +105,62 @@ TEST(SonarTrajectory, LeavesTrueOdometryAlone) {
   const Error error = largest_error(mission, result.map_from_robot);
   EXPECT_LT(error.position_m, 0.15);
   EXPECT_LT(error.heading_deg, 2.0);
+}
+
+TEST(HeadingsOfReturns, TurnANodeBackThatOdometryLeavesFree) {
+  const Mission mission = square_corridor(0.0);
+  const auto directions = find_drive_directions(mission.readings, {});
+  const DrivenPath path = driven_path(mission.readings, directions, {});
+  SonarProblem problem =
+      sonar_problem(mission.readings, path, directions, mission.truth, {0.0}, {});
+  for (DrivenStep& step : problem.batch.steps) step.turn_sigma_rad = 0.5;
+  SonarBatchOptions free;
+  free.heading_weight = 0.0;
+  for (const double off_deg : {-3.0, 3.0}) {
+    std::vector<Pose2> nodes = problem.batch.map_from_node;
+    const double true_rad = nodes[0].theta_rad;
+    nodes[0].theta_rad += radians(off_deg);
+    std::vector<Pose2> poses = mission.truth;
+    for (std::size_t i = 0; problem.node_of[i] == 0; ++i) poses[i].theta_rad += radians(off_deg);
+    const auto turned = with_headings_of_returns(mission.readings, problem, poses, nodes, free);
+    EXPECT_NEAR(degrees(turned[0].theta_rad - true_rad), 0.0, 1.0);
+  }
+}
+
+/// A robot between two walls, to and fro; it hears each from near and from far.
+SonarBatch to_and_fro(double length_scale) {
+  constexpr double kWallM = 6.0;
+  constexpr double kStepM = 0.4;
+  SonarBatch batch;
+  double x_m = 0.0;
+  double ahead = 1.0;
+  for (std::size_t k = 0; k < 150; ++k) {
+    if (k > 0) {
+      if (std::abs(x_m + ahead * kStepM) > kWallM - 1.0) ahead = -ahead;
+      x_m += ahead * kStepM;
+    }
+    const double driven_m = k > 0 ? ahead * kStepM * length_scale : 0.0;
+    const double from_m = k > 0 ? batch.map_from_node.back().x_m : 0.0;
+    batch.map_from_node.push_back({from_m + driven_m, 0.0, 0.0});
+    batch.steps.push_back({{driven_m, 0.0, 0.0}, 0.02, 0.02, 0.01});
+    for (const double normal_rad : {0.0, kPi}) {
+      const double to_wall_m = normal_rad == 0.0 ? kWallM - x_m : -kWallM - x_m;
+      batch.walls.push_back(
+          {k, normal_rad, {to_wall_m, 0.0}, 1.0, kStepM * static_cast<double>(k)});
+      batch.direction_rad.push_back(0.0);
+    }
+  }
+  return batch;
+}
+
+TEST(SonarBatch, FindsTheScaleOfOdometrysLengths) {
+  for (const double scale : {0.98, 1.0, 1.02}) {
+    SonarBatchOptions options;
+    options.length_sigma = 0.03;
+    const SonarBatchResult result = solve_sonar_batch(to_and_fro(scale), options);
+    ASSERT_TRUE(result.solved);
+    EXPECT_NEAR(result.length_scale, 1.0 / scale, 0.002);
+  }
 }
 
 /// A corridor that goes on at another angle: twice there and back.

@@ -50,6 +50,10 @@ TEST(TruePoseErrors, OfADriveThatIsTurnedAfterItsStartAreTheChords) {
   const TruePoseErrors errors = true_pose_errors(drive, truth);
   EXPECT_NEAR(errors.position_m.mean, (0.0 + std::sqrt(2.0) + 2.0 * std::sqrt(2.0)) / 3.0, 1e-12);
   EXPECT_NEAR(errors.heading_deg.mean, 60.0, 1e-9);
+  ASSERT_EQ(errors.errors.size(), 3U);
+  EXPECT_NEAR(errors.errors[1].position_m, std::sqrt(2.0), 1e-12);
+  EXPECT_EQ(errors.errors[2].timestamp_s, 2.0);
+  EXPECT_LT(errors.fitted_position_m.maximum, 1e-9);  // a straight drive all the same
   EXPECT_NEAR(errors.heading_deg.median, 90.0, 1e-9);
 }
 

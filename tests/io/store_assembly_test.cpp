@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/store_samples.hpp"
+#include "roomatlas/io/room_names.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
@@ -103,12 +104,29 @@ TEST_F(StoredAssembly, CorrectionAndPlanReadBackBitForBitWithHoles) {
   EXPECT_EQ(store.plan().rooms[0].parts[0].holes.size(), 1u);
 }
 
+TEST_F(StoredAssembly, ThePlanAsMeasuredStandsBesideTheOtherAndSharesItsNames) {
+  store_.put_assembly(sample_correction(3), sample_plan(), {});
+  expect_same(store_.measured_plan(), sample_plan());  // there is none
+  FloorPlan measured = sample_plan();
+  measured.walls.pop_back();
+  measured.rooms[0].area_m2 += 1.0;
+  store_.put_measured_plan(measured);
+  store_.finish();
+  rename_room(file_, measured.rooms[0].id, "Kitchen");
+  measured.rooms[0].name = "Kitchen";
+  const GeoPackageStore store(file_, Mode::read);
+  expect_same(store.measured_plan(), measured);
+  EXPECT_EQ(store.plan().walls.size(), sample_plan().walls.size());
+}
+
 TEST_F(StoredAssembly, ANewOneReplacesTheFormerWithoutATrace) {
   store_.put_assembly(sample_correction(3), sample_plan(), {{1, 5}, {2, 5}, {3, 6}});
+  store_.put_measured_plan(sample_plan());
   FloorPlan smaller;
   smaller.title = "again";
   store_.put_assembly(sample_correction(1), smaller, {{2, 9}});
   expect_same(store_.plan(), smaller);
+  expect_same(store_.measured_plan(), smaller);
   expect_same(store_.correction(), sample_correction(1));
   EXPECT_EQ(store_.get(1, AsrDetail::geometry).room, 0);
   EXPECT_EQ(store_.get(2, AsrDetail::geometry).room, 9);

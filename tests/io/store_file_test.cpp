@@ -148,9 +148,9 @@ TEST(StoreFile, MetadataKeysAreUniqueAndTheLastValueHolds) {
   const TemporaryDirectory directory;
   GeoPackageStore store(directory / "building.gpkg", Mode::create);
   store.put_metadata({{"configuration", "a = 1\nb = \"\xc3\xbc\"\n"}, {"empty", ""}});
-  store.put_metadata({{"configuration", "a = 2"}, {"schema_version", "2"}});
+  store.put_metadata({{"configuration", "a = 2"}, {"schema_version", "3"}});
   const std::map<std::string, std::string> expected = {
-      {"configuration", "a = 2"}, {"empty", ""}, {"schema_version", "2"}};
+      {"configuration", "a = 2"}, {"empty", ""}, {"schema_version", "3"}};
   EXPECT_EQ(store.metadata(), expected);
   EXPECT_THROW(store.put_metadata({{"schema_version", "1"}}), std::logic_error);
 }
@@ -197,7 +197,7 @@ TEST(StoreFile, AnotherSchemaVersionIsRefusedNamingBoth) {
   SQLite::Database(file.string(), SQLite::OPEN_READWRITE)
       .exec("UPDATE metadata SET value = '999' WHERE key = 'schema_version'");
   EXPECT_THAT(error_of_opening(file, Mode::read),
-              AllOf(HasSubstr("building.gpkg: schema version 999 found, 2 expected"),
+              AllOf(HasSubstr("building.gpkg: schema version 999 found, 3 expected"),
                     Not(HasSubstr("\n"))));
 }
 

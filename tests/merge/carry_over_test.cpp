@@ -32,7 +32,7 @@ TEST(CarryOver, GivesNumbersAndNamesToTheRoomsThatOverlapMost) {
   plan.rooms = {room(1, "1", 4.2, 8.1), room(2, "2", 0.1, 4.1)};
   plan.doors = {door(1, 2)};
   std::map<AsrId, RoomId> room_of_asr = {{10, 1}, {11, 2}};
-  EXPECT_THAT(carry_over(former, plan, room_of_asr), IsEmpty());
+  EXPECT_THAT(carry_over(former, plan, room_of_asr).lost, IsEmpty());
   ASSERT_EQ(plan.rooms.size(), 2U);
   EXPECT_EQ(plan.rooms[0].id, 1);
   EXPECT_EQ(plan.rooms[0].name, "1");
@@ -48,7 +48,7 @@ TEST(CarryOver, NamesANamedRoomThatIsNotFoundAgain) {
   FloorPlan plan;
   plan.rooms = {room(1, "1", 0, 4)};
   std::map<AsrId, RoomId> room_of_asr;
-  const Issues lost = carry_over(former, plan, room_of_asr);
+  const Issues lost = carry_over(former, plan, room_of_asr).lost;
   ASSERT_EQ(lost.size(), 1U);
   EXPECT_THAT(lost[0].message, HasSubstr("Kitchen"));
   EXPECT_EQ(plan.issues.size(), 1U);
@@ -61,7 +61,7 @@ TEST(CarryOver, OfARoomThatWasSplitTheLargerPartKeepsTheName) {
   FloorPlan plan;
   plan.rooms = {room(1, "1", 0, 4), room(2, "2", 4, 10)};
   std::map<AsrId, RoomId> room_of_asr;
-  EXPECT_THAT(carry_over(former, plan, room_of_asr), IsEmpty());
+  EXPECT_THAT(carry_over(former, plan, room_of_asr).lost, IsEmpty());
   EXPECT_EQ(plan.rooms[0].name, "1");
   EXPECT_EQ(plan.rooms[1].name, "Hall");
   EXPECT_EQ(plan.rooms[1].id, 7);
@@ -72,7 +72,7 @@ TEST(CarryOver, OfTheSamePlanChangesNothing) {
   FloorPlan plan;
   plan.rooms = {room(1, "1", 0, 4), room(2, "2", 4, 8)};
   std::map<AsrId, RoomId> room_of_asr = {{1, 2}};
-  EXPECT_THAT(carry_over(former, plan, room_of_asr), IsEmpty());
+  EXPECT_THAT(carry_over(former, plan, room_of_asr).lost, IsEmpty());
   EXPECT_EQ(plan.rooms[0].id, 1);
   EXPECT_EQ(plan.rooms[1].name, "Lab");
   EXPECT_EQ(room_of_asr.at(1), 2);
@@ -82,7 +82,7 @@ TEST(CarryOver, FromNothingChangesNothing) {
   FloorPlan plan;
   plan.rooms = {room(1, "1", 0, 4), room(2, "Atrium", 4, 8)};
   std::map<AsrId, RoomId> room_of_asr;
-  EXPECT_THAT(carry_over({}, plan, room_of_asr), IsEmpty());
+  EXPECT_THAT(carry_over({}, plan, room_of_asr).lost, IsEmpty());
   EXPECT_EQ(plan.rooms[1].name, "Atrium");
 }
 

@@ -50,7 +50,7 @@ TEST(BuildingDirections, AreThoseOfMostWallsAndOfAWingAtAnAngle) {
 TEST(RegularWalls, MakeARoughRoomARectangleWithClosedCorners) {
   std::mt19937 random(1);
   const auto outlines = turned({room(1, drawn(rectangle(0, 0, 5, 4), 0.02, random))}, 25.0);
-  const RegularOutlines regular = with_regular_walls(outlines, {});
+  const RegularOutlines regular = with_regular_walls(outlines, {}, {});
   ASSERT_EQ(regular.outlines.size(), 1U);
   EXPECT_EQ(regular.kept, 0);
   EXPECT_EQ(regular.outlines[0].outline.outer.size(), 4U);
@@ -61,7 +61,7 @@ TEST(RegularWalls, OfNeighboursThatAreNearlyOnOneLineAreOnOneLine) {
   const RegularOutlines regular =
       with_regular_walls({room(1, rectangle(0, 0, 4, 3)), room(2, rectangle(4.2, 0.08, 8, 3.05)),
                           room(3, rectangle(8.2, 0.5, 12, 3))},
-                         {});
+                         {}, {});
   const auto low = [&](std::size_t i) { return bounds(regular.outlines[i].outline.outer).min.y(); };
   EXPECT_NEAR(low(0), low(1), 1e-9);
   EXPECT_NEAR(low(0), 0.04, 0.02);
@@ -76,7 +76,7 @@ TEST(RegularWalls, StayWithinTheStatedDistanceOfTheirEvidence) {
     for (int i = 0; i < 4; ++i) {
       outlines.push_back(room(i + 1, drawn(rectangle(4.1 * i, 0, 4.1 * i + 4, 3), 0.06, random)));
     }
-    const RegularOutlines regular = with_regular_walls(outlines, options);
+    const RegularOutlines regular = with_regular_walls(outlines, {}, options);
     for (std::size_t i = 0; i < outlines.size(); ++i) {
       for (const Point2& vertex : outlines[i].outline.outer) {
         EXPECT_LE(distance_to_boundary(regular.outlines[i].outline.outer, vertex),
@@ -94,7 +94,7 @@ TEST(RegularWalls, LeaveSlantedAndCurvedWallsAndTrueRoomsAsTheyAre) {
   const std::vector<PlacedOutline> outlines = {
       room(1, round), room(2, slanted), room(3, slightly_slanted),
       room(4, {{8, 0}, {12, 0}, {12, 2}, {10, 2}, {10, 4}, {8, 4}})};
-  const RegularOutlines regular = with_regular_walls(outlines, {});
+  const RegularOutlines regular = with_regular_walls(outlines, {}, {});
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const Ring& before = outlines[i].outline.outer;
     EXPECT_NEAR(area(regular.outlines[i].outline), area(outlines[i].outline),

@@ -45,6 +45,26 @@ class TileGrid {
     });
   }
 
+  /// Visits the values of all cells of a box that lie in written tiles, tile by tile.
+  template <typename Visit>
+  void for_each_in(const CellBox& box, Visit visit) const {
+    const Cell last{box.max.x - 1, box.max.y - 1};
+    for (int ty = box.min.y >> kShift; ty <= last.y >> kShift; ++ty) {
+      for (int tx = box.min.x >> kShift; tx <= last.x >> kShift; ++tx) {
+        const Cell first{tx << kShift, ty << kShift};
+        const Tile* tile = tile_of(first);
+        if (tile == nullptr) continue;
+        const int from_x = std::max(box.min.x, first.x);
+        const int to_x = std::min(box.max.x, first.x + kSide);
+        const int to_y = std::min(box.max.y, first.y + kSide);
+        for (int y = std::max(box.min.y, first.y); y < to_y; ++y) {
+          const CellValue* row = tile->data() + inside({first.x, y});
+          for (int x = from_x; x < to_x; ++x) visit(row[x - first.x]);
+        }
+      }
+    }
+  }
+
   /// The smallest box of whole tiles around everything written.
   [[nodiscard]] CellBox box() const {
     CellBox used{box_.max, box_.min};

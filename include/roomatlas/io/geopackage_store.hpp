@@ -49,9 +49,14 @@ class GeoPackageStore : public AsrSink, public AsrSource {
   /// each ASR's room and the corrected path as a feature layer.
   void put_assembly(const Correction& correction, const FloorPlan& plan,
                     const std::map<AsrId, RoomId>& room_of_asr);
+  /// The same plan with its walls as measured; after `put_assembly`, which deletes that of an
+  /// earlier run. Only rooms, doors, walls and free space are kept: all else is the plan's.
+  void put_measured_plan(const FloorPlan& plan);
   [[nodiscard]] bool has_assembly() const;
   [[nodiscard]] Correction correction() const;
   [[nodiscard]] FloorPlan plan() const;
+  /// The plan with its walls as measured; `plan` where they were not made regular.
+  [[nodiscard]] FloorPlan measured_plan() const;
 
   /// Closes the store and makes its bytes reproducible.
   void finish();

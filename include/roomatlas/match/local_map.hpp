@@ -34,13 +34,11 @@ class LocalMap {
   void for_each_face_near(const Point2& at, double radius_m, Visit visit) const {
     const Cell low = frame_.cell_of({at.x() - radius_m, at.y() - radius_m});
     const Cell high = frame_.cell_of({at.x() + radius_m, at.y() + radius_m});
-    for (int y = low.y; y <= high.y; ++y) {
-      for (int x = low.x; x <= high.x; ++x) {
-        for (std::uint16_t i = cells_.at({x, y}).face; i != 0; i = faces_[i - 1U].other) {
-          visit(faces_[i - 1U].mean);
-        }
+    cells_.for_each_in({low, {high.x + 1, high.y + 1}}, [&](const LocalCell& cell) {
+      for (std::uint16_t i = cell.face; i != 0; i = faces_[i - 1U].other) {
+        visit(faces_[i - 1U].mean);
       }
-    }
+    });
   }
 
   /// All faces with at least this many hits, cell by cell.

@@ -11,14 +11,23 @@ namespace roomatlas {
 /// True where somebody named the room: its name is not its number.
 [[nodiscard]] bool is_named(const PlanRoom& room);
 
+/// What became of the rooms.
+struct CarriedOver {
+  std::map<RoomId, RoomId> number;  ///< of each room of the plan: now, by what it was
+  Issues lost;                      ///< a warning for each named room that was not found again
+};
+
+/// Gives rooms other numbers; doors follow, and rooms are then in the order of their numbers.
+/// Rooms without a number in `number` keep theirs.
+void renumber(FloorPlan& plan, const std::map<RoomId, RoomId>& number);
+
 /// Gives the rooms of a plan the numbers, and the names that somebody gave, of those rooms of the
 /// former plan whose polygons they overlap most; largest overlap first, each room once, and only
 /// where a quarter of the smaller room is shared. Other rooms keep their numbers where these are
 /// free, else they get numbers above all that were used. Rooms are then in the order of their
 /// numbers, and doors and `room_of_asr` follow. Both plans must be in one frame.
-/// @returns a warning for each named room of the former plan that was not found again; it is in
-///   the plan's issues too
-Issues carry_over(const std::vector<PlanRoom>& former, FloorPlan& plan,
-                  std::map<AsrId, RoomId>& room_of_asr);
+/// What is lost is in the plan's issues too.
+CarriedOver carry_over(const std::vector<PlanRoom>& former, FloorPlan& plan,
+                       std::map<AsrId, RoomId>& room_of_asr);
 
 }  // namespace roomatlas

@@ -9,9 +9,11 @@ namespace roomatlas {
 
 struct RegularWallOptions {
   double max_distance_m = 0.12;  ///< of a regular wall from its evidence; larger straightens more
-  double max_turn_deg = 10.0;    ///< of a wall towards a direction of the building
-  double min_wall_m = 0.4;       ///< shorter edges say nothing about directions
-  double align_gap_m = 4.0;      ///< walls this far apart along their line may still be one line
+  double roughness = 0.75;  ///< share of that distance up to which corners are a wall's roughness
+  double max_turn_deg = 10.0;       ///< of a wall towards a direction of the building
+  double min_wall_m = 0.4;          ///< shorter edges say nothing about directions
+  double align_gap_m = 4.0;         ///< walls this far apart along their line may still be one line
+  double max_door_turn_deg = 30.0;  ///< of a door into its wall: its jambs lie on two sides of it
   double min_direction_share = 0.12;  ///< of the wall length, for a second direction (a wing)
 };
 
@@ -24,6 +26,7 @@ struct RegularWallOptions {
 /// What became of the outlines.
 struct RegularOutlines {
   std::vector<PlacedOutline> outlines;  ///< parallel to the input
+  std::vector<PlacedDoor> doors;        ///< parallel to the input
   std::vector<double> directions_rad;   ///< of the building
   double wall_m = 0.0;                  ///< length of all edges
   double regular_m = 0.0;               ///< length of those that follow a direction
@@ -34,7 +37,10 @@ struct RegularOutlines {
 /// and corners where these lines meet. Each end of an edge that follows a direction is within
 /// `max_distance_m` of the edge's new line; edges that would have to move farther, slanted and
 /// curved walls among them, stay. A ring that would cross itself stays as it was.
-[[nodiscard]] RegularOutlines with_regular_walls(const std::vector<PlacedOutline>& outlines,
+/// A door beside a wall that follows a direction, at most `max_door_turn_deg` off, is turned about
+/// its middle into that direction, and outlines follow where one of their vertices is a jamb.
+[[nodiscard]] RegularOutlines with_regular_walls(std::vector<PlacedOutline> outlines,
+                                                 const std::vector<PlacedDoor>& doors,
                                                  const RegularWallOptions& options);
 
 }  // namespace roomatlas

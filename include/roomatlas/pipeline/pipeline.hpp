@@ -20,6 +20,7 @@
 #include "roomatlas/graph/segment_rooms.hpp"
 #include "roomatlas/match/dead_reckoner.hpp"
 #include "roomatlas/merge/merge.hpp"
+#include "roomatlas/merge/regular_walls.hpp"
 #include "roomatlas/mission/mission.hpp"
 
 namespace roomatlas {
@@ -54,6 +55,8 @@ struct AssembleOptions {
   RoomOptions rooms;       ///< where rooms are decided by the ASRs' outlines
   SegmentOptions segment;  ///< where they are decided by everything that the mission saw
   CorrectOptions correct;
+  bool regular_walls = true;  ///< also draw walls along the building's directions
+  RegularWallOptions regular;
   MergeOptions merge;
   RecorderOptions record;  ///< for mapping rooms again once more is known
   bool map_again = true;   ///< cut the rooms' outlines at doors that only later visits found
@@ -70,6 +73,7 @@ struct Assembly {
   std::vector<Asr> mapped_again;  ///< instead of the source's ASRs, where these were recorded anew
   std::vector<Closure> closures;  ///< matches of rooms by their walls, accepted or not
   FloorPlan plan;
+  std::optional<FloorPlan> measured_plan;  ///< as measured, where the walls of `plan` are regular
 };
 
 /// Offline stage: ASRs -> room graph -> correction -> floor plan.

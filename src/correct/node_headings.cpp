@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "node_headings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace roomatlas {
+namespace {
+
+constexpr double kTileM = 1.0;
+constexpr double kMinRangeM = 0.2;
+constexpr double kMaxRangeM = 3.0;    // farther returns come from many things at once
+constexpr double kGateM = 0.15;       // a return farther off comes from something else
+constexpr double kBesideM = 0.1;      // of the stretch of wall that was seen
+constexpr double kMaxOffRad = 1.0;    // of a wall's normal from a sonar's axis
+constexpr double kLeastSlopeM = 0.1;  // a radian: less says nothing of the heading
+constexpr double kSigmaM = 0.06;      // of a range, and of where the wall is
+constexpr double kShare = 0.2;        // of what a return would say alone: neighbours say the same
+
+struct Wall {
+  Point2 middle;
+  Point2 along;
+  double half_length_m = 0.0;
+  ConeLine line;
+};
+
+/// The walls as the batch left them, by the squares that they pass through.
+class Walls {
+ public:
+  Walls(std::span<const SeenWall> walls, std::span<const Pose2> map_from_node) {
+    for (const SeenWall& seen : walls) {
+      const Pose2& node = map_from_node[seen.node];
+      Wall wall;
+      wall.middle = node * seen.middle_node;
+      wall.line.normal_rad = wrap_angle(node.theta_rad + seen.normal_rad);
+      const Point2 normal = direction(wall.line.normal_rad);
+      wall.along = {-normal.y(), normal.x()};
+      wall.line.offset_m = normal.dot(wall.middle);
+      wall.half_length_m = seen.length_m / 2.0;
+      add(wall);
+    }
+  }
+
+  template <typename Visit>
+  void for_each_near(const Point2& at, Visit visit) const {
+    const Tile tile = tile_of(at);
+    for (int dx = -1; dx <= 1; ++dx) {
+      for (int dy = -1; dy <= 1; ++dy) {
+        const auto found = tiles_.find({tile.first + dx, tile.second + dy});
+        if (found == tiles_.end()) continue;
+        for (const std::size_t i : found->second) visit(walls_[i]);
+      }
+    }
+  }
+
+ private:
+  using Tile = std::pair<int, int>;
+  static Tile tile_of(const Point2& point) {
+    return {static_cast<int>(std::floor(point.x() / kTileM)),
+            static_cast<int>(std::floor(point.y() / kTileM))};
+  }
+  void add(const Wall& wall) {
+    const int steps = static_cast<int>(std::ceil(2.0 * wall.half_length_m / (kTileM / 2.0))) + 1;
+    for (int i = 0; i <= steps; ++i) {
+      const double at_m = wall.half_length_m * (2.0 * i / steps - 1.0);
+      std::vector<std::size_t>& here = tiles_[tile_of(wall.middle + at_m * wall.along)];
+      if (here.empty() || here.back() != walls_.size()) here.push_back(walls_.size());
+    }
+    walls_.push_back(wall);
+  }
+
+  std::vector<Wall> walls_;
+  std::map<Tile, std::vector<std::size_t>> tiles_;
+};
+
+/// What a return says of the heading: how much too long it is, and how that grows with a turn.
+struct Evidence {
+  double residual_m = 0.0;
+  double slope_m_per_rad = 0.0;
+};
+
+/// The mean over all stretches of wall that the return may come from: mostly one wall, seen often.
+std::optional<Evidence> evidence_of(const ConeReturn& heard, double half_cone_rad,
+                                    const Walls& walls) {
+  Evidence sum;
+  int count = 0;
+  walls.for_each_near(
+      heard.sonar + heard.range_m * direction(heard.axis_rad), [&](const Wall& wall) {
+        if (std::abs(wrap_angle(wall.line.normal_rad - heard.axis_rad)) > kMaxOffRad) return;
+        const auto expected_m = range_to_line(heard, half_cone_rad, wall.line);
+        if (!expected_m || std::abs(heard.range_m - *expected_m) > kGateM) return;
+        const Point2 foot = foot_of(heard, half_cone_rad, wall.line);
+        if (std::abs(wall.along.dot(foot - wall.middle)) > wall.half_length_m + kBesideM) return;
+        sum.residual_m += heard.range_m - *expected_m;
+        sum.slope_m_per_rad += range_by_heading(heard, half_cone_rad, wall.line);
+        ++count;
+      });
+  if (count == 0) return std::nullopt;
+  const Evidence mean{sum.residual_m / count, sum.slope_m_per_rad / count};
+  if (std::abs(mean.slope_m_per_rad) < kLeastSlopeM) return std::nullopt;
+  return mean;
+}
+
+/// Least squares of the turns of all nodes: tridiagonal normal equations.
+class Turns {
+ public:
+  explicit Turns(std::size_t nodes) : diagonal_(nodes), beside_(nodes), right_(nodes) {}
+
+  void add(std::size_t node, const Evidence& evidence) {
+    const double variance = kSigmaM * kSigmaM;
+    const double chi = evidence.residual_m * evidence.residual_m / variance;
+    const double weight = kShare / (variance * (1.0 + chi / 4.0));  // Cauchy's
+    diagonal_[node] += weight * evidence.slope_m_per_rad * evidence.slope_m_per_rad;
+    right_[node] += weight * evidence.slope_m_per_rad * evidence.residual_m;
+  }
+  /// What the batch knew of headings: it is at rest, so that this pulls back alone.
+  void add_batch(const SonarBatch& batch, const SonarBatchOptions& options) {
+    for (const SeenWall& wall : batch.walls) {
+      diagonal_[wall.node] += heading_information(wall, options);
+    }
+    for (std::size_t k = 1; k < diagonal_.size(); ++k) {
+      const double sigma = batch.steps[k].turn_sigma_rad;
+      const double weight = 1.0 / (sigma * sigma);
+      diagonal_[k - 1] += weight;
+      diagonal_[k] += weight;
+      beside_[k - 1] -= weight;
+    }
+  }
+  [[nodiscard]] std::vector<double> solve() {
+    const std::size_t nodes = diagonal_.size();
+    for (std::size_t k = 1; k < nodes; ++k) {
+      const double share = beside_[k - 1] / diagonal_[k - 1];
+      diagonal_[k] -= share * beside_[k - 1];
+      right_[k] -= share * right_[k - 1];
+    }
+    for (std::size_t k = nodes; k-- > 0;) {
+      if (k + 1 < nodes) right_[k] -= beside_[k] * right_[k + 1];
+      right_[k] /= diagonal_[k];
+    }
+    return right_;
+  }
+
+ private:
+  std::vector<double> diagonal_;
+  std::vector<double> beside_;  ///< of each node with the next
+  std::vector<double> right_;
+};
+
+}  // namespace
+
+double range_by_heading(const ConeReturn& from, double half_cone_rad, const ConeLine& line) {
+  const double off = wrap_angle(line.normal_rad - from.axis_rad);
+  const double beyond = std::abs(off) - half_cone_rad;
+  if (beyond <= 0.0) return 0.0;
+  return (off > 0.0 ? -1.0 : 1.0) * from.range_m * std::tan(beyond);
+}
+
+std::vector<Pose2> with_headings_of_returns(std::span<const RangeReading> readings,
+                                            const SonarProblem& problem,
+                                            std::span<const Pose2> map_from_robot,
+                                            std::vector<Pose2> map_from_node,
+                                            const SonarBatchOptions& options) {
+  const Walls walls(problem.batch.walls, map_from_node);
+  Turns turns(map_from_node.size());
+  turns.add_batch(problem.batch, options);
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const RangeSensor& sensor = *readings[i].sensor;
+    if (sensor.kind != SensorKind::sonar) continue;
+    for (std::size_t beam = 0; beam < sensor.robot_from_beam.size(); ++beam) {
+      const double range_m = readings[i].ranges_m[beam];
+      if (!(range_m > kMinRangeM && range_m < std::min(kMaxRangeM, sensor.max_range_m))) continue;
+      const Pose2 pose = map_from_robot[i] * sensor.robot_from_beam[beam];
+      const ConeReturn heard{pose.position(), pose.theta_rad, range_m};
+      const auto evidence = evidence_of(heard, sensor.half_cone_rad, walls);
+      if (evidence) turns.add(problem.node_of[i], *evidence);
+    }
+  }
+  const std::vector<double> turn_rad = turns.solve();
+  for (std::size_t k = 0; k < map_from_node.size(); ++k) {
+    map_from_node[k].theta_rad = wrap_angle(map_from_node[k].theta_rad + turn_rad[k]);
+  }
+  return map_from_node;
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sonar_attempt.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "node_headings.hpp"
+#include "roomatlas/match/contradiction.hpp"
+
+namespace roomatlas {
+
+using Readings = std::span<const RangeReading>;
+
+std::vector<double> by_reading(const HeadingProblem& problem, const std::vector<double>& by_node) {
+  std::vector<double> values;
+  const auto& nodes = problem.node_readings;
+  for (std::size_t i = 0, node = 0; i < problem.path.path_m.size(); ++i) {
+    while (node + 1 < nodes.size() && nodes[node + 1] <= i) ++node;
+    double value = by_node[node];
+    if (node + 1 < nodes.size()) {
+      const double share = share_between(problem.path, nodes[node], nodes[node + 1], i);
+      value += share * (by_node[node + 1] - value);
+    }
+    values.push_back(value);
+  }
+  return values;
+}
+
+bool is_better(const Attempt& attempt, const Attempt& than) {
+  constexpr double kShare = 0.02;
+  constexpr double kLeastM = 10.0;
+  return attempt.score_m > than.score_m + std::max(kLeastM, kShare * than.score_m);
+}
+
+Attempt solve(Readings readings, const DriveDirections& directions, const Idea& idea,
+              std::string name, std::vector<double> correction_rad,
+              const SonarTrajectoryOptions& options, SonarBatchOptions batch_options) {
+  constexpr double kContradictedCounts = 3.0;
+  Attempt attempt;
+  const DrivenPath& path = idea.problem.path;
+  const auto start = with_headings(path, by_reading(idea.problem, correction_rad));
+  SonarProblem problem =
+      sonar_problem(readings, path, directions, start, idea.directions_rad, options.segments);
+  for (DrivenStep& step : problem.batch.steps) step.turn_sigma_rad *= idea.doubt;
+  if (idea.is_odometry) batch_options.heading_weight = 0.0;
+  const SonarBatchResult solved = solve_sonar_batch(problem.batch, batch_options);
+  attempt.length_scale = solved.length_scale;
+  attempt.map_from_robot = poses_of(path, problem, solved.map_from_node);
+  const auto turned = with_headings_of_returns(readings, problem, attempt.map_from_robot,
+                                               solved.map_from_node, batch_options);
+  attempt.map_from_robot = poses_of(path, problem, turned);
+  const Contradiction contradiction =
+      contradiction_of(readings, attempt.map_from_robot, path.path_m, problem.segments, {});
+  attempt.score_m = contradiction.confirmed_m - kContradictedCounts * contradiction.contradicted_m;
+  attempt.variant.habits = idea.habits;
+  attempt.variant.name = std::move(name);
+  attempt.variant.pairs = solved.pairs;
+  attempt.variant.compared_m = contradiction.compared_m();
+  attempt.variant.contradiction = contradiction.share();
+  attempt.correction_rad = std::move(correction_rad);
+  return attempt;
+}
+
+Idea idea_of(Readings readings, const DriveDirections& directions, const Calibration& calibration,
+             double drift, const std::vector<double>& directions_rad,
+             const SonarTrajectoryOptions& options) {
+  Idea idea;
+  idea.directions_rad = directions_rad;
+  idea.habits = calibration.habits;
+  idea.doubt = calibration.doubt;
+  idea.chain_options = calibration.doubting({});
+  idea.chain_options.drift_rad_per_sqrt_m *= drift;
+  idea.problem = heading_problem(readings, directions, idea.habits, options.segments);
+  idea.chain = smooth_heading(idea.problem.nodes, idea.problem.sightings, idea.directions_rad,
+                              idea.chain_options);
+  return idea;
+}
+
+}  // namespace roomatlas

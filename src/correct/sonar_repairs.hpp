@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Other ways to solve what was kept: other turns of the heading, other tolerances of the batch.
+#pragma once
+
+#include "sonar_attempt.hpp"
+
+namespace roomatlas {
+
+/// Tries the other ways that the heading may have gone, and keeps what brings more walls together.
+/// Adds each try to the result's variants.
+void repair_slips(std::span<const RangeReading> readings, const DriveDirections& directions,
+                  const SonarTrajectoryOptions& options, Idea& idea, SonarTrajectory& result);
+
+/// Solves the best heading again from other tolerances: a large one brings together what drifted
+/// far apart, a small one does not mistake the other side of a corridor for this one.
+void try_tolerances(std::span<const RangeReading> readings, const DriveDirections& directions,
+                    const SonarTrajectoryOptions& options, Idea& idea, SonarTrajectory& result);
+
+}  // namespace roomatlas
