@@ -32,7 +32,8 @@ class Explorer {
   struct Goal {
     std::optional<ExplorerRooms::Door> door;
     ExplorerRooms::Room from = 0;  ///< the room in which it was chosen
-    bool ignores_doors = false;    ///< a frontier that was left over, wherever it is
+    bool ignores_doors = false;    ///< left over, wherever it is
+    bool is_look = false;          ///< a place to look from, done when the robot is there
     double deadline_s = 0.0;
     Polyline way;
   };
@@ -55,11 +56,14 @@ class Explorer {
   [[nodiscard]] std::optional<Polyline> way_to(const Point2& target, bool ignores_doors,
                                                const Point2& position);
   [[nodiscard]] std::optional<Goal> leftover_goal(const Point2& position);
+  [[nodiscard]] std::optional<Goal> look_goal(const Point2& position);
+  [[nodiscard]] bool opens_a_gap(const Cell& cell) const;
   bool find_doorway_on(const Polyline& way, const Point2& position);
   [[nodiscard]] bool is_done(const Goal& goal) const;
   [[nodiscard]] bool is_around(const Goal& goal, const Point2& position);
   [[nodiscard]] bool renew(Goal& goal, const Point2& position);
   void give_up(const Goal& goal, const Point2& position);
+  void want_no_more(const Cell& around);
   [[nodiscard]] bool is_wanted_frontier(const Cell& cell) const;
   [[nodiscard]] double deadline_s(const Polyline& way) const;
 

@@ -13,6 +13,7 @@ constexpr double kAtGoalM = 0.12;
 constexpr double kGiveUpM = 0.3;       // frontiers this near to a hopeless one are hopeless too
 constexpr double kDoorSkipM = 0.2;     // of the way ahead, beside the robot itself
 constexpr double kBeyondDoorM = 0.45;  // how far behind a door its way ends
+constexpr double kGapM = 0.6;          // how far into a gap too narrow to pass the robot would look
 constexpr int kStuckGoals = 10;
 
 }  // namespace
@@ -25,14 +26,17 @@ double Explorer::deadline_s(const Polyline& way) const {
   return time_s_ + 15.0 + 4.0 * length(way) / options_.speed_m_per_s;
 }
 
-/// When nothing is left, what was given up is tried once more: it may be clearer now.
+/// When nothing is left, what was given up is tried once more: it may be clearer now. Then come the
+/// gaps too narrow to pass: a door whose jambs echoed into its opening may be wider from near by.
 std::optional<Explorer::Goal> Explorer::next_goal(const Point2& position) {
   auto goal = next_new_goal(position);
-  if (goal || has_tried_again_) return goal;
-  has_tried_again_ = true;
-  given_up_.clear();
-  rooms_.forget_failures();
-  return next_new_goal(position);
+  if (!goal && !has_tried_again_) {
+    has_tried_again_ = true;
+    given_up_.clear();
+    rooms_.forget_failures();
+    goal = next_new_goal(position);
+  }
+  return goal ? goal : look_goal(position);
 }
 
 std::optional<Explorer::Goal> Explorer::next_new_goal(const Point2& position) {
@@ -55,7 +59,7 @@ std::optional<Explorer::Goal> Explorer::frontier_goal(const Point2& position) {
         [&](const Cell& cell) { return rooms_.is_closed(cell, zone_); });
     if (!way) return std::nullopt;
     if (find_doorway_on(*way, position)) continue;
-    return Goal{{}, rooms_.current(), false, deadline_s(*way), std::move(*way)};
+    return Goal{{}, rooms_.current(), false, false, deadline_s(*way), std::move(*way)};
   }
 }
 
@@ -77,7 +81,7 @@ std::optional<Explorer::Goal> Explorer::door_goal(ExplorerRooms::Door door,
                                                   const Point2& position) {
   auto way = way_through(door, position);
   if (!way) return std::nullopt;
-  return Goal{door, rooms_.current(), false, deadline_s(*way), std::move(*way)};
+  return Goal{door, rooms_.current(), false, false, deadline_s(*way), std::move(*way)};
 }
 
 /// To behind a door; to its threshold where nothing behind has been seen.
@@ -118,11 +122,51 @@ std::optional<Explorer::Goal> Explorer::leftover_goal(const Point2& position) {
       map_, position, [&](const Cell& cell) { return is_wanted_frontier(cell); },
       [](const Cell&) { return false; });
   if (!way) return std::nullopt;
-  return Goal{{}, rooms_.current(), true, deadline_s(*way), std::move(*way)};
+  return Goal{{}, rooms_.current(), true, false, deadline_s(*way), std::move(*way)};
+}
+
+/// The nearest place before a gap from which nothing was looked into yet.
+std::optional<Explorer::Goal> Explorer::look_goal(const Point2& position) {
+  const auto never = [](const Cell&) { return false; };
+  (void)paths_.way(map_, position, never, never);
+  std::unordered_set<std::int64_t> before_gaps;
+  for_each_cell(map_.box(), [&](const Cell& cell) {
+    if (paths_.reached(cell) && !given_up_.contains(key_of(cell)) && opens_a_gap(cell)) {
+      before_gaps.insert(key_of(cell));
+    }
+  });
+  if (before_gaps.empty()) return std::nullopt;
+  auto way = paths_.way(
+      map_, position, [&](const Cell& cell) { return before_gaps.contains(key_of(cell)); }, never);
+  if (!way) return std::nullopt;
+  return Goal{{}, rooms_.current(), true, true, deadline_s(*way), std::move(*way)};
+}
+
+/// Whether free floor too narrow for the robot leads from here to floor where it could be, or to
+/// something unseen.
+bool Explorer::opens_a_gap(const Cell& cell) const {
+  if (!map_.is_passable(cell)) return false;
+  const int reach = static_cast<int>(kGapM / map_.frame().cell_m);
+  std::vector<Cell> found = {cell};
+  std::unordered_set<std::int64_t> seen = {key_of(cell)};
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Cell at = found[i];
+    for (const Cell& next :
+         {Cell{at.x + 1, at.y}, Cell{at.x - 1, at.y}, Cell{at.x, at.y + 1}, Cell{at.x, at.y - 1}}) {
+      if (distance_cells(next, cell) > reach || paths_.reached(next) || !map_.is_narrow(next) ||
+          !seen.insert(key_of(next)).second) {
+        continue;
+      }
+      if (map_.is_passable(next) || map_.borders_large_unknown(next)) return true;
+      found.push_back(next);
+    }
+  }
+  return false;
 }
 
 bool Explorer::is_done(const Goal& goal) const {
   if (goal.door) return !zone_ && rooms_.current() != goal.from;
+  if (goal.is_look) return false;
   return !is_wanted_frontier(map_.frame().cell_of(goal.way.back()));
 }
 
@@ -142,6 +186,10 @@ bool Explorer::renew(Goal& goal, const Point2& position) {
   if (time_s_ < renew_s_ && !arrived) return true;
   renew_s_ = time_s_ + kRenewEveryS + kRenewShare * length(goal.way) / options_.speed_m_per_s;
   if (is_done(goal) || (arrived && is_around(goal, position))) return false;
+  if (goal.is_look && arrived) {
+    want_no_more(map_.frame().cell_of(goal.way.back()));
+    return false;
+  }
   if (time_s_ > goal.deadline_s || (arrived && !goal.door)) {
     give_up(goal, position);
     return false;
@@ -163,12 +211,16 @@ void Explorer::give_up(const Goal& goal, const Point2& position) {
   const bool moved = (position - last_moved_).norm() > kStuckM;
   given_up_here_ = moved ? 0 : given_up_here_ + 1;
   if (given_up_here_ >= kStuckGoals) is_stuck_ = true;
-  const Cell hopeless = map_.frame().cell_of(goal.way.back());
+  want_no_more(map_.frame().cell_of(goal.way.back()));
+}
+
+/// Neither this cell is a goal again nor those around it.
+void Explorer::want_no_more(const Cell& around) {
   const int reach = static_cast<int>(kGiveUpM / map_.frame().cell_m);
   for_each_cell(
-      {{hopeless.x - reach, hopeless.y - reach}, {hopeless.x + reach + 1, hopeless.y + reach + 1}},
+      {{around.x - reach, around.y - reach}, {around.x + reach + 1, around.y + reach + 1}},
       [&](const Cell& cell) {
-        if (distance_cells(cell, hopeless) <= reach) given_up_.insert(key_of(cell));
+        if (distance_cells(cell, around) <= reach) given_up_.insert(key_of(cell));
       });
 }
 

@@ -19,6 +19,7 @@ constexpr double kLaserM = 5.0;
 constexpr double kTouchingMarginM = 0.04;  // beyond the robot's half width
 constexpr double kTurningMarginM = 0.05;   // beyond the robot's half diagonal
 constexpr int kLookAroundCells = 2;
+constexpr int kNarrowCells = 2;           // to each side
 constexpr int kFrontierUnknownCells = 6;  // of the 24 around; fewer may be specks between beams ...
 constexpr int kGapUnknownCells = 3;       // ... unless they belong to something large:
 constexpr std::size_t kLargeUnknownCells = 120;  // 0.3 m2
@@ -30,6 +31,10 @@ std::vector<Cell> disc(double radius_m) {
     if (std::hypot(cell.x, cell.y) * kCellM <= radius_m) cells.push_back(cell);
   });
   return cells;
+}
+
+CellBox square(const Cell& middle, int reach) {
+  return {{middle.x - reach, middle.y - reach}, {middle.x + reach + 1, middle.y + reach + 1}};
 }
 
 RayOptions ray_options(SensorKind kind) {
@@ -147,17 +152,32 @@ bool ExplorerMap::is_tight(const Cell& cell) const {
 
 bool ExplorerMap::is_frontier(const Cell& cell) const {
   if (!is_passable(cell)) return false;
-  int unknown = 0;
-  Cell one = cell;
-  const int reach = kLookAroundCells;
-  for_each_cell({{cell.x - reach, cell.y - reach}, {cell.x + reach + 1, cell.y + reach + 1}},
-                [&](const Cell& at) {
-                  if (himm_.raw(at) != 0) return;
-                  ++unknown;
-                  one = at;
-                });
-  return unknown >= kFrontierUnknownCells ||
-         (unknown >= kGapUnknownCells && is_in_large_unknown(one));
+  const UnknownAround around = unknown_around(cell);
+  return around.cells >= kFrontierUnknownCells ||
+         (around.cells >= kGapUnknownCells && is_in_large_unknown(around.one));
+}
+
+bool ExplorerMap::is_narrow(const Cell& cell) const {
+  if (himm_.raw(cell) == 0) return false;
+  bool is_clear = true;
+  for_each_cell(square(cell, kNarrowCells),
+                [&](const Cell& at) { is_clear = is_clear && !is_obstacle(at); });
+  return is_clear;
+}
+
+bool ExplorerMap::borders_large_unknown(const Cell& cell) const {
+  const UnknownAround around = unknown_around(cell);
+  return around.cells >= kFrontierUnknownCells && is_in_large_unknown(around.one);
+}
+
+ExplorerMap::UnknownAround ExplorerMap::unknown_around(const Cell& cell) const {
+  UnknownAround around{0, cell};
+  for_each_cell(square(cell, kLookAroundCells), [&](const Cell& at) {
+    if (himm_.raw(at) != 0) return;
+    ++around.cells;
+    around.one = at;
+  });
+  return around;
 }
 
 bool ExplorerMap::is_in_large_unknown(const Cell& cell) const {

@@ -27,6 +27,11 @@ class ExplorerMap {
   /// Passable, and beside enough unknown cells, or a large enough unknown, that there is something
   /// to see.
   [[nodiscard]] bool is_frontier(const Cell& cell) const;
+  /// Seen, and a little away from obstacles: a thinner robot might be here. One hit, which may be
+  /// crosstalk, makes no obstacle.
+  [[nodiscard]] bool is_narrow(const Cell& cell) const;
+  /// Beside enough unknown cells of a large unknown.
+  [[nodiscard]] bool borders_large_unknown(const Cell& cell) const;
   /// The centres of obstacle cells within a distance.
   [[nodiscard]] std::vector<Point2> obstacles_within(const Point2& center, double radius_m) const;
 
@@ -37,6 +42,12 @@ class ExplorerMap {
     bool is_obstacle = false;
   };
 
+  struct UnknownAround {
+    int cells = 0;
+    Cell one;  ///< of them
+  };
+
+  [[nodiscard]] UnknownAround unknown_around(const Cell& cell) const;
   [[nodiscard]] bool is_in_large_unknown(const Cell& cell) const;
   void grow();
   void update(const Cell& cell);
