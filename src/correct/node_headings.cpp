@@ -87,17 +87,16 @@ std::optional<Evidence> evidence_of(const ConeReturn& heard, double half_cone_ra
                                     const Walls& walls) {
   Evidence sum;
   int count = 0;
-  walls.for_each_near(
-      heard.sonar + heard.range_m * direction(heard.axis_rad), [&](const Wall& wall) {
-        if (std::abs(wrap_angle(wall.line.normal_rad - heard.axis_rad)) > kMaxOffRad) return;
-        const auto expected_m = range_to_line(heard, half_cone_rad, wall.line);
-        if (!expected_m || std::abs(heard.range_m - *expected_m) > kGateM) return;
-        const Point2 foot = foot_of(heard, half_cone_rad, wall.line);
-        if (std::abs(wall.along.dot(foot - wall.middle)) > wall.half_length_m + kBesideM) return;
-        sum.residual_m += heard.range_m - *expected_m;
-        sum.slope_m_per_rad += range_by_heading(heard, half_cone_rad, wall.line);
-        ++count;
-      });
+  walls.for_each_near(heard.sonar + heard.range_m * heard.axis, [&](const Wall& wall) {
+    if (std::abs(wrap_angle(wall.line.normal_rad - heard.axis_rad)) > kMaxOffRad) return;
+    const auto expected_m = range_to_line(heard, half_cone_rad, wall.line);
+    if (!expected_m || std::abs(heard.range_m - *expected_m) > kGateM) return;
+    const Point2 foot = foot_of(heard, half_cone_rad, wall.line);
+    if (std::abs(wall.along.dot(foot - wall.middle)) > wall.half_length_m + kBesideM) return;
+    sum.residual_m += heard.range_m - *expected_m;
+    sum.slope_m_per_rad += range_by_heading(heard, half_cone_rad, wall.line);
+    ++count;
+  });
   if (count == 0) return std::nullopt;
   const Evidence mean{sum.residual_m / count, sum.slope_m_per_rad / count};
   if (std::abs(mean.slope_m_per_rad) < kLeastSlopeM) return std::nullopt;

@@ -23,7 +23,7 @@ ConeLine line_through(std::span<const ConeReturn> returns, const Point2& middle,
   double xy = 0.0;
   double yy = 0.0;
   for (const ConeReturn& one : returns) {
-    const Point2 d = one.sonar + one.range_m * direction(one.axis_rad) - middle;
+    const Point2 d = one.sonar + one.range_m * one.axis - middle;
     xx += d.x() * d.x();
     xy += d.x() * d.y();
     yy += d.y() * d.y();
@@ -58,7 +58,7 @@ Equations equations_at(std::span<const ConeReturn> returns, double half_cone_rad
   const double sin_half = std::sin(half_cone_rad);
   Equations sums;
   for (const ConeReturn& one : returns) {
-    const Point2 axis = direction(one.axis_rad);
+    const Point2& axis = one.axis;
     const double along = normal.dot(axis);
     const double across = tangent.dot(axis);  // sine of axis off normal
     const bool inside = along > 0.0 && std::abs(across) <= sin_half;
@@ -106,7 +106,7 @@ std::optional<ConeLine> fit_line(std::span<const ConeReturn> returns, double hal
   Point2 middle = Point2::Zero();
   Point2 behind = Point2::Zero();
   for (const ConeReturn& one : returns) {
-    middle += one.sonar + one.range_m * direction(one.axis_rad);
+    middle += one.sonar + one.range_m * one.axis;
     behind += one.sonar;
   }
   middle /= static_cast<double>(returns.size());

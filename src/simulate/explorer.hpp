@@ -57,7 +57,9 @@ class Explorer {
                                                const Point2& position);
   [[nodiscard]] std::optional<Goal> leftover_goal(const Point2& position);
   [[nodiscard]] std::optional<Goal> look_goal(const Point2& position);
+  [[nodiscard]] bool is_worth_a_look(const Cell& cell) const;
   [[nodiscard]] bool opens_a_gap(const Cell& cell) const;
+  [[nodiscard]] bool is_in_unused_doorway(const Cell& cell) const;
   bool find_doorway_on(const Polyline& way, const Point2& position);
   [[nodiscard]] bool is_done(const Goal& goal) const;
   [[nodiscard]] bool is_around(const Goal& goal, const Point2& position);
@@ -78,7 +80,8 @@ class Explorer {
   std::optional<ExplorerRooms::Door> zone_;  ///< the door in which the robot stands
   std::unordered_set<std::int64_t> given_up_;
   std::optional<Pose2> last_mapped_;
-  Polyline track_;  ///< where the robot has been lately
+  std::vector<Cell> to_look_from_;  ///< at the end; asked again before each is a goal
+  Polyline track_;                  ///< where the robot has been
   Point2 last_moved_ = Point2::Zero();
   CloseEchoes echoes_;
   Trace trace_;

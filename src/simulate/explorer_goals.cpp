@@ -26,8 +26,7 @@ double Explorer::deadline_s(const Polyline& way) const {
   return time_s_ + 15.0 + 4.0 * length(way) / options_.speed_m_per_s;
 }
 
-/// When nothing is left, what was given up is tried once more: it may be clearer now. Then come the
-/// gaps too narrow to pass: a door whose jambs echoed into its opening may be wider from near by.
+/// When nothing is left, what was given up is tried once more: it may be clearer now.
 std::optional<Explorer::Goal> Explorer::next_goal(const Point2& position) {
   auto goal = next_new_goal(position);
   if (!goal && !has_tried_again_) {
@@ -123,45 +122,6 @@ std::optional<Explorer::Goal> Explorer::leftover_goal(const Point2& position) {
       [](const Cell&) { return false; });
   if (!way) return std::nullopt;
   return Goal{{}, rooms_.current(), true, false, deadline_s(*way), std::move(*way)};
-}
-
-/// The nearest place before a gap from which nothing was looked into yet.
-std::optional<Explorer::Goal> Explorer::look_goal(const Point2& position) {
-  const auto never = [](const Cell&) { return false; };
-  (void)paths_.way(map_, position, never, never);
-  std::unordered_set<std::int64_t> before_gaps;
-  for_each_cell(map_.box(), [&](const Cell& cell) {
-    if (paths_.reached(cell) && !given_up_.contains(key_of(cell)) && opens_a_gap(cell)) {
-      before_gaps.insert(key_of(cell));
-    }
-  });
-  if (before_gaps.empty()) return std::nullopt;
-  auto way = paths_.way(
-      map_, position, [&](const Cell& cell) { return before_gaps.contains(key_of(cell)); }, never);
-  if (!way) return std::nullopt;
-  return Goal{{}, rooms_.current(), true, true, deadline_s(*way), std::move(*way)};
-}
-
-/// Whether free floor too narrow for the robot leads from here to floor where it could be, or to
-/// something unseen.
-bool Explorer::opens_a_gap(const Cell& cell) const {
-  if (!map_.is_passable(cell)) return false;
-  const int reach = static_cast<int>(kGapM / map_.frame().cell_m);
-  std::vector<Cell> found = {cell};
-  std::unordered_set<std::int64_t> seen = {key_of(cell)};
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const Cell at = found[i];
-    for (const Cell& next :
-         {Cell{at.x + 1, at.y}, Cell{at.x - 1, at.y}, Cell{at.x, at.y + 1}, Cell{at.x, at.y - 1}}) {
-      if (distance_cells(next, cell) > reach || paths_.reached(next) || !map_.is_narrow(next) ||
-          !seen.insert(key_of(next)).second) {
-        continue;
-      }
-      if (map_.is_passable(next) || map_.borders_large_unknown(next)) return true;
-      found.push_back(next);
-    }
-  }
-  return false;
 }
 
 bool Explorer::is_done(const Goal& goal) const {

@@ -20,6 +20,7 @@ constexpr double kTouchingMarginM = 0.04;  // beyond the robot's half width
 constexpr double kTurningMarginM = 0.05;   // beyond the robot's half diagonal
 constexpr int kLookAroundCells = 2;
 constexpr int kNarrowCells = 2;           // to each side
+constexpr double kBesideM = 0.7;          // as far as jambs are from the middle of a door
 constexpr int kFrontierUnknownCells = 6;  // of the 24 around; fewer may be specks between beams ...
 constexpr int kGapUnknownCells = 3;       // ... unless they belong to something large:
 constexpr std::size_t kLargeUnknownCells = 120;  // 0.3 m2
@@ -163,6 +164,16 @@ bool ExplorerMap::is_narrow(const Cell& cell) const {
   for_each_cell(square(cell, kNarrowCells),
                 [&](const Cell& at) { is_clear = is_clear && !is_obstacle(at); });
   return is_clear;
+}
+
+bool ExplorerMap::is_between_obstacles(const Pose2& map_from_robot) const {
+  const auto is_beside = [&](double sign) {
+    for (double at_m = kCellM; at_m <= kBesideM; at_m += kCellM) {
+      if (is_obstacle(frame().cell_of(map_from_robot * Point2(0.0, sign * at_m)))) return true;
+    }
+    return false;
+  };
+  return is_beside(1.0) && is_beside(-1.0);
 }
 
 bool ExplorerMap::borders_large_unknown(const Cell& cell) const {

@@ -30,6 +30,8 @@ class ExplorerMap {
   /// Seen, and a little away from obstacles: a thinner robot might be here. One hit, which may be
   /// crosstalk, makes no obstacle.
   [[nodiscard]] bool is_narrow(const Cell& cell) const;
+  /// Whether a robot of this pose has obstacles to its left and to its right, as in a doorway.
+  [[nodiscard]] bool is_between_obstacles(const Pose2& map_from_robot) const;
   /// Beside enough unknown cells of a large unknown.
   [[nodiscard]] bool borders_large_unknown(const Cell& cell) const;
   /// The centres of obstacle cells within a distance.

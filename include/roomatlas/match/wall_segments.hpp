@@ -16,6 +16,7 @@ struct ConeReturn {
   Point2 sonar = Point2::Zero();
   double axis_rad = 0.0;
   double range_m = 0.0;
+  Point2 axis = direction(axis_rad);  ///< of unit length; asked for many times in each fit
 };
 
 /// A wall as a line: the points p with normal . p = offset, the normal pointing from the robot to
