@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <optional>
 #include <utility>
 
@@ -78,6 +79,7 @@ class AsrRecorder::State {
 
   void finish() {
     if (!path_.empty()) close(std::nullopt);
+    hand_over();
   }
 
   [[nodiscard]] std::int64_t asrs_written() const { return next_id_ - 1; }
@@ -210,7 +212,8 @@ class AsrRecorder::State {
     }
   }
 
-  /// Maps the room, hands it over and forgets it. Returns where odometry has its frame.
+  /// Begins to map the room, hands the one before over and forgets both. Returns where odometry has
+  /// the room's frame.
   Pose2 close(const std::optional<Exit>& exit) {
     Asr asr;
     asr.id = next_id_++;
@@ -219,20 +222,18 @@ class AsrRecorder::State {
     asr.end_s = path_.back().timestamp_s;
     if (entry_) asr.exits.push_back(*entry_);
     if (exit) asr.exits.push_back(*exit);
-    RoomMap map = map_room(path_, readings_, asr.exits, footprint_, options_.map);
-    asr.walls = std::move(map.walls);
-    asr.outline_asr = std::move(map.outline);
-    asr.reference_point_asr = map.reference_point;
-    asr.counters = map.counters;
     asr.path = std::exchange(path_, {});
     asr.readings = std::exchange(readings_, {});
     asr.is_localized = localizer_ && std::all_of(asr.readings.begin(), asr.readings.end(),
                                                  [](const auto& r) { return can_be_matched(r); });
-    if (!options_.keep_readings) asr.readings.clear();
     // Where odometry puts the frame *now*: the frame itself is exact, odometry has drifted.
     const Pose2 odom_from_asr =
         asr.path.back().odom_from_robot * inverse(asr.path.back().asr_from_robot);
-    sink_.put(asr);
+    hand_over();
+    closing_ = std::async(std::launch::async, [this, asr = std::move(asr)]() mutable {
+      map(asr);
+      return std::move(asr);
+    });
 
     along_m_.clear();
     live_ = HimmGrid(options_.map.cell_m);
@@ -241,6 +242,22 @@ class AsrRecorder::State {
     candidate_.reset();
     searched_to_m_ = 0.0;
     return odom_from_asr;
+  }
+
+  /// In a thread of its own: cleaning and tracing a room takes longer than the robot may wait.
+  void map(Asr& asr) const {
+    RoomMap map = map_room(asr.path, asr.readings, asr.exits, footprint_, options_.map);
+    asr.walls = std::move(map.walls);
+    asr.outline_asr = std::move(map.outline);
+    asr.reference_point_asr = map.reference_point;
+    asr.counters = map.counters;
+    if (!options_.keep_readings) asr.readings.clear();
+  }
+
+  /// Waits for the room that is being mapped. Always at the same place of the mission, so that what
+  /// the sink receives does not depend on how long it took.
+  void hand_over() {
+    if (closing_.valid()) sink_.put(closing_.get());
   }
 
   const RecorderOptions options_;
@@ -266,6 +283,7 @@ class AsrRecorder::State {
   double searched_to_m_ = 0.0;  ///< doorways were looked for up to here
   std::optional<DoorwayOnPath> candidate_;
   std::optional<double> since_doorway_m_;  ///< from the last doorway to this ASR's first sample
+  std::future<Asr> closing_;               ///< the room before; its destructor waits
 };
 
 AsrRecorder::AsrRecorder(const RecorderOptions& options, const RobotFootprint& footprint,

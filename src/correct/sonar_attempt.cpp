@@ -45,6 +45,7 @@ Attempt solve(Readings readings, const DriveDirections& directions, const Idea& 
   if (idea.is_odometry) batch_options.heading_weight = 0.0;
   const SonarBatchResult solved = solve_sonar_batch(problem.batch, batch_options);
   attempt.length_scale = solved.length_scale;
+  attempt.strain = solved.strain;
   attempt.map_from_robot = poses_of(path, problem, solved.map_from_node);
   const auto turned = with_headings_of_returns(readings, problem, attempt.map_from_robot,
                                                solved.map_from_node, batch_options);

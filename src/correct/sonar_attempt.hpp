@@ -22,6 +22,7 @@ struct Attempt {
   double length_scale = 1.0;  ///< times what the heading's habits make of lengths
   SonarVariant variant;
   double score_m = 0.0;  ///< of wall: confirmed, less what is contradicted
+  double strain = 0.0;   ///< of odometry
 };
 
 /// By more than noise.

@@ -138,28 +138,53 @@ double geman_mcclure(double squared, double scale_squared) {
   return share * share;
 }
 
+/// Odometry's step into a node against the poses.
+std::array<PairResidual, 3> residuals_of_step(const SonarBatch& batch, const Unknowns& unknowns,
+                                              std::size_t node) {
+  const Pose2& driven = batch.steps[node].before_from_here;
+  const Pose2 scaled{unknowns.length_scale * driven.x_m, unknowns.length_scale * driven.y_m,
+                     driven.theta_rad};
+  return step_residuals(unknowns.map_from_node[node - 1], unknowns.map_from_node[node], scaled);
+}
+
+std::array<double, 3> variances_of(const DrivenStep& step) {
+  return {step.along_sigma_m * step.along_sigma_m, step.across_sigma_m * step.across_sigma_m,
+          step.turn_sigma_rad * step.turn_sigma_rad};
+}
+
 void add_steps(const SonarBatch& batch, const SonarBatchOptions& options, const Unknowns& unknowns,
                Equations& equations) {
   const double robust = options.step_robust_sigmas * options.step_robust_sigmas;
-  const std::vector<Pose2>& poses = unknowns.map_from_node;
-  for (std::size_t k = 1; k < poses.size(); ++k) {
-    const DrivenStep& step = batch.steps[k];
-    const Pose2& driven = step.before_from_here;
-    const Pose2 scaled{unknowns.length_scale * driven.x_m, unknowns.length_scale * driven.y_m,
-                       driven.theta_rad};
-    const auto residuals = step_residuals(poses[k - 1], poses[k], scaled);
+  for (std::size_t k = 1; k < batch.steps.size(); ++k) {
+    const Pose2& driven = batch.steps[k].before_from_here;
+    const auto residuals = residuals_of_step(batch, unknowns, k);
     const std::array by_scale = {-driven.x_m, -driven.y_m, 0.0};
-    const std::array sigmas = {step.along_sigma_m, step.across_sigma_m, step.turn_sigma_rad};
+    const std::array variances = variances_of(batch.steps[k]);
     for (std::size_t i = 0; i < 3; ++i) {
-      const double variance = sigmas[i] * sigmas[i];
-      const double chi = residuals[i].value * residuals[i].value / variance;
-      const double weight = 1.0 / (variance * (1.0 + chi / robust));
+      const double chi = residuals[i].value * residuals[i].value / variances[i];
+      const double weight = 1.0 / (variances[i] * (1.0 + chi / robust));
       equations.add(k - 1, k, residuals[i], weight);
       equations.add_scale(k - 1, k, residuals[i], by_scale[i], weight);
     }
   }
   const double variance = options.length_sigma * options.length_sigma;
   equations.add_scale(unknowns.length_scale - 1.0, 1.0, 1.0 / variance);
+}
+
+/// Cauchy's loss of all steps.
+double strain_of(const SonarBatch& batch, const SonarBatchOptions& options,
+                 const Unknowns& unknowns) {
+  const double robust = options.step_robust_sigmas * options.step_robust_sigmas;
+  double strain = 0.0;
+  for (std::size_t k = 1; k < batch.steps.size(); ++k) {
+    const auto residuals = residuals_of_step(batch, unknowns, k);
+    const std::array variances = variances_of(batch.steps[k]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double chi = residuals[i].value * residuals[i].value / variances[i];
+      strain += robust / 2.0 * std::log1p(chi / robust);
+    }
+  }
+  return strain;
 }
 
 double heading_sigma(const SeenWall& wall, const SonarBatchOptions& options) {
@@ -258,6 +283,7 @@ SonarBatchResult solve_sonar_batch(const SonarBatch& batch, const SonarBatchOpti
       break;
     }
   }
+  result.strain = strain_of(batch, options, unknowns);
   result.map_from_node = std::move(unknowns.map_from_node);
   result.length_scale = unknowns.length_scale;
   return result;

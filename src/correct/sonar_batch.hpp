@@ -42,6 +42,7 @@ struct SonarBatchOptions {
 struct SonarBatchResult {
   std::vector<Pose2> map_from_node;
   double length_scale = 1.0;  ///< times odometry's lengths: what the walls make of them
+  double strain = 0.0;        ///< of odometry: half of its steps' robust squares, in sigmas
   std::size_t pairs = 0;      ///< in the last round
   bool solved = false;        ///< false: a system was singular, and the poses are those before it
 };

@@ -43,14 +43,18 @@ void RoomLocalizer::clear() {
   recent_turn_rad_ = 0.0;
 }
 
+bool RoomLocalizer::is_worth_adding(const Pose2& map_from_robot) const {
+  return !last_added_ || is_new_view(*last_added_, map_from_robot, options_);
+}
+
 void RoomLocalizer::insert(const Scan& scan, const Pose2& map_from_robot) {
-  if (last_added_ && !is_new_view(*last_added_, map_from_robot, options_)) return;
   last_added_ = map_from_robot;
   map_.add(scan, map_from_robot);
 }
 
 void RoomLocalizer::add(const RangeReading& reading, const Pose2& asr_from_robot) {
-  if (can_be_matched(reading)) insert(scan_of(reading, options_.scan), asr_from_robot);
+  if (!can_be_matched(reading) || !is_worth_adding(asr_from_robot)) return;
+  insert(scan_of(reading, options_.scan), asr_from_robot);
 }
 
 Pose2 RoomLocalizer::locate(const RangeReading& reading, const Pose2& predicted,
@@ -81,7 +85,7 @@ Pose2 RoomLocalizer::locate(const RangeReading& reading, const Pose2& predicted,
       pose = aligned.map_from_points;
     }
   }
-  insert(scan, pose);
+  if (is_worth_adding(pose)) insert(scan, pose);
   return pose;
 }
 

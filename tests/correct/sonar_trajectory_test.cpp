@@ -163,6 +163,32 @@ TEST(SonarBatch, FindsTheScaleOfOdometrysLengths) {
   }
 }
 
+TEST(SonarBatch, StrainsOdometryWhereWallsMoveIt) {
+  SonarBatch alone = to_and_fro(1.02);
+  alone.walls.clear();
+  alone.direction_rad.clear();
+  EXPECT_LT(solve_sonar_batch(alone, {}).strain, 1e-9);
+
+  const SonarBatch batch = to_and_fro(1.02);
+  SonarBatchOptions options;
+  options.length_sigma = 1e-6;  // the walls cannot change the scale: each step gives way
+  const SonarBatchResult result = solve_sonar_batch(batch, options);
+  double strain = 0.0;
+  for (std::size_t k = 1; k < batch.steps.size(); ++k) {
+    const DrivenStep& step = batch.steps[k];
+    const Pose2 moved = inverse(result.map_from_node[k - 1]) * result.map_from_node[k];
+    const double squares[] = {
+        std::pow((moved.x_m - step.before_from_here.x_m) / step.along_sigma_m, 2),
+        std::pow((moved.y_m - step.before_from_here.y_m) / step.across_sigma_m, 2),
+        std::pow(
+            wrap_angle(moved.theta_rad - step.before_from_here.theta_rad) / step.turn_sigma_rad,
+            2)};
+    for (const double square : squares) strain += 4.5 * std::log(1.0 + square / 9.0);
+  }
+  EXPECT_GT(strain, 0.1);
+  EXPECT_NEAR(result.strain, strain, 1e-3 * strain);
+}
+
 /// A corridor that goes on at another angle: twice there and back.
 Mission bent_corridor(double angle_deg) {
   const Point2 along = direction(radians(angle_deg));

@@ -16,7 +16,12 @@ struct Exploration {
   const char* world;
   SensorKind sensor;
   double largest_mean_m;  ///< of the position error
+  std::uint64_t seed = 1;
 };
+
+std::string name_of(const testing::TestParamInfo<Exploration>& exploration) {
+  return exploration.param.world + std::string("_") + std::to_string(exploration.param.seed);
+}
 
 class ExploredWorld : public testing::TestWithParam<Exploration> {};
 
@@ -25,6 +30,7 @@ TEST_P(ExploredWorld, ComesBackAsItsPlan) {
   const FloorPlan world = read_plan(Path(ROOMATLAS_SOURCE_DIR) / "data" / "worlds" / name);
   SimulationOptions robot;
   robot.sensor = GetParam().sensor;
+  robot.seed = GetParam().seed;
   std::vector<MissionEvent> events;
   (void)explore(world, robot, {}, [&](const SimulatedStep& step) {
     events.emplace_back(step.reading);
@@ -52,10 +58,12 @@ INSTANTIATE_TEST_SUITE_P(WithALaser, ExploredWorld,
                                          Exploration{"nine_rooms", SensorKind::laser, 0.05},
                                          Exploration{"slanted_and_curved", SensorKind::laser,
                                                      0.05}),
-                         [](const auto& world) { return world.param.world; });
+                         name_of);
 INSTANTIATE_TEST_SUITE_P(WithSonars, ExploredWorld,
-                         testing::Values(Exploration{"nine_rooms", SensorKind::sonar, 0.3}),
-                         [](const auto& world) { return world.param.world; });
+                         // in 11 the walls of two rooms can be taken for one, which bends odometry
+                         testing::Values(Exploration{"nine_rooms", SensorKind::sonar, 0.3},
+                                         Exploration{"nine_rooms", SensorKind::sonar, 0.3, 11}),
+                         name_of);
 
 }  // namespace
 }  // namespace roomatlas

@@ -57,7 +57,8 @@ class RoomLocalizer : public Localizer {
                              const Pose2& step) override;
 
  private:
-  /// Adds a sweep if the robot has moved since the last one added.
+  /// Whether the robot has moved since the last sweep was added.
+  [[nodiscard]] bool is_worth_adding(const Pose2& map_from_robot) const;
   void insert(const Scan& scan, const Pose2& map_from_robot);
 
   [[nodiscard]] bool is_at_ease(const ScanAlignment& aligned, const PosePrior& prior) const;
