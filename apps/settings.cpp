@@ -219,6 +219,9 @@ void add_plan(CLI::App& app, Settings& settings) {
              "stay in the store (`export --measured-walls`)");
   stage.add("regular-distance", assemble.regular.max_distance_m,
             "m; how far a regular wall may be from where it was seen", 0.0, 1.0);
+  stage.add("sonar-blind-corner", assemble.sonar_corner_m,
+            "m; longest cut-off corner that counts as not heard by sonars; 0 leaves them", 0.0,
+            3.0);
   stage.add("wall-thickness", assemble.merge.wall_thickness_m,
             "m; of walls whose other side nobody saw", 0.02, 2.0);
   stage.flag("draw-path", settings.draw.show_trajectory, "draw the robot's path");

@@ -15,6 +15,7 @@ constexpr double kBestWithinM = 0.4;    // the narrowest chord within this much 
 constexpr double kSonarLagM = 0.4;      // sonars hear a jamb well only from beside it: looked for
                                         // this much later than with a laser
 constexpr double kSeedM = 1.0;          // the live grid of a new ASR starts with this much path
+constexpr int kHandOverAfter = 30;      // readings: a room that was left is mapped by then
 constexpr double kHeadingSpanM = 0.15;  // motion direction is taken over this much path each way
 
 /// A doorway on the path, and where on the path it was found.
@@ -63,6 +64,7 @@ class AsrRecorder::State {
         live_(options.map.cell_m) {}
 
   void add(const RangeReading& reading, const Pose2& reckoned_from_robot) {
+    if (++since_left_ == kHandOverAfter) hand_over();
     if (!last_) odom_from_asr_ = reading.odom_from_robot;
     const Pose2 step = last_ ? inverse(last_->reckoned_from_robot) * reckoned_from_robot : Pose2{};
     const Pose2 predicted = last_ ? last_->asr_from_robot * step : Pose2{};
@@ -96,13 +98,22 @@ class AsrRecorder::State {
     draw(reading, asr_from_robot);
   }
 
-  /// Adds a sweep to the live grid, if the robot has moved since the last.
+  /// Takes a sweep for the live grid, if the robot has moved since the last.
   void draw(const RangeReading& reading, const Pose2& asr_from_robot) {
     if (last_drawn_ && !moved_enough(*last_drawn_, asr_from_robot, options_.map)) return;
     last_drawn_ = asr_from_robot;
-    std::int64_t ignored = 0;
-    live_.add_sweep(rays_of(reading, asr_from_robot, ray_options(options_.map), ignored));
-    live_.mark_robot(asr_from_robot, footprint_);
+    undrawn_.emplace_back(reading, asr_from_robot);
+  }
+
+  /// The live grid with all that was taken for it: not at once, since a new room begins with many.
+  const HimmGrid& live() {
+    for (const auto& [reading, asr_from_robot] : undrawn_) {
+      std::int64_t ignored = 0;
+      live_.add_sweep(rays_of(reading, asr_from_robot, ray_options(options_.map), ignored));
+      live_.mark_robot(asr_from_robot, footprint_);
+    }
+    undrawn_.clear();
+    return live_;
   }
 
   /// The pose on the path at an index, heading along the motion; nothing where the robot only
@@ -129,7 +140,7 @@ class AsrRecorder::State {
     const auto index = static_cast<std::size_t>(lagged - along_m_.begin());
     const std::optional<Pose2> motion = motion_at(index);
     const std::optional<Doorway> doorway =
-        motion ? find_doorway(live_, *motion, options_.doorway) : std::nullopt;
+        motion ? find_doorway(live(), *motion, options_.doorway) : std::nullopt;
     if (doorway && (!candidate_ || doorway->width_m < candidate_->doorway.width_m)) {
       candidate_ = DoorwayOnPath{*doorway, index, along_m_[index]};
     }
@@ -230,6 +241,7 @@ class AsrRecorder::State {
     const Pose2 odom_from_asr =
         asr.path.back().odom_from_robot * inverse(asr.path.back().asr_from_robot);
     hand_over();
+    since_left_ = 0;
     closing_ = std::async(std::launch::async, [this, asr = std::move(asr)]() mutable {
       map(asr);
       return std::move(asr);
@@ -237,6 +249,7 @@ class AsrRecorder::State {
 
     along_m_.clear();
     live_ = HimmGrid(options_.map.cell_m);
+    undrawn_.clear();
     if (localizer_) localizer_->clear();
     last_drawn_.reset();
     candidate_.reset();
@@ -254,8 +267,8 @@ class AsrRecorder::State {
     if (!options_.keep_readings) asr.readings.clear();
   }
 
-  /// Waits for the room that is being mapped. Always at the same place of the mission, so that what
-  /// the sink receives does not depend on how long it took.
+  /// Waits for the room that is being mapped. Always as many readings later, so that what the sink
+  /// receives does not depend on how long it took.
   void hand_over() {
     if (closing_.valid()) sink_.put(closing_.get());
   }
@@ -279,10 +292,12 @@ class AsrRecorder::State {
   std::vector<RangeReading> readings_;
   std::vector<double> along_m_;  ///< length of the path up to each sample
   HimmGrid live_;                ///< the room as seen so far, not yet cut at doors
+  std::vector<std::pair<RangeReading, Pose2>> undrawn_;  ///< not in `live_` yet
   std::optional<Pose2> last_drawn_;
   double searched_to_m_ = 0.0;  ///< doorways were looked for up to here
   std::optional<DoorwayOnPath> candidate_;
   std::optional<double> since_doorway_m_;  ///< from the last doorway to this ASR's first sample
+  int since_left_ = 0;                     ///< readings since a room was left
   std::future<Asr> closing_;               ///< the room before; its destructor waits
 };
 

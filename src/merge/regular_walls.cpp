@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/merge/regular_walls.hpp"
 
+#include "blind_corners.hpp"
 #include "heal.hpp"
 #include "regular_doors.hpp"
 #include "ring_edges.hpp"
@@ -157,7 +158,11 @@ RegularOutlines with_regular_walls(std::vector<PlacedOutline> outlines,
     turn_into_wall(door, rings, result.directions_rad, options);
   }
   for (const auto& [room, of_room] : rings) {
-    for (Ring* ring : of_room) *ring = straightened(*ring, result.directions_rad, options);
+    for (Ring* ring : of_room) {
+      *ring = straightened(*ring, result.directions_rad, options);
+      Polygon closed{with_closed_corners(*ring, result.directions_rad, options), {}};
+      if (planar::is_simple(closed)) *ring = std::move(closed.outer);
+    }
   }
   std::vector<RegularEdge> edges;
   std::vector<EdgeNumbers> numbers;

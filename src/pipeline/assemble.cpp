@@ -240,8 +240,9 @@ Assembly assemble_rooms(const AsrSource& source, const Placement& known,
   assembly.plan = plan_of(building.outlines, doors);
   if (options.regular_walls) {
     assembly.measured_plan = std::move(assembly.plan);
-    const RegularOutlines regular =
-        with_regular_walls(std::move(building.outlines), doors, options.regular);
+    RegularWallOptions walls = options.regular;
+    if (building.sensor == SensorKind::sonar) walls.blind_corner_m = options.sonar_corner_m;
+    const RegularOutlines regular = with_regular_walls(std::move(building.outlines), doors, walls);
     assembly.plan = plan_of(regular.outlines, regular.doors);
     if (regular.kept > 0) {
       assembly.plan.issues.push_back(

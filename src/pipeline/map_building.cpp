@@ -188,6 +188,7 @@ MappedBuilding map_building(const AsrSource& source, const Placement& placement,
                                           footprint, options.segment.grid);
   const RoomSegmentation rooms = segment_rooms(grid, placed.building_from_robot, options.segment);
   MappedBuilding building;
+  building.sensor = placed.kind;
   building.room_of_asr = rooms_of_asrs(placed, rooms.room_of_pose);
   building.doors = doors_of(placed, rooms);
   add_outlines(placed, grid, rooms, options, building);

@@ -14,8 +14,9 @@ namespace roomatlas {
 struct MappedBuilding {
   std::map<AsrId, RoomId> room_of_asr;  ///< the room in which most of its path lies
   std::vector<BuildingDoor> doors;
-  std::vector<PlacedOutline> outlines;  ///< one a room
-  std::vector<Polygon> furniture;       ///< what stands free in a room
+  std::vector<PlacedOutline> outlines;    ///< one a room
+  std::vector<Polygon> furniture;         ///< what stands free in a room
+  SensorKind sensor = SensorKind::laser;  ///< sonar where there were both
 };
 
 /// True when every ASR has its readings and a path that was found in a map: then the mission can

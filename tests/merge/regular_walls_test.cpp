@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace roomatlas {
@@ -55,6 +56,26 @@ TEST(RegularWalls, MakeARoughRoomARectangleWithClosedCorners) {
   EXPECT_EQ(regular.kept, 0);
   EXPECT_EQ(regular.outlines[0].outline.outer.size(), 4U);
   EXPECT_NEAR(area(regular.outlines[0].outline), 20.0, 0.2);
+}
+
+TEST(RegularWalls, MeetInCornersThatSonarsDidNotHear) {
+  // cut off at three corners, by a pillar at the last, with a long slanted wall beside it
+  const Ring seen = {{0.4, 0},   {5, 0},     {5, 3.7}, {4.6, 4}, {1.4, 4},
+                     {0.7, 3.2}, {0.7, 2.9}, {0, 2.9}, {0, 0.3}};
+  RegularWallOptions options;
+  const auto outlines = turned({room(1, seen)}, 30.0);
+  const Ring as_seen = with_regular_walls(outlines, {}, options).outlines[0].outline.outer;
+  EXPECT_EQ(as_seen.size(), seen.size());
+  options.blind_corner_m = 0.8;
+  const Polygon closed = with_regular_walls(outlines, {}, options).outlines[0].outline;
+  const Ring expected = {{0, 0}, {5, 0}, {5, 4}, {1.4, 4}, {0.7, 3.2}, {0.7, 2.9}, {0, 2.9}};
+  ASSERT_EQ(closed.outer.size(), expected.size());
+  const Polygon truth = transformed(Pose2{0.0, 0.0, radians(30.0)}, Polygon{expected, {}});
+  for (const Point2& corner : truth.outer) {
+    EXPECT_TRUE(std::any_of(closed.outer.begin(), closed.outer.end(), [&](const Point2& found) {
+      return (found - corner).norm() < 0.02;
+    })) << corner.transpose();
+  }
 }
 
 TEST(RegularWalls, OfNeighboursThatAreNearlyOnOneLineAreOnOneLine) {

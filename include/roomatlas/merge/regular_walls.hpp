@@ -14,6 +14,8 @@ struct RegularWallOptions {
   double min_wall_m = 0.4;          ///< shorter edges say nothing about directions
   double align_gap_m = 4.0;         ///< walls this far apart along their line may still be one line
   double max_door_turn_deg = 30.0;  ///< of a door into its wall: its jambs lie on two sides of it
+  double blind_corner_m = 0.0;      ///< longest edge that cuts off a corner which sonars did not
+                                    ///< hear; the two walls then meet. 0: corners stay as seen
   double min_direction_share = 0.12;  ///< of the wall length, for a second direction (a wing)
 };
 

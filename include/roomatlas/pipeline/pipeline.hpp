@@ -57,6 +57,7 @@ struct AssembleOptions {
   CorrectOptions correct;
   bool regular_walls = true;  ///< also draw walls along the building's directions
   RegularWallOptions regular;
+  double sonar_corner_m = 0.8;  ///< `regular.blind_corner_m` where sonars were heard
   MergeOptions merge;
   RecorderOptions record;  ///< for mapping rooms again once more is known
   bool map_again = true;   ///< cut the rooms' outlines at doors that only later visits found

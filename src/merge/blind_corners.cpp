@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "blind_corners.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "ring_edges.hpp"
+#include "wall_lines.hpp"
+
+namespace roomatlas {
+namespace {
+
+/// Where the lines of the edges before and after an edge meet, if that is a corner cut off by it.
+std::optional<Point2> corner_cut_off(const Ring& ring, std::size_t edge,
+                                     const std::vector<double>& directions_rad,
+                                     const RegularWallOptions& options) {
+  const std::size_t count = ring.size();
+  const Point2& before = ring[(edge + count - 1) % count];
+  const Point2& from = ring[edge];
+  const Point2& to = ring[(edge + 1) % count];
+  const Point2& after = ring[(edge + 2) % count];
+  if ((to - from).norm() > options.blind_corner_m) return std::nullopt;
+  const auto first = regular_edge(before, from, directions_rad, options);
+  const auto second = regular_edge(to, after, directions_rad, options);
+  if (!first || !second) return std::nullopt;
+  const double turn = cross(first->line.along, second->line.along);
+  if (turn < 0.99) return std::nullopt;  // no right angle to the left: floor inside it
+  const double on_m = cross(to - from, second->line.along) / turn;
+  const Point2 corner = from + on_m * first->line.along;
+  const bool is_beyond = on_m > 0.0 && second->line.along.dot(to - corner) > 0.0;
+  const bool is_near =
+      on_m <= options.blind_corner_m && (to - corner).norm() <= options.blind_corner_m;
+  return is_beyond && is_near ? std::optional<Point2>(corner) : std::nullopt;
+}
+
+}  // namespace
+
+Ring with_closed_corners(const Ring& ring, const std::vector<double>& directions_rad,
+                         const RegularWallOptions& options) {
+  if (options.blind_corner_m <= 0.0 || ring.size() < 4) return ring;
+  std::vector<std::optional<Point2>> corners(ring.size());
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    corners[i] = corner_cut_off(ring, i, directions_rad, options);
+  }
+  Ring closed;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const std::size_t before = (i + ring.size() - 1) % ring.size();
+    if (corners[i]) {
+      closed.push_back(*corners[i]);
+    } else if (!corners[before]) {
+      closed.push_back(ring[i]);
+    }
+  }
+  return closed;
+}
+
+}  // namespace roomatlas
