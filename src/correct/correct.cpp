@@ -118,7 +118,8 @@ Correction correct(const std::vector<Asr>& asrs, const RoomGraph& graph,
 }
 
 Correction correct_to(const std::vector<Asr>& asrs, const RoomGraph& graph,
-                      const Placement& placement, const CorrectOptions& options) {
+                      const Placement& placement, const CorrectOptions& options,
+                      std::optional<double> walls_rad) {
   Correction correction;
   correction.model = "trajectory";
   correction.message = "placed by the corrected trajectory";
@@ -126,7 +127,10 @@ Correction correct_to(const std::vector<Asr>& asrs, const RoomGraph& graph,
   CorrectOptions as_measured = options;
   as_measured.use_heading_bias = false;
   const Measurements measurements = measurements_of(asrs, graph, as_measured);
-  const State state = initial_guess(measurements, as_measured, placement);
+  State state = initial_guess(measurements, as_measured, placement);
+  for (double& direction_rad : state.direction_rad) {
+    direction_rad = walls_rad.value_or(direction_rad);
+  }
   correction.initial_cost = correction.final_cost = 0.0;
   const auto report = [&](const Measurements::Edge& edge, FactorKind kind) {
     PoseEdge measured;

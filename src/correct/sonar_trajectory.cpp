@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "roomatlas/correct/wall_direction.hpp"
 #include "sonar_attempt.hpp"
 #include "sonar_repairs.hpp"
 
@@ -85,10 +86,11 @@ bool is_verified(const Attempt& kept, const std::vector<Attempt>& others,
   });
 }
 
-/// Moves a trajectory so that it begins where odometry does.
-void begin_at(const Pose2& first, std::vector<Pose2>& poses) {
+/// Moves a trajectory so that it begins where odometry does. @return the turn
+double begin_at(const Pose2& first, std::vector<Pose2>& poses) {
   const Pose2 moved = first * inverse(poses.front());
   for (Pose2& pose : poses) pose = moved * pose;
+  return moved.theta_rad;
 }
 
 }  // namespace
@@ -155,7 +157,8 @@ SonarTrajectory correct_sonar_trajectory(Readings readings, const SonarTrajector
   result.segments = best->problem.segments.size();
   result.loops_verified = is_verified(best->attempt, attempts, options);
   result.map_from_robot = std::move(best->attempt.map_from_robot);
-  begin_at(readings.front().odom_from_robot, result.map_from_robot);
+  const double turn_rad = begin_at(readings.front().odom_from_robot, result.map_from_robot);
+  if (!best->is_odometry) result.walls_rad = wrap_quarter(turn_rad);
   return result;
 }
 

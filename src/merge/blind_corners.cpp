@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "blind_corners.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -10,8 +11,20 @@
 namespace roomatlas {
 namespace {
 
+/// Whether an edge runs from jamb to jamb.
+bool is_threshold(const Point2& a, const Point2& b, const std::vector<PlacedDoor>& doors) {
+  constexpr double kAtJambM = 0.15;
+  const auto are_at = [&](const Point2& first, const Point2& second) {
+    return (a - first).norm() < kAtJambM && (b - second).norm() < kAtJambM;
+  };
+  return std::any_of(doors.begin(), doors.end(), [&](const PlacedDoor& door) {
+    return are_at(door.jambs.a, door.jambs.b) || are_at(door.jambs.b, door.jambs.a);
+  });
+}
+
 /// Where the lines of the edges before and after an edge meet, if that is a corner cut off by it.
 std::optional<Point2> corner_cut_off(const Ring& ring, std::size_t edge,
+                                     const std::vector<PlacedDoor>& doors,
                                      const std::vector<double>& directions_rad,
                                      const RegularWallOptions& options) {
   const std::size_t count = ring.size();
@@ -22,7 +35,9 @@ std::optional<Point2> corner_cut_off(const Ring& ring, std::size_t edge,
   if ((to - from).norm() > options.blind_corner_m) return std::nullopt;
   const auto first = regular_edge(before, from, directions_rad, options);
   const auto second = regular_edge(to, after, directions_rad, options);
-  if (!first || !second) return std::nullopt;
+  if (!first || !second || is_threshold(before, from, doors) || is_threshold(to, after, doors)) {
+    return std::nullopt;
+  }
   const double turn = cross(first->line.along, second->line.along);
   if (turn < 0.99) return std::nullopt;  // no right angle to the left: floor inside it
   const double on_m = cross(to - from, second->line.along) / turn;
@@ -35,12 +50,13 @@ std::optional<Point2> corner_cut_off(const Ring& ring, std::size_t edge,
 
 }  // namespace
 
-Ring with_closed_corners(const Ring& ring, const std::vector<double>& directions_rad,
+Ring with_closed_corners(const Ring& ring, const std::vector<PlacedDoor>& doors,
+                         const std::vector<double>& directions_rad,
                          const RegularWallOptions& options) {
   if (options.blind_corner_m <= 0.0 || ring.size() < 4) return ring;
   std::vector<std::optional<Point2>> corners(ring.size());
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    corners[i] = corner_cut_off(ring, i, directions_rad, options);
+    corners[i] = corner_cut_off(ring, i, doors, directions_rad, options);
   }
   Ring closed;
   for (std::size_t i = 0; i < ring.size(); ++i) {

@@ -160,7 +160,7 @@ RegularOutlines with_regular_walls(std::vector<PlacedOutline> outlines,
   for (const auto& [room, of_room] : rings) {
     for (Ring* ring : of_room) {
       *ring = straightened(*ring, result.directions_rad, options);
-      Polygon closed{with_closed_corners(*ring, result.directions_rad, options), {}};
+      Polygon closed{with_closed_corners(*ring, result.doors, result.directions_rad, options), {}};
       if (planar::is_simple(closed)) *ring = std::move(closed.outer);
     }
   }

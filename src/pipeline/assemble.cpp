@@ -94,15 +94,22 @@ CorrectedGraph correct_in_rounds(const std::vector<Asr>& asrs, const AssembleOpt
   return result;
 }
 
+/// Where the ASRs are known to be already, and the direction of the walls there.
+struct KnownPlacement {
+  Placement placement;
+  std::optional<double> walls_rad;
+};
+
 /// Rooms that are known to lie right: doorways are recognised where they are.
-CorrectedGraph correct_from(const std::vector<Asr>& asrs, const Placement& known,
+CorrectedGraph correct_from(const std::vector<Asr>& asrs, const KnownPlacement& known,
                             const AssembleOptions& options) {
   CorrectedGraph result;
   result.graph = build_graph(asrs);
-  for (const PassageEdge& edge : recognise_doorways(asrs, known, options.recognise)) {
+  for (const PassageEdge& edge : recognise_doorways(asrs, known.placement, options.recognise)) {
     add_edge(result.graph, edge);
   }
-  result.correction = correct_to(asrs, result.graph, known, options.correct);
+  result.correction =
+      correct_to(asrs, result.graph, known.placement, options.correct, known.walls_rad);
   return result;
 }
 
@@ -201,8 +208,8 @@ std::vector<AsrId> asrs_of(RoomId room, const std::map<AsrId, RoomId>& room_of_a
 }
 
 /// Everything after the rooms are as true as they will be.
-/// @param known where the ASRs are known to be already; may be empty
-Assembly assemble_rooms(const AsrSource& source, const Placement& known,
+/// @param known may be empty
+Assembly assemble_rooms(const AsrSource& source, const KnownPlacement& known,
                         const RobotFootprint& footprint, const AssembleOptions& options,
                         const Progress& progress) {
   const std::vector<Asr> asrs = load(source, AsrDetail::path);
@@ -210,7 +217,7 @@ Assembly assemble_rooms(const AsrSource& source, const Placement& known,
 
   Assembly assembly;
   report(progress, "correct", 0.0);
-  CorrectedGraph corrected = !known.empty() ? correct_from(asrs, known, options)
+  CorrectedGraph corrected = !known.placement.empty() ? correct_from(asrs, known, options)
                              : options.match_rooms && can_match_rooms(asrs)
                                  ? correct_by_matching(source, asrs, options)
                                  : correct_in_rounds(asrs, options);
@@ -266,7 +273,8 @@ Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
   report(progress, "correct sonars", 0.0);
   SonarTrajectory trajectory = correct_sonar_trajectory(sonars, options.sonars);
   RecordedAgain again = record_again(sonars, trajectory.map_from_robot, footprint, options.record);
-  Assembly assembly = assemble_rooms(again.asrs, again.placement, footprint, options, progress);
+  const KnownPlacement known{std::move(again.placement), trajectory.walls_rad};
+  Assembly assembly = assemble_rooms(again.asrs, known, footprint, options, progress);
   assembly.mapped_again = std::move(again.asrs.asrs);
   trajectory.map_from_robot.clear();
   trajectory.heading_sigma_rad.clear();

@@ -3,8 +3,12 @@
 // out is compared with the world.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "pipeline/memory_mission.hpp"
+#include "roomatlas/correct/wall_direction.hpp"
 #include "roomatlas/io/formats.hpp"
+#include "roomatlas/merge/regular_walls.hpp"
 #include "roomatlas/simulate/explore.hpp"
 
 namespace roomatlas {
@@ -21,6 +25,15 @@ struct Exploration {
 
 std::string name_of(const testing::TestParamInfo<Exploration>& exploration) {
   return exploration.param.world + std::string("_") + std::to_string(exploration.param.seed);
+}
+
+/// Of the direction of most walls against the axes.
+double turn_of_walls(const FloorPlan& plan) {
+  std::vector<PlacedOutline> outlines;
+  for (const PlanRoom& room : plan.rooms) {
+    for (const Polygon& part : room.parts) outlines.push_back({0, room.id, part});
+  }
+  return wrap_quarter(building_directions(outlines, {}).at(0));
 }
 
 class ExploredWorld : public testing::TestWithParam<Exploration> {};
@@ -47,6 +60,7 @@ TEST_P(ExploredWorld, ComesBackAsItsPlan) {
   }
   const Evaluation judged = evaluate(placed.odometry, placed.corrected, assembly.plan, truth);
   EXPECT_LT(judged.true_poses->after.position_m.mean, GetParam().largest_mean_m);
+  EXPECT_LT(std::abs(degrees(turn_of_walls(assembly.plan))), 0.4);
   EXPECT_EQ(judged.plan->strict.f1, 1.0) << "rooms at IoU 0.75";
   EXPECT_EQ(judged.plan->door_score.f1, 1.0);
   EXPECT_LT(judged.plan->mean_door_distance_m, 0.1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include "roomatlas/correct/correction.hpp"
 #include "roomatlas/correct/wall_direction.hpp"
 #include "roomatlas/graph/room_graph.hpp"
@@ -54,8 +55,10 @@ struct CorrectOptions {
 /// stay there, but for the turn that makes the walls' direction the x axis; the graph's
 /// measurements are reported, not solved.
 /// @param placement of every ASR
+/// @param walls_rad direction of the walls there, where it is known better than from single ASRs
 [[nodiscard]] Correction correct_to(const std::vector<Asr>& asrs, const RoomGraph& graph,
-                                    const Placement& placement, const CorrectOptions& options);
+                                    const Placement& placement, const CorrectOptions& options,
+                                    std::optional<double> walls_rad = std::nullopt);
 
 /// How much a measurement of the graph is trusted: inverse covariance of x, y, theta in the frame
 /// of `to`, 1/m^2 and 1/rad^2.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -48,6 +49,8 @@ struct SonarTrajectory {
   std::vector<Pose2> map_from_robot;      ///< one a reading; the first is odometry's first
   std::vector<double> heading_sigma_rad;  ///< one a reading: how unsure the heading's posterior is
   OdometryHabits habits;                  ///< as found
+  std::optional<double> walls_rad;        ///< first of these directions in the map's frame, [-pi/4,
+                                          ///< pi/4); none where walls follow no direction
   std::vector<double> wall_directions_rad;  ///< of the building, modulo 90 degrees, from the first
   double log_evidence = 0.0;                ///< of the headings, against "walls lie anyhow"
   int intervals_reversed = 0;               ///< drives that odometry reported the wrong way round
