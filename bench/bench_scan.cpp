@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a laser scan costs the online stage, in the first and in the last quarter of recorded logs.
-// Processor time, of the thread that takes the readings, between handing out one and being asked for
-// the next; a room that was left is mapped in a thread of its own.
+// Processor time, of the thread that takes the readings, between handing out one and being asked
+// for the next; a room that was left is mapped in a thread of its own.
 //   bench_scan [LOG...]
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <exception>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,8 @@ double now_ms() {
 }
 
 double quantile(std::vector<double> values, double share) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(
-                                       share * static_cast<double>(values.size() - 1));
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
@@ -84,7 +85,13 @@ int main(int argc, char** argv) {
       logs.push_back(bench::recorded_data() / "logs" / log);
     }
   }
-  std::printf("| log | scans | mean (ms) | median: first, last quarter | 99 %% | most |\n"
-              "|---|---|---|---|---|---|\n");
-  for (const auto& log : logs) time_log(log);
+  std::printf(
+      "| log | scans | mean (ms) | median: first, last quarter | 99 %% | most |\n"
+      "|---|---|---|---|---|---|\n");
+  try {
+    for (const auto& log : logs) time_log(log);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_scan: %s\n", error.what());
+    return 3;
+  }
 }

@@ -13,7 +13,6 @@ constexpr double kAtGoalM = 0.12;
 constexpr double kGiveUpM = 0.3;       // frontiers this near to a hopeless one are hopeless too
 constexpr double kDoorSkipM = 0.2;     // of the way ahead, beside the robot itself
 constexpr double kBeyondDoorM = 0.45;  // how far behind a door its way ends
-constexpr double kGapM = 0.6;          // how far into a gap too narrow to pass the robot would look
 constexpr int kStuckGoals = 10;
 
 }  // namespace

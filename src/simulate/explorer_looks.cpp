@@ -21,9 +21,7 @@ const auto never = [](const Cell&) { return false; };
 
 std::optional<Explorer::Goal> Explorer::look_goal(const Point2& position) {
   (void)paths_.way(map_, position, never, never);
-  const auto is_over = [&](const Cell& cell) { return !is_worth_a_look(cell); };
-  to_look_from_.erase(std::remove_if(to_look_from_.begin(), to_look_from_.end(), is_over),
-                      to_look_from_.end());
+  std::erase_if(to_look_from_, [&](const Cell& cell) { return !is_worth_a_look(cell); });
   if (to_look_from_.empty()) {
     for_each_cell(map_.box(), [&](const Cell& cell) {
       if (is_worth_a_look(cell)) to_look_from_.push_back(cell);

@@ -23,8 +23,9 @@ struct RecorderOptions {
 };
 
 /// The online stage: a stream of readings becomes a stream of ASRs (paper III). The one object
-/// that remembers: it holds the room being mapped and nothing of the rooms before, so that cost
-/// and memory do not depend on how long the mission has been.
+/// that remembers: it holds the room being mapped and, for some readings, the one before, which a
+/// thread of its own maps meanwhile; nothing of the rooms before, so that cost and memory do not
+/// depend on how long the mission has been.
 class AsrRecorder {
  public:
   /// @param localizer finds the robot inside a room; none: dead reckoning is believed
