@@ -7,6 +7,9 @@
 namespace roomatlas {
 namespace {
 
+constexpr double kLostSigmaM = 0.1;  // of a pose that a wide search found
+constexpr double kLostSigmaRad = radians(2.0);
+
 /// Every n-th point, so that at most about `max_points` are left.
 std::vector<ScanPoint> thinned(const std::vector<ScanPoint>& points, int max_points) {
   const std::size_t stride =
@@ -35,6 +38,19 @@ bool RoomLocalizer::is_at_ease(const ScanAlignment& aligned, const PosePrior& pr
          aligned.matched > options_.ease_share * aligned.points &&
          moved.position().norm() < options_.ease_sigmas * prior.position_sigma_m &&
          std::abs(moved.theta_rad) < options_.ease_sigmas * prior.heading_sigma_rad;
+}
+
+/// Where odometry told nothing of a motion: the room itself says where the robot is.
+ScanAlignment RoomLocalizer::search_wide(const std::vector<ScanPoint>& points,
+                                         const Pose2& predicted, double step_m,
+                                         double turned_rad) const {
+  CorrelateOptions window = options_.lost;
+  window.reach_m += 2.0 * step_m;  // it may have been the other way
+  window.reach_rad += options_.search_per_turn / 2.0 * turned_rad;
+  PosePrior anywhere{predicted, window.reach_m, window.reach_rad};
+  anywhere.mean = correlate(map_, points, anywhere, window);
+  const Pose2 start = correlate(map_, points, anywhere, options_.correlate);
+  return align(map_, points, start, PosePrior{start, kLostSigmaM, kLostSigmaRad}, options_.align);
 }
 
 void RoomLocalizer::clear() {
@@ -79,6 +95,13 @@ Pose2 RoomLocalizer::locate(const RangeReading& reading, const Pose2& predicted,
       window.reach_rad += options_.search_per_turn * turned_rad;
       const Pose2 start = correlate(map_, points, wide, window);
       aligned = align(map_, points, start, prior, options_.align);
+    }
+    if (aligned.matched < options_.lost_share * aligned.points) {
+      const ScanAlignment found =
+          search_wide(points, predicted, step.position().norm(), turned_rad);
+      const double more = static_cast<double>(found.matched - aligned.matched);
+      const bool is_there = found.matched > options_.found_share * found.points;
+      if (is_there && more > options_.found_more_share * found.points) aligned = found;
     }
     if (aligned.matched > options_.min_matched &&
         aligned.matched > options_.min_matched_share * aligned.points) {

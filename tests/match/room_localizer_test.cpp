@@ -71,6 +71,33 @@ TEST(RoomLocalizer, FindsTheRobotAgainAfterAJumpOfOdometry) {
   EXPECT_LT(drive.worst_deg, 1.0);
 }
 
+/// How far off the robot ends that drives around half the room and then backs up ten steps, which
+/// odometry reports as driven forwards.
+double off_after_backing_up_m(const LocalizeOptions& options) {
+  const auto readings = every(4, laps(1));
+  RoomLocalizer localizer{options};
+  localizer.add(readings.front(), readings.front().odom_from_robot);
+  Pose2 pose = readings.front().odom_from_robot;
+  const std::size_t middle = readings.size() / 2;
+  std::size_t here = 0;
+  const auto drive_to = [&](std::size_t next, double sign) {
+    Pose2 step = inverse(readings[here].odom_from_robot) * readings[next].odom_from_robot;
+    step.x_m *= sign;
+    pose = localizer.locate(readings[next], pose * step, step);
+    here = next;
+  };
+  while (here < middle) drive_to(here + 1, 1.0);
+  while (here > middle - 10) drive_to(here - 1, -1.0);
+  return (pose.position() - readings[here].odom_from_robot.position()).norm();
+}
+
+TEST(RoomLocalizer, FindsTheRobotThatBackedUpUnreported) {
+  LocalizeOptions options;
+  EXPECT_LT(off_after_backing_up_m(options), 0.03);
+  options.lost_share = 0.0;  // never searches farther
+  EXPECT_GT(off_after_backing_up_m(options), 0.3);
+}
+
 TEST(RoomLocalizer, GivesTheSameBitsTwice) {
   const auto readings = every(3, laps(1));
   RoomLocalizer one{LocalizeOptions{}};

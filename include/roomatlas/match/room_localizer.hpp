@@ -24,8 +24,14 @@ struct LocalizeOptions {
   double min_matched_share = 0.3;   ///< so is it below this share of the sweep
   double ease_share = 0.8;          ///< of the points on walls, with the pose this near to ...
   double ease_sigmas = 1.5;         ///< ... odometry's: no need to search. Smaller searches more
-  double insert_every_m = 0.10;     ///< a sweep enters the map after this much motion ...
-  double insert_every_deg = 4.0;    ///< ... or turn
+  double lost_share = 0.8;  ///< fewer of the points on walls: searched farther, since odometry
+                            ///< may have slipped, or told a motion the wrong way round ...
+  CorrelateOptions lost{0.2, 0.1, radians(16.0), radians(2.0), 0.05, 90};  ///< ... this far, plus
+                                                                           ///< twice the step
+  double found_share = 0.65;      ///< so many on walls there, and ...
+  double found_more_share = 0.1;  ///< ... so many more than before: it is believed
+  double insert_every_m = 0.10;   ///< a sweep enters the map after this much motion ...
+  double insert_every_deg = 4.0;  ///< ... or turn
 };
 
 /// Finds the robot inside the room being mapped.
@@ -61,6 +67,9 @@ class RoomLocalizer : public Localizer {
   [[nodiscard]] bool is_worth_adding(const Pose2& map_from_robot) const;
   void insert(const Scan& scan, const Pose2& map_from_robot);
 
+  [[nodiscard]] ScanAlignment search_wide(const std::vector<ScanPoint>& points,
+                                          const Pose2& predicted, double step_m,
+                                          double turned_rad) const;
   [[nodiscard]] bool is_at_ease(const ScanAlignment& aligned, const PosePrior& prior) const;
 
   LocalizeOptions options_;
