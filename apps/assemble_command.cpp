@@ -6,6 +6,7 @@
 #include "roomatlas/io/closures_file.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
 #include "roomatlas/io/room_names.hpp"
+#include "roomatlas/io/summary.hpp"
 #include "roomatlas/merge/carry_over.hpp"
 #include "store_metadata.hpp"
 
@@ -14,12 +15,8 @@ namespace roomatlas::apps {
 namespace {
 
 void report(const SonarTrajectory& sonars) {
-  const OdometryHabits& habits = sonars.habits;
-  spdlog::info(
-      "odometry: {:.2f} s late, {:+.2f} deg a metre, turns x {:.3f}, lengths x {:.3f}; {} drives "
-      "reversed",
-      habits.lag_s, degrees(habits.bias_rad_per_m), habits.turn_gain, habits.length_scale,
-      sonars.intervals_reversed);
+  spdlog::info("odometry: {:.2f} s late, {}; {} drives reversed", sonars.habits.lag_s,
+               describe(sonars.habits), sonars.intervals_reversed);
   if (sonars.variants.empty()) return;
   const SonarVariant& chosen = sonars.variants.at(sonars.chosen);
   spdlog::info(
@@ -53,6 +50,7 @@ void assemble(const Settings& settings, const Path& store_file) {
     store.put_measured_plan(*assembly.measured_plan);
   }
   store.put_closures(assembly.closures);
+  if (assembly.sonars) store.put_metadata({{"odometry_json", to_json(assembly.sonars->habits)}});
   put_former_rooms(store_file, {});
   store.finish();
   show(assembly.plan.issues);

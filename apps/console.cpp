@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "console.hpp"
 
+#include <fmt/format.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
@@ -40,6 +41,11 @@ Progress console_progress(const Settings& settings) {
     last = stage;
     return stop_requested == 0;
   };
+}
+
+std::string describe(const OdometryHabits& habits) {
+  return fmt::format("{:+.2f} deg a metre, turns x {:.3f}, lengths x {:.3f}",
+                     degrees(habits.bias_rad_per_m), habits.turn_gain, habits.length_scale);
 }
 
 void show(const Issues& issues, std::int64_t not_listed, std::size_t limit) {

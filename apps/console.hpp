@@ -2,6 +2,7 @@
 #pragma once
 
 #include "roomatlas/core/issue.hpp"
+#include "roomatlas/match/odometry_habits.hpp"
 #include "settings.hpp"
 
 namespace roomatlas::apps {
@@ -16,5 +17,8 @@ void set_up_console(const Settings& settings);
 /// Shows warnings and errors, the first `limit` of them, and how many more there are. Notes are
 /// counted, and shown with --verbose.
 void show(const Issues& issues, std::int64_t not_listed = 0, std::size_t limit = 10);
+
+/// Bias, gain and scale in words.
+[[nodiscard]] std::string describe(const OdometryHabits& habits);
 
 }  // namespace roomatlas::apps

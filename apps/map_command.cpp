@@ -91,11 +91,13 @@ void map(const Settings& settings, const Path& log, const Path& store_file) {
   former.remove();
   const MissionInfo& info = mission->info();
   store.put_metadata(metadata_of(info, sha256, settings));
+  if (summary.habits) store.put_metadata({{"odometry_json", to_json(*summary.habits)}});
   store.finish();
   show(info.issues, info.issues_not_listed);
   if (summary.intervals_reversed > 0) {
     spdlog::info("{} drives were reported forwards but went backwards", summary.intervals_reversed);
   }
+  if (summary.habits) spdlog::info("odometry: {}", describe(*summary.habits));
   spdlog::info("{}: {} readings, {:.0f} m -> {} ASRs in {}", log.filename().string(), info.readings,
                info.path_length_m, summary.asrs, store_file.string());
 }

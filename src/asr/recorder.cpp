@@ -85,6 +85,9 @@ class AsrRecorder::State {
   }
 
   [[nodiscard]] std::int64_t asrs_written() const { return next_id_ - 1; }
+  [[nodiscard]] std::optional<OdometryHabits> habits() const {
+    return localizer_ ? localizer_->habits() : std::nullopt;
+  }
 
  private:
   /// Adds a reading to the room: path, readings and the live grid.
@@ -311,5 +314,6 @@ void AsrRecorder::add(const RangeReading& reading, const Pose2& reckoned_from_ro
 }
 void AsrRecorder::finish() { state_->finish(); }
 std::int64_t AsrRecorder::asrs_written() const { return state_->asrs_written(); }
+std::optional<OdometryHabits> AsrRecorder::habits() const { return state_->habits(); }
 
 }  // namespace roomatlas

@@ -39,11 +39,8 @@ DrivenPath driven_path(std::span<const RangeReading> readings, const DriveDirect
     } else {
       Pose2 step = inverse(reported_before) * reported;
       const double length_m = step.position().norm();
-      const double sign = directions.reversed[i] ? -1.0 : 1.0;
-      step.x_m *= sign * habits.length_scale;
-      step.y_m *= sign * habits.length_scale;
-      const double forwards_m = step.x_m < 0.0 ? -length_m : length_m;
-      step.theta_rad = habits.turn_gain * step.theta_rad + habits.bias_rad_per_m * forwards_m;
+      if (directions.reversed[i]) step = {-step.x_m, -step.y_m, step.theta_rad};
+      step = without_habits(step, habits);
       path.odom_from_robot.push_back(path.odom_from_robot.back() * step);
       path.path_m.push_back(path.path_m.back() + length_m);
       path.turned_rad.push_back(path.turned_rad.back() + std::abs(step.theta_rad));

@@ -174,6 +174,13 @@ std::string to_json(const MissionInfo& info) {
   return text_of(json);
 }
 
+std::string to_json(const OdometryHabits& habits) {
+  return text_of({{"lag_s", habits.lag_s},
+                  {"bias_deg_per_m", degrees(habits.bias_rad_per_m)},
+                  {"turn_gain", habits.turn_gain},
+                  {"length_scale", habits.length_scale}});
+}
+
 std::string to_json(const Evaluation& evaluation) { return text_of(json_of(evaluation)); }
 
 std::string summary_json(const std::map<std::string, std::string>& metadata,
@@ -184,6 +191,8 @@ std::string summary_json(const std::map<std::string, std::string>& metadata,
   if (mission != metadata.end()) json["mission"] = Json::parse(mission->second);
   const auto hash = metadata.find("mission_sha256");
   if (hash != metadata.end()) json["mission"]["sha256"] = hash->second;
+  const auto habits = metadata.find("odometry_json");
+  if (habits != metadata.end()) json["odometry"] = Json::parse(habits->second);
   json["plan"] = json_of(plan);
   json["room_graph"] = json_of(graph);
   json["correction"] = json_of(correction);

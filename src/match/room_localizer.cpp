@@ -53,10 +53,22 @@ ScanAlignment RoomLocalizer::search_wide(const std::vector<ScanPoint>& points,
   return align(map_, points, start, PosePrior{start, kLostSigmaM, kLostSigmaRad}, options_.align);
 }
 
+/// Whether walls across the robot's way were seen, which tell how far it went.
+bool RoomLocalizer::is_length_seen(const ScanAlignment& aligned) const {
+  const Point2 ahead = direction(aligned.map_from_points.theta_rad);
+  return ahead.dot(aligned.hessian.topLeftCorner<2, 2>() * ahead) > options_.min_across;
+}
+
 void RoomLocalizer::clear() {
+  learner_.interrupt();
   map_ = LocalMap(options_.cell_m);
   last_added_.reset();
   recent_turn_rad_ = 0.0;
+}
+
+std::optional<OdometryHabits> RoomLocalizer::habits() const {
+  if (learner_.stretches() == 0) return std::nullopt;
+  return learner_.habits();
 }
 
 bool RoomLocalizer::is_worth_adding(const Pose2& map_from_robot) const {
@@ -73,9 +85,10 @@ void RoomLocalizer::add(const RangeReading& reading, const Pose2& asr_from_robot
   insert(scan_of(reading, options_.scan), asr_from_robot);
 }
 
-Pose2 RoomLocalizer::locate(const RangeReading& reading, const Pose2& predicted,
-                            const Pose2& step) {
+Pose2 RoomLocalizer::locate(const RangeReading& reading, const Pose2& reckoned, const Pose2& step) {
   constexpr double kFade = 0.5;
+  const Pose2 before = reckoned * inverse(step);
+  const Pose2 predicted = before * without_habits(step, learner_.habits());
   recent_turn_rad_ = kFade * recent_turn_rad_ + std::abs(step.theta_rad);
   if (!can_be_matched(reading)) return predicted;
   const Scan scan = scan_of(reading, options_.scan);
@@ -106,6 +119,9 @@ Pose2 RoomLocalizer::locate(const RangeReading& reading, const Pose2& predicted,
     if (aligned.matched > options_.min_matched &&
         aligned.matched > options_.min_matched_share * aligned.points) {
       pose = aligned.map_from_points;
+      learner_.add(step, inverse(before) * pose, is_length_seen(aligned));
+    } else {
+      learner_.interrupt();
     }
   }
   if (is_worth_adding(pose)) insert(scan, pose);

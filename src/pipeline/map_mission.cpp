@@ -74,6 +74,7 @@ MapSummary map_mission(MissionSource& mission, AsrSink& sink, const MapOptions& 
   }
   finish();
   counting.summary.intervals_reversed = reckoner.intervals_reversed();
+  if (recorder) counting.summary.habits = recorder->habits();
   require_enough(mission.info(), counting.summary);
   return counting.summary;
 }

@@ -63,6 +63,16 @@ TEST(RoomLocalizer, StaysWithTheTruthWhileOdometryDriftsAway) {
   EXPECT_LT(drive.worst_deg, 1.0);
 }
 
+TEST(RoomLocalizer, LearnsTheHabitsOfOdometry) {
+  RoomLocalizer localizer{LocalizeOptions{}};
+  EXPECT_FALSE(localizer.habits());
+  (void)localized(laps(4), localizer);
+  ASSERT_TRUE(localizer.habits());
+  EXPECT_NEAR(degrees(localizer.habits()->bias_rad_per_m), -1.5 / 1.02, 0.4);
+  EXPECT_NEAR(localizer.habits()->turn_gain, 1.0 / 1.03, 0.015);
+  EXPECT_NEAR(localizer.habits()->length_scale, 1.0 / 1.02, 0.008);
+}
+
 TEST(RoomLocalizer, FindsTheRobotAgainAfterAJumpOfOdometry) {
   const auto readings = laps(1);
   RoomLocalizer localizer{LocalizeOptions{}};

@@ -43,6 +43,8 @@ class AsrRecorder {
   void finish();
 
   [[nodiscard]] std::int64_t asrs_written() const;
+  /// Of odometry, as the localizer learnt them.
+  [[nodiscard]] std::optional<OdometryHabits> habits() const;
 
  private:
   class State;

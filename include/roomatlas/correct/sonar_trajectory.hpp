@@ -9,20 +9,11 @@
 
 #include "roomatlas/core/pose2.hpp"
 #include "roomatlas/match/drive_directions.hpp"
+#include "roomatlas/match/odometry_habits.hpp"
 #include "roomatlas/match/wall_segments.hpp"
 #include "roomatlas/mission/mission.hpp"
 
 namespace roomatlas {
-
-/// What odometry does in every step, and what has to be done about it.
-struct OdometryHabits {
-  double lag_s = 0.0;           ///< odometry's poses hold for ranges that are this much older
-  double bias_rad_per_m = 0.0;  ///< added to the heading for each metre driven forwards
-  double turn_gain = 1.0;       ///< times each turn
-  double length_scale = 1.0;    ///< times each length
-
-  [[nodiscard]] bool operator==(const OdometryHabits&) const = default;
-};
 
 struct SonarTrajectoryOptions {
   DriveDirectionOptions directions;

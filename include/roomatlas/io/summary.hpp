@@ -14,6 +14,9 @@ namespace roomatlas {
 /// alone.
 [[nodiscard]] std::string to_json(const MissionInfo& info);
 
+/// What had to be done about odometry, as one JSON object.
+[[nodiscard]] std::string to_json(const OdometryHabits& habits);
+
 /// All figures of an evaluation as one JSON object; statistics of nothing are null.
 [[nodiscard]] std::string to_json(const Evaluation& evaluation);
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "roomatlas/match/align.hpp"
+#include "roomatlas/match/odometry_habits.hpp"
 
 namespace roomatlas {
 
@@ -30,6 +31,8 @@ struct LocalizeOptions {
                                                                            ///< twice the step
   double found_share = 0.65;      ///< so many on walls there, and ...
   double found_more_share = 0.1;  ///< ... so many more than before: it is believed
+  double min_across = 60.0;       ///< points' weight on walls across the way, from which habits of
+                                  ///< odometry's lengths are learnt
   double insert_every_m = 0.10;   ///< a sweep enters the map after this much motion ...
   double insert_every_deg = 4.0;  ///< ... or turn
 };
@@ -47,10 +50,13 @@ class Localizer {
   /// @param step of odometry since the reading before, in the robot's frame
   [[nodiscard]] virtual Pose2 locate(const RangeReading& reading,
                                      const Pose2& predicted_asr_from_robot, const Pose2& step) = 0;
+  /// What it learnt of odometry by the way; none where it did not match.
+  [[nodiscard]] virtual std::optional<OdometryHabits> habits() const { return std::nullopt; }
 };
 
 /// Finds the robot in the room's own map, sweep by sweep, so that odometry's drift does not smear
-/// the walls. Remembers the room so far; cost and memory do not depend on the mission's length.
+/// the walls. Remembers the room so far, and odometry's habits, which it takes out of each step;
+/// cost and memory do not depend on the mission's length.
 /// Sweeps of sonars are too sparse to be matched one by one: they are neither matched nor added.
 class RoomLocalizer : public Localizer {
  public:
@@ -61,6 +67,7 @@ class RoomLocalizer : public Localizer {
   void add(const RangeReading& reading, const Pose2& asr_from_robot) override;
   [[nodiscard]] Pose2 locate(const RangeReading& reading, const Pose2& predicted_asr_from_robot,
                              const Pose2& step) override;
+  [[nodiscard]] std::optional<OdometryHabits> habits() const override;
 
  private:
   /// Whether the robot has moved since the last sweep was added.
@@ -70,10 +77,12 @@ class RoomLocalizer : public Localizer {
   [[nodiscard]] ScanAlignment search_wide(const std::vector<ScanPoint>& points,
                                           const Pose2& predicted, double step_m,
                                           double turned_rad) const;
+  [[nodiscard]] bool is_length_seen(const ScanAlignment& aligned) const;
   [[nodiscard]] bool is_at_ease(const ScanAlignment& aligned, const PosePrior& prior) const;
 
   LocalizeOptions options_;
   LocalMap map_;
+  HabitLearner learner_;
   std::optional<Pose2> last_added_;
   double recent_turn_rad_ = 0.0;  ///< fading: odometry that lags reports a turn too late
 };

@@ -36,6 +36,7 @@ struct MapSummary {
   std::int64_t asrs = 0;
   std::int64_t wall_vertices = 0;
   int intervals_reversed = 0;  ///< drives between stops that odometry reported the wrong way round
+  std::optional<OdometryHabits> habits;  ///< of odometry, learnt and taken out by the way (laser)
 };
 
 /// Online stage: a mission's events become ASRs in the sink, room by room.

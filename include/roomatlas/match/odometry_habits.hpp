@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "roomatlas/core/pose2.hpp"
+
+namespace roomatlas {
+
+/// What odometry does in every step, and what has to be done about it.
+struct OdometryHabits {
+  double lag_s = 0.0;           ///< odometry's poses hold for ranges that are this much older
+  double bias_rad_per_m = 0.0;  ///< added to the heading for each metre driven forwards
+  double turn_gain = 1.0;       ///< times each turn
+  double length_scale = 1.0;    ///< times each length
+
+  [[nodiscard]] bool operator==(const OdometryHabits&) const = default;
+};
+
+/// An odometry step with bias, gain and scale put right. The lag needs more than one step.
+[[nodiscard]] Pose2 without_habits(const Pose2& step, const OdometryHabits& habits);
+
+/// Learns bias, gain and scale while the robot drives, from how far matched motion differs from
+/// odometry's over stretches of about a metre: two robust linear regressions with a prior at no
+/// habits. Constant cost and memory.
+class HabitLearner {
+ public:
+  /// @param odometry,matched the same motion, in the robot's frame before it
+  /// @param is_length_seen whether walls fixed the length; in a bare corridor the match has
+  ///   odometry's own
+  void add(const Pose2& odometry, const Pose2& matched, bool is_length_seen);
+  /// The next motion does not follow the last, or could not be matched.
+  void interrupt() { stretch_ = {}; }
+
+  /// None, until they have foretold headings better than odometry alone.
+  [[nodiscard]] OdometryHabits habits() const;
+  [[nodiscard]] int stretches() const { return stretches_; }
+
+ private:
+  struct Stretch {
+    Pose2 odometry;
+    Pose2 matched;
+    double forwards_m = 0.0;
+    double turned_rad = 0.0;  ///< left and right add up
+    bool is_length_seen = true;
+  };
+  void learn_heading();
+  void learn_length();
+
+  Stretch stretch_;
+  int stretches_ = 0;
+  Eigen::Matrix2d heading_information_ = Eigen::Matrix2d::Zero();  ///< of bias and gain - 1
+  Eigen::Vector2d heading_sum_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d bias_and_gain_ = Eigen::Vector2d::Zero();
+  double length_information_ = 0.0;
+  double length_sum_ = 0.0;
+  double more_length_ = 0.0;  ///< scale - 1
+  /// Loss of what was foretold before each stretch was learnt from.
+  double loss_without_ = 0.0;
+  double loss_with_ = 0.0;
+};
+
+}  // namespace roomatlas
