@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "factors.hpp"
 #include "solve.hpp"
@@ -28,16 +29,23 @@ ModelResult solve_se2(const Measurements& measurements, const State& start,
   std::vector<ReportedFactor> factors;
 
   for (PoseBlock& pose : poses) problem.AddParameterBlock(pose.data(), 3);
-  const auto add_edge = [&](const Measurements::Edge& edge, FactorKind kind, bool is_robust) {
+  const auto add_edge = [&](const Measurements::Edge& edge, FactorKind kind,
+                            std::optional<double> robust_sigmas) {
     auto* cost =
         new RelativePoseFactor(edge.measured.from_from_to, information_of(edge.measured, options));
-    auto* loss = is_robust ? new ceres::CauchyLoss(options.robust_sigmas) : nullptr;
+    auto* loss = robust_sigmas ? new ceres::CauchyLoss(*robust_sigmas) : nullptr;
     const auto block =
         problem.AddResidualBlock(cost, loss, poses[edge.from].data(), poses[edge.to].data());
-    factors.push_back({block, report_of(measurements, edge, kind), is_robust});
+    factors.push_back({block, report_of(measurements, edge, kind), loss != nullptr});
   };
-  for (const auto& edge : measurements.driven) add_edge(edge, FactorKind::odometry, false);
-  for (const auto& edge : measurements.recognised) add_edge(edge, kind_of(edge.measured), true);
+  for (const auto& edge : measurements.driven) {
+    add_edge(
+        edge, FactorKind::odometry,
+        edge.measured.is_localized ? std::optional(options.passage_robust_sigmas) : std::nullopt);
+  }
+  for (const auto& edge : measurements.recognised) {
+    add_edge(edge, kind_of(edge.measured), options.robust_sigmas);
+  }
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const auto offset = wall_offset(measurements, start, i, options);
     if (!offset) continue;

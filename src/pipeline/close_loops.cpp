@@ -7,6 +7,7 @@
 
 #include "roomatlas/core/issue.hpp"
 #include "roomatlas/correct/optimize.hpp"
+#include "wider_matches.hpp"
 
 namespace roomatlas {
 namespace {
@@ -32,7 +33,9 @@ Uncertainty uncertainty_of(const Eigen::Matrix3d& covariance) {
 /// The room graph as the solver takes it, poses always up to date.
 class PlacedGraph {
  public:
-  explicit PlacedGraph(double robust_sigmas) : robust_sigmas_(robust_sigmas) {}
+  PlacedGraph(double closure_robust_sigmas, double passage_robust_sigmas)
+      : closure_robust_sigmas_(closure_robust_sigmas),
+        passage_robust_sigmas_(passage_robust_sigmas) {}
 
   void add_node(AsrId id, const Pose2& pose) {
     graph_.ids.push_back(id);
@@ -41,13 +44,11 @@ class PlacedGraph {
   void add_driven(std::size_t from, std::size_t to, const Pose2& pose,
                   const Eigen::Matrix3d& information) {
     graph_.edges.push_back({static_cast<std::int32_t>(from), static_cast<std::int32_t>(to),
-                            EdgeKind::odometry, pose, information, 0.0});
+                            EdgeKind::odometry, pose, information, passage_robust_sigmas_});
   }
-  void add(std::size_t from, std::size_t to, const MapMatch& match) {
-    graph_.edges.push_back({static_cast<std::int32_t>(from), static_cast<std::int32_t>(to),
-                            EdgeKind::loop, match.first_from_second, match.information,
-                            robust_sigmas_});
-  }
+  void add(const Pair& pair, const MapMatch& match) { add(pair, match, closure_robust_sigmas_); }
+  /// A match that is to be believed, however much it moves.
+  void add_believed(const Pair& pair, const MapMatch& match) { add(pair, match, 0.0); }
   void remove_closures() {
     std::erase_if(graph_.edges, [](const PoseEdge& e) { return e.kind == EdgeKind::loop; });
   }
@@ -79,7 +80,14 @@ class PlacedGraph {
   [[nodiscard]] const Pose2& pose(std::size_t i) const { return graph_.guess[i]; }
 
  private:
-  double robust_sigmas_;
+  void add(const Pair& pair, const MapMatch& match, double robust_sigmas) {
+    graph_.edges.push_back({static_cast<std::int32_t>(pair.first),
+                            static_cast<std::int32_t>(pair.second), EdgeKind::loop,
+                            match.first_from_second, match.information, robust_sigmas});
+  }
+
+  double closure_robust_sigmas_;
+  double passage_robust_sigmas_;
   PoseGraph graph_;
 };
 
@@ -94,7 +102,10 @@ class LoopCloser {
  public:
   LoopCloser(const std::vector<Asr>& asrs, const std::vector<AsrShape>& shapes,
              const RoomGraph& driven, const CorrectOptions& correct, const ClosureOptions& options)
-      : asrs_(asrs), shapes_(shapes), options_(options), placed_(options.robust_sigmas) {
+      : asrs_(asrs),
+        shapes_(shapes),
+        options_(options),
+        placed_(options.robust_sigmas, correct.passage_robust_sigmas) {
     std::map<AsrId, std::size_t> index_of;
     for (std::size_t i = 0; i < asrs.size(); ++i) index_of[asrs[i].id] = i;
     into_.resize(asrs.size());
@@ -109,9 +120,9 @@ class LoopCloser {
   ClosedLoops run() {
     for (std::size_t i = 0; i < asrs_.size(); ++i) enter(i);
     placed_.solve();
-    for (int round = 0; round < options_.rounds; ++round) {
-      match_all_again(round + 1 == options_.rounds);
-    }
+    for (int round = 1; round < options_.rounds; ++round) match_all_again(false);
+    mend();
+    match_all_again(true);
     ClosedLoops result;
     result.closures = std::move(closures_);
     for (std::size_t i = 0; i < asrs_.size(); ++i) {
@@ -156,7 +167,7 @@ class LoopCloser {
                                  .find(shapes_[pair.second].points, placed_.first_from_second(pair),
                                        window_of(between, options_));
       if (verdict_on(match, options_.min_agreeing) != ClosureVerdict::accepted) continue;
-      placed_.add(pair.first, pair.second, match);
+      placed_.add(pair, match);
       any = true;
     }
     if (any) placed_.solve();
@@ -192,9 +203,55 @@ class LoopCloser {
     placed_.remove_closures();
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
       if (closures_[k].verdict != ClosureVerdict::accepted) continue;
-      placed_.add(pairs_[k].first, pairs_[k].second, closures_[k].match);
+      placed_.add(pairs_[k], closures_[k].match);
     }
     placed_.solve();
+  }
+
+  /// Rooms that lie on each other and contradict each other: some of them lie elsewhere. They are
+  /// sought in a wider window. Those that would move alike are believed together, and kept where
+  /// all rooms, matched again from there, agree better than before; else the next of them are.
+  void mend() {
+    std::vector<WiderMatch> found = search_wider();
+    for (int tries = 0; tries < options_.max_mends && !found.empty(); ++tries) {
+      const LoopCloser before = *this;
+      for (const WiderMatch& wider : take_most_alike(found)) {
+        placed_.add_believed(pairs_[wider.pair], wider.match);
+      }
+      placed_.solve();
+      match_all_again(false);
+      if (total_score() > options_.mend_gain * before.total_score()) {
+        found = search_wider();
+        continue;
+      }
+      placed_ = before.placed_;
+      closures_ = before.closures_;
+      pairs_ = before.pairs_;
+    }
+  }
+
+  /// Of the contradicted pairs those that fit elsewhere.
+  [[nodiscard]] std::vector<WiderMatch> search_wider() const {
+    std::vector<WiderMatch> found;
+    for (std::size_t k = 0; k < pairs_.size(); ++k) {
+      if (closures_[k].verdict != ClosureVerdict::contradicted) continue;
+      const auto [first, second, apart_m] = pairs_[k];
+      const MapMatch match = SearchableMap(shapes_[first].map, options_.match)
+                                 .find(shapes_[second].points, placed_.first_from_second(pairs_[k]),
+                                       options_.max_window);
+      if (verdict_on(match, options_.min_agreeing) != ClosureVerdict::accepted) continue;
+      const Closure there{0, 0, match, ClosureVerdict::accepted, false};
+      found.push_back({k, match, there.score() - closures_[k].score(), placed_.pose(second),
+                       placed_.pose(first) * match.first_from_second});
+    }
+    return found;
+  }
+
+  /// What speaks for the places of all rooms together.
+  [[nodiscard]] int total_score() const {
+    int score = 0;
+    for (const Closure& closure : closures_) score += closure.score();
+    return score;
   }
 
   [[nodiscard]] std::size_t index_of(AsrId id) const {

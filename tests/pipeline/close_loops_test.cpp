@@ -153,6 +153,28 @@ TEST(CloseLoops, HardOdometryEndsNearTheTruthToo) {
   EXPECT_LT(rmse_m(mission.store, mission.placed.corrected), 0.15);
 }
 
+/// Half-way through the mission the robot believes to leave a room turned and beside where it does.
+MemoryStore lost_half_way() {
+  MemoryStore store = typical().store;
+  Asr& asr = store.asrs[store.asrs.size() / 2];
+  for (Exit& exit : asr.exits) {
+    if (!exit.is_entry) exit.asr_from_pivot = exit.asr_from_pivot * Pose2{0.0, 1.5, radians(9.0)};
+  }
+  return store;
+}
+
+TEST(CloseLoops, MendsAMissionInWhichTheRobotWasLostOnce) {
+  const MemoryStore store = lost_half_way();
+  const auto corrected_m = [&](const AssembleOptions& options) {
+    return rmse_m(store, place(store, assemble(store, {}, options).correction).corrected);
+  };
+  AssembleOptions as_if_never_lost;
+  as_if_never_lost.closures.max_mends = 0;
+  as_if_never_lost.correct.passage_robust_sigmas = 1e6;
+  EXPECT_GT(corrected_m(as_if_never_lost), 0.4);
+  EXPECT_LT(corrected_m({}), 0.15);
+}
+
 TEST(CloseLoops, PartsThatNothingConnectsAreNotMatchedWithEachOther) {
   std::vector<Asr> asrs;
   std::vector<AsrShape> shapes;

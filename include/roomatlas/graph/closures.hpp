@@ -28,9 +28,12 @@ struct ClosureOptions {
   SearchWindow max_window{8.0, radians(20.0)};  ///< ... and no more than this
   int min_agreeing = 80;                        ///< points on common walls; fewer prove nothing
   double min_agreement = 0.65;                  ///< of the points that can tell
-  double again_near_m = 4.0;        ///< rooms this near are matched again once all are placed ...
-  int again_min_agreeing = 60;      ///< ... and fewer points suffice then
-  int rounds = 3;                   ///< of matching again
+  double again_near_m = 4.0;    ///< rooms this near are matched again once all are placed ...
+  int again_min_agreeing = 60;  ///< ... and fewer points suffice then
+  int rounds = 3;               ///< of matching again
+  int max_mends = 4;  ///< times that one of the rooms which contradict each other is put where it
+                      ///< fits in `max_window`, and all are matched again
+  double mend_gain = 1.05;          ///< all scores together must grow so much by it
   double robust_sigmas = 2.0;       ///< closures off by more lose weight (Cauchy)
   int without_best = 0;             ///< the best this many accepted closures are left out
   std::vector<GivenClosure> given;  ///< tried beside those that are found
