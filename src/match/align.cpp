@@ -12,6 +12,7 @@
 namespace roomatlas {
 namespace {
 
+constexpr double kCloseM = 0.05;
 constexpr double kSettledShare = 0.6;  // of the iterations: by then the gate is at its smallest
 constexpr double kSettled = 1e-5;      // m and rad; smaller steps end the iteration
 
@@ -19,18 +20,23 @@ constexpr double kSettled = 1e-5;      // m and rad; smaller steps end the itera
 const Face* partner_of(const LocalMap& map, const Point2& at, const Point2& normal, double gate_m,
                        const AlignOptions& options) {
   const bool has_normal = normal.squaredNorm() > 0.0;
-  const Face* best = nullptr;
-  double best_square = gate_m * gate_m;
-  map.for_each_face_near(at, gate_m, [&](const Face& face) {
-    const double square = (face.position - at).squaredNorm();
-    if (square >= best_square) return;
-    const bool is_turned = has_normal && face.normal.squaredNorm() > 0.0 &&
-                           face.normal.dot(normal) < options.min_normal_cosine;
-    if (is_turned) return;
-    best_square = square;
-    best = &face;
-  });
-  return best;
+  const auto nearest_within = [&](double radius_m) {
+    const Face* best = nullptr;
+    double best_square = radius_m * radius_m;
+    map.for_each_face_near(at, radius_m, [&](const Face& face) {
+      const double square = (face.position - at).squaredNorm();
+      if (square >= best_square) return;
+      const bool is_turned = has_normal && face.normal.squaredNorm() > 0.0 &&
+                             face.normal.dot(normal) < options.min_normal_cosine;
+      if (is_turned) return;
+      best_square = square;
+      best = &face;
+    });
+    return best;
+  };
+  // most points have a partner close by: fewer cells to look into
+  const Face* close = gate_m > kCloseM ? nearest_within(kCloseM) : nullptr;
+  return close != nullptr ? close : nearest_within(gate_m);
 }
 
 /// Normal equations over x, y, theta.
