@@ -184,7 +184,7 @@ void add_correction(CLI::App& app, Settings& settings) {
   stage.add("wall-gate", correct.wall_gate_deg, "deg; walls farther off follow no common direction",
             0.0, 45.0);
   stage.add("passage-robust-sigmas", correct.passage_robust_sigmas,
-            "passages between localized rooms off by more sigmas lose weight", 0.1, 1000.0);
+            "where the robot was lost once, passages off by more sigmas lose weight", 0.1, 1000.0);
   stage.add("robust-sigmas", correct.robust_sigmas,
             "doorways and walls off by more sigmas lose weight", 0.1, 1000.0);
   stage.add("doorway-gate", assemble.recognise.gate_m,

@@ -12,10 +12,10 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
-#include <random>
 #include <string>
 #include <vector>
 
+#include "altered_odometry.hpp"
 #include "recorded_data.hpp"
 #include "roomatlas/correct/sonar_trajectory.hpp"
 #include "roomatlas/evaluate/relations.hpp"
@@ -26,37 +26,33 @@ namespace {
 
 using Readings = std::vector<RangeReading>;
 
-/// What is done to a log's odometry, and to the log.
+/// What is done to a log.
 struct Case {
   const char* name;
-  double bias_deg_per_m = 0.0;
-  double turn_gain = 1.0;
-  double length_scale = 1.0;
-  double noise_deg_per_sqrt_m = 0.0;
-  double lag_s = 0.0;
+  bench::OdometryChange odometry;
   double first = 0.0;  ///< share of the log where it begins
   double last = 1.0;
   bool mirrored = false;
   bool backwards = false;
 };
 constexpr Case kCases[] = {
-    {"plain"},
-    {"mirrored", 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, true},
-    {"backwards", 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, false, true},
-    {"first-half", 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.5},
-    {"second-half", 0.0, 1.0, 1.0, 0.0, 0.0, 0.5, 1.0},
-    {"middle", 0.0, 1.0, 1.0, 0.0, 0.0, 0.25, 0.75},
-    {"bias+3", 3.0},
-    {"bias-3", -3.0},
-    {"gain+.05", 0.0, 1.05},
-    {"gain-.05", 0.0, 0.95},
-    {"scale+.04", 0.0, 1.0, 1.04},
-    {"scale-.04", 0.0, 1.0, 0.96},
-    {"noise2", 0.0, 1.0, 1.0, 2.0},
-    {"noise3", 0.0, 1.0, 1.0, 3.0},
-    {"lag+.15", 0.0, 1.0, 1.0, 0.0, 0.15},
-    {"bad", -3.0, 1.04, 1.04, 1.0},
-    {"worse", 3.0, 1.05, 1.04, 1.5},
+    {.name = "plain"},
+    {.name = "mirrored", .mirrored = true},
+    {.name = "backwards", .backwards = true},
+    {.name = "first-half", .last = 0.5},
+    {.name = "second-half", .first = 0.5},
+    {.name = "middle", .first = 0.25, .last = 0.75},
+    {"bias+3", {3.0}},
+    {"bias-3", {-3.0}},
+    {"gain+.05", {0.0, 1.05}},
+    {"gain-.05", {0.0, 0.95}},
+    {"scale+.04", {0.0, 1.0, 1.04}},
+    {"scale-.04", {0.0, 1.0, 0.96}},
+    {"noise2", {0.0, 1.0, 1.0, 2.0}},
+    {"noise3", {0.0, 1.0, 1.0, 3.0}},
+    {"lag+.15", {0.0, 1.0, 1.0, 0.0, 0.15}},
+    {"bad", {-3.0, 1.04, 1.04, 1.0}},
+    {"worse", {3.0, 1.05, 1.04, 1.5}},
 };
 
 Readings readings_of(const Path& log, int seed) {
@@ -99,44 +95,6 @@ std::vector<Relation> relations_of_poses(const Path& file) {
   return relations;
 }
 
-double normal(std::mt19937_64& engine) {
-  double sum = -6.0;
-  for (int i = 0; i < 12; ++i) sum += static_cast<double>(engine() >> 11) * 0x1.0p-53;
-  return sum;
-}
-
-void alter_odometry(Readings& readings, const Case& how, int seed) {
-  std::mt19937_64 engine(static_cast<std::uint64_t>(seed) + 77);
-  Trajectory reported;
-  for (const RangeReading& reading : readings) {
-    reported.push_back({reading.timestamp_s, reading.odom_from_robot});
-  }
-  if (how.lag_s != 0.0) {
-    for (StampedPose& at : reported) at.timestamp_s += how.lag_s;
-    const PoseLookup lookup(reported, {TimeMatch::interpolate, {}}, nullptr);
-    Trajectory late;
-    for (const RangeReading& reading : readings) {
-      const auto found = lookup.at(reading.timestamp_s);
-      late.push_back({reading.timestamp_s, found ? found->pose : reading.odom_from_robot});
-    }
-    reported = late;
-  }
-  Pose2 pose = reported.front().pose;
-  for (std::size_t i = 0; i < readings.size(); ++i) {
-    if (i > 0) {
-      Pose2 step = inverse(reported[i - 1].pose) * reported[i].pose;
-      const double way_m = step.position().norm();
-      const double forwards_m = step.x_m < 0.0 ? -way_m : way_m;
-      step.x_m *= how.length_scale;
-      step.y_m *= how.length_scale;
-      step.theta_rad = how.turn_gain * step.theta_rad + radians(how.bias_deg_per_m) * forwards_m +
-                       radians(how.noise_deg_per_sqrt_m) * std::sqrt(way_m) * normal(engine);
-      pose = pose * step;
-    }
-    readings[i].odom_from_robot = pose;
-  }
-}
-
 Pose2 in_mirror(const Pose2& pose) { return {pose.x_m, -pose.y_m, wrap_angle(-pose.theta_rad)}; }
 
 void mirror(Readings& readings) {
@@ -160,7 +118,7 @@ void run(const Case& how, Readings readings, std::vector<Relation> relations, do
     return static_cast<std::ptrdiff_t>(share * static_cast<double>(readings.size()));
   };
   readings = Readings(readings.begin() + at(how.first), readings.begin() + at(how.last));
-  alter_odometry(readings, how, seed);
+  bench::alter_odometry(readings, how.odometry, seed);
   if (how.mirrored) {
     mirror(readings);
     for (Relation& relation : relations) {

@@ -41,7 +41,7 @@ ModelResult solve_se2(const Measurements& measurements, const State& start,
   for (const auto& edge : measurements.driven) {
     add_edge(
         edge, FactorKind::odometry,
-        edge.measured.is_localized ? std::optional(options.passage_robust_sigmas) : std::nullopt);
+        edge.measured.is_doubtful ? std::optional(options.passage_robust_sigmas) : std::nullopt);
   }
   for (const auto& edge : measurements.recognised) {
     add_edge(edge, kind_of(edge.measured), options.robust_sigmas);

@@ -55,6 +55,15 @@ void add_edge(RoomGraph& graph, const PassageEdge& edge) {
   boost::add_edge(vertex_of(edge.from), vertex_of(edge.to), edge, graph);
 }
 
+void doubt_passages_into(RoomGraph& graph, const std::set<AsrId>& asrs) {
+  for (const auto& edge : boost::make_iterator_range(boost::edges(graph))) {
+    PassageEdge& passage = graph[edge];
+    if (passage.source == EdgeSource::driven && asrs.count(passage.to) > 0) {
+      passage.is_doubtful = true;
+    }
+  }
+}
+
 void set_rooms(RoomGraph& graph, const std::map<AsrId, RoomId>& room_of_asr) {
   for (const Vertex v : boost::make_iterator_range(boost::vertices(graph))) {
     graph[v].room = room_of_asr.at(graph[v].asr);

@@ -7,6 +7,8 @@
 namespace roomatlas {
 namespace {
 
+constexpr int kAtOnce = 4;           // sweeps of a room entered that are drawn while one is matched
+constexpr double kMaxLostM = 1.5;    // a wide search goes no farther
 constexpr double kLostSigmaM = 0.1;  // of a pose that a wide search found
 constexpr double kLostSigmaRad = radians(2.0);
 
@@ -45,7 +47,7 @@ ScanAlignment RoomLocalizer::search_wide(const std::vector<ScanPoint>& points,
                                          const Pose2& predicted, double step_m,
                                          double turned_rad) const {
   CorrelateOptions window = options_.lost;
-  window.reach_m += 2.0 * step_m;  // it may have been the other way
+  window.reach_m = std::min(kMaxLostM, window.reach_m + 2.0 * step_m);  // it may have been back
   window.reach_rad += options_.search_per_turn / 2.0 * turned_rad;
   PosePrior anywhere{predicted, window.reach_m, window.reach_rad};
   anywhere.mean = correlate(map_, points, anywhere, window);
@@ -62,6 +64,7 @@ bool RoomLocalizer::is_length_seen(const ScanAlignment& aligned) const {
 void RoomLocalizer::clear() {
   learner_.interrupt();
   map_ = LocalMap(options_.cell_m);
+  waiting_.clear();
   last_added_.reset();
   recent_turn_rad_ = 0.0;
 }
@@ -82,7 +85,16 @@ void RoomLocalizer::insert(const Scan& scan, const Pose2& map_from_robot) {
 
 void RoomLocalizer::add(const RangeReading& reading, const Pose2& asr_from_robot) {
   if (!can_be_matched(reading) || !is_worth_adding(asr_from_robot)) return;
-  insert(scan_of(reading, options_.scan), asr_from_robot);
+  last_added_ = asr_from_robot;
+  waiting_.emplace_back(reading, asr_from_robot);
+}
+
+void RoomLocalizer::insert_some_waiting() {
+  for (int i = 0; i < kAtOnce && !waiting_.empty(); ++i) {
+    const auto& [reading, map_from_robot] = waiting_.back();
+    map_.add(scan_of(reading, options_.scan), map_from_robot);
+    waiting_.pop_back();
+  }
 }
 
 Pose2 RoomLocalizer::locate(const RangeReading& reading, const Pose2& reckoned, const Pose2& step) {
@@ -91,6 +103,7 @@ Pose2 RoomLocalizer::locate(const RangeReading& reading, const Pose2& reckoned, 
   const Pose2 predicted = before * without_habits(step, learner_.habits());
   recent_turn_rad_ = kFade * recent_turn_rad_ + std::abs(step.theta_rad);
   if (!can_be_matched(reading)) return predicted;
+  insert_some_waiting();
   const Scan scan = scan_of(reading, options_.scan);
   Pose2 pose = predicted;
   if (!map_.empty()) {

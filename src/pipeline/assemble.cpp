@@ -68,6 +68,7 @@ CorrectedGraph correct_by_matching(const AsrSource& source, const std::vector<As
     if (closure.verdict == ClosureVerdict::accepted) add_edge(result.graph, edge_of(closure));
   }
   result.closures = std::move(loops.closures);
+  doubt_passages_into(result.graph, loops.lost_before);
   result.correction = correct(asrs, result.graph, options.correct, loops.placement);
   for (const PassageEdge& edge :
        recognise_doorways(asrs, placement_of(result.correction), options.recognise)) {
@@ -207,6 +208,20 @@ std::vector<AsrId> asrs_of(RoomId room, const std::map<AsrId, RoomId>& room_of_a
   return asrs;
 }
 
+/// Passages that closures contradict, said to the user.
+Issues lost_on_the_way(const RoomGraph& graph) {
+  Issues issues;
+  for (const PassageEdge& edge : edges_of(graph)) {
+    if (!edge.is_doubtful) continue;
+    issues.push_back({Severity::warning, "", 0, "closures",
+                      "between visits " + std::to_string(edge.from) + " and " +
+                          std::to_string(edge.to) +
+                          " the robot was lost: rooms seen again put what follows elsewhere, and "
+                          "are believed"});
+  }
+  return issues;
+}
+
 /// Everything after the rooms are as true as they will be.
 /// @param known may be empty
 Assembly assemble_rooms(const AsrSource& source, const KnownPlacement& known,
@@ -257,6 +272,9 @@ Assembly assemble_rooms(const AsrSource& source, const KnownPlacement& known,
            std::to_string(regular.kept) + " of " + std::to_string(regular.outlines.size()) +
                " outlines are drawn as measured: straightened they would cross themselves"});
     }
+  }
+  for (Issue& issue : lost_on_the_way(assembly.graph)) {
+    assembly.plan.issues.push_back(std::move(issue));
   }
   return assembly;
 }

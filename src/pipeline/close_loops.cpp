@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "roomatlas/core/issue.hpp"
 #include "roomatlas/correct/optimize.hpp"
@@ -33,9 +34,7 @@ Uncertainty uncertainty_of(const Eigen::Matrix3d& covariance) {
 /// The room graph as the solver takes it, poses always up to date.
 class PlacedGraph {
  public:
-  PlacedGraph(double closure_robust_sigmas, double passage_robust_sigmas)
-      : closure_robust_sigmas_(closure_robust_sigmas),
-        passage_robust_sigmas_(passage_robust_sigmas) {}
+  explicit PlacedGraph(double robust_sigmas) : robust_sigmas_(robust_sigmas) {}
 
   void add_node(AsrId id, const Pose2& pose) {
     graph_.ids.push_back(id);
@@ -44,11 +43,33 @@ class PlacedGraph {
   void add_driven(std::size_t from, std::size_t to, const Pose2& pose,
                   const Eigen::Matrix3d& information) {
     graph_.edges.push_back({static_cast<std::int32_t>(from), static_cast<std::int32_t>(to),
-                            EdgeKind::odometry, pose, information, passage_robust_sigmas_});
+                            EdgeKind::odometry, pose, information, 0.0});
   }
-  void add(const Pair& pair, const MapMatch& match) { add(pair, match, closure_robust_sigmas_); }
+  void add(const Pair& pair, const MapMatch& match) { add(pair, match, robust_sigmas_); }
   /// A match that is to be believed, however much it moves.
   void add_believed(const Pair& pair, const MapMatch& match) { add(pair, match, 0.0); }
+  /// From now on passages that are off by more may give way.
+  void doubt_passages(double robust_sigmas) {
+    for (PoseEdge& edge : graph_.edges) {
+      if (edge.kind == EdgeKind::odometry) edge.cauchy_sigmas = robust_sigmas;
+    }
+  }
+  /// Believes all passages again but those that are off, and tells into which nodes these lead.
+  std::set<AsrId> keep_doubts() {
+    std::set<AsrId> into;
+    for (PoseEdge& edge : graph_.edges) {
+      if (edge.kind != EdgeKind::odometry || edge.cauchy_sigmas == 0.0) continue;
+      const auto from = static_cast<std::size_t>(edge.from);
+      const auto to = static_cast<std::size_t>(edge.to);
+      const double chi = chi_square(edge, graph_.guess[from], graph_.guess[to]);
+      if (chi > edge.cauchy_sigmas * edge.cauchy_sigmas) {
+        into.insert(graph_.ids[to]);
+      } else {
+        edge.cauchy_sigmas = 0.0;
+      }
+    }
+    return into;
+  }
   void remove_closures() {
     std::erase_if(graph_.edges, [](const PoseEdge& e) { return e.kind == EdgeKind::loop; });
   }
@@ -86,8 +107,7 @@ class PlacedGraph {
                             match.first_from_second, match.information, robust_sigmas});
   }
 
-  double closure_robust_sigmas_;
-  double passage_robust_sigmas_;
+  double robust_sigmas_;
   PoseGraph graph_;
 };
 
@@ -105,7 +125,8 @@ class LoopCloser {
       : asrs_(asrs),
         shapes_(shapes),
         options_(options),
-        placed_(options.robust_sigmas, correct.passage_robust_sigmas) {
+        passage_robust_sigmas_(correct.passage_robust_sigmas),
+        placed_(options.robust_sigmas) {
     std::map<AsrId, std::size_t> index_of;
     for (std::size_t i = 0; i < asrs.size(); ++i) index_of[asrs[i].id] = i;
     into_.resize(asrs.size());
@@ -124,6 +145,7 @@ class LoopCloser {
     mend();
     match_all_again(true);
     ClosedLoops result;
+    result.lost_before = lost_before_;
     result.closures = std::move(closures_);
     for (std::size_t i = 0; i < asrs_.size(); ++i) {
       result.placement[asrs_[i].id] = placed_.pose(i);
@@ -215,12 +237,14 @@ class LoopCloser {
     std::vector<WiderMatch> found = search_wider();
     for (int tries = 0; tries < options_.max_mends && !found.empty(); ++tries) {
       const LoopCloser before = *this;
+      placed_.doubt_passages(passage_robust_sigmas_);
       for (const WiderMatch& wider : take_most_alike(found)) {
         placed_.add_believed(pairs_[wider.pair], wider.match);
       }
       placed_.solve();
       match_all_again(false);
       if (total_score() > options_.mend_gain * before.total_score()) {
+        lost_before_ = placed_.keep_doubts();
         found = search_wider();
         continue;
       }
@@ -308,7 +332,9 @@ class LoopCloser {
   const std::vector<Asr>& asrs_;
   const std::vector<AsrShape>& shapes_;
   const ClosureOptions& options_;
+  double passage_robust_sigmas_;
   PlacedGraph placed_;
+  std::set<AsrId> lost_before_;
   std::vector<std::optional<DrivenInto>> into_;
   std::vector<int> component_;
   std::vector<Closure> closures_;  ///< of the last round

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "roomatlas/graph/closures.hpp"
@@ -12,6 +13,7 @@ namespace roomatlas {
 struct ClosedLoops {
   std::vector<Closure> closures;  ///< all that were tried in the last round, accepted or not
   Placement placement;
+  std::set<AsrId> lost_before;  ///< on the way into these the robot was lost, their closures say
 };
 
 /// Matches rooms by their walls, within the uncertainty between them. First in the order of the

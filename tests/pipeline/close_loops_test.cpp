@@ -173,6 +173,10 @@ TEST(CloseLoops, MendsAMissionInWhichTheRobotWasLostOnce) {
   as_if_never_lost.correct.passage_robust_sigmas = 1e6;
   EXPECT_GT(corrected_m(as_if_never_lost), 0.4);
   EXPECT_LT(corrected_m({}), 0.15);
+  const Issues issues = assemble(store, {}, {}).plan.issues;
+  EXPECT_EQ(std::count_if(issues.begin(), issues.end(),
+                          [](const Issue& issue) { return issue.field == "closures"; }),
+            1);
 }
 
 TEST(CloseLoops, PartsThatNothingConnectsAreNotMatchedWithEachOther) {

@@ -35,8 +35,8 @@ struct CorrectOptions {
   double wall_heading_deg_m = 15.0;         ///< ... with this over their length beside it
   double wall_gate_deg = 25.0;              ///< walls farther off follow no building direction;
                                             ///< at 45 a wing at an angle is bent into the rest
-  double passage_robust_sigmas = 5.0;       ///< passages between localized rooms: the robot may
-                                            ///< have been lost in one of them
+  double passage_robust_sigmas = 5.0;       ///< where the robot was lost once, passages off by more
+                                            ///< lose weight too
   double robust_sigmas = 2.0;               ///< doorways and walls off by more lose weight (Cauchy)
   int max_iterations = 100;
 };

@@ -3,6 +3,7 @@
 
 #include <boost/graph/adjacency_list.hpp>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ struct PassageEdge {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of a matched edge, else zero: in the
                                                           ///< frame of `to`, 1/m^2, 1/rad^2
   bool is_localized = false;  ///< the pose was found in the map of `from`, not by odometry
+  bool is_doubtful = false;   ///< the robot was lost on the way: closures say otherwise
 };
 
 /// Paper Fig. 8: rooms as vertices, passages as edges. Vertex i is the i-th ASR, ascending by id.
@@ -52,6 +54,9 @@ using Placement = std::map<AsrId, Pose2>;  ///< building_from_asr of each ASR
 
 /// Adds an edge between two ASRs of the graph. Throws std::out_of_range when one is missing.
 void add_edge(RoomGraph& graph, const PassageEdge& edge);
+
+/// Doubts the driven passages into these ASRs.
+void doubt_passages_into(RoomGraph& graph, const std::set<AsrId>& asrs);
 
 /// Writes the room of each ASR into its vertex.
 void set_rooms(RoomGraph& graph, const std::map<AsrId, RoomId>& room_of_asr);

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "roomatlas/match/align.hpp"
 #include "roomatlas/match/odometry_habits.hpp"
@@ -73,6 +75,7 @@ class RoomLocalizer : public Localizer {
   /// Whether the robot has moved since the last sweep was added.
   [[nodiscard]] bool is_worth_adding(const Pose2& map_from_robot) const;
   void insert(const Scan& scan, const Pose2& map_from_robot);
+  void insert_some_waiting();
 
   [[nodiscard]] ScanAlignment search_wide(const std::vector<ScanPoint>& points,
                                           const Pose2& predicted, double step_m,
@@ -83,6 +86,8 @@ class RoomLocalizer : public Localizer {
   LocalizeOptions options_;
   LocalMap map_;
   HabitLearner learner_;
+  std::vector<std::pair<RangeReading, Pose2>> waiting_;  ///< to be drawn, the newest first: a new
+                                                         ///< room begins with many at once
   std::optional<Pose2> last_added_;
   double recent_turn_rad_ = 0.0;  ///< fading: odometry that lags reports a turn too late
 };
