@@ -160,6 +160,9 @@ void add_correction(CLI::App& app, Settings& settings) {
                "se2, or rotation: the paper's, rooms turn about their entry pivots",
                std::map<std::string, CorrectionModel>{
                    {"se2", CorrectionModel::se2}, {"rotation", CorrectionModel::rotation_only}});
+  stage.flag(
+      "settle-on-walls", correct.settle_on_walls,
+      "lay the building along its walls edge by edge, not along its rooms' common direction");
   stage.flag("wall-directions", correct.use_wall_directions,
              "rectilinear rooms follow the building's direction");
   stage.flag("heading-bias", correct.use_heading_bias,

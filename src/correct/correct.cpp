@@ -27,6 +27,24 @@ void align_with_walls(const Measurements& measurements, const State& state,
   }
 }
 
+/// The direction of each component's walls, more finely than from one direction a room.
+void settle_directions(const std::vector<Asr>& asrs, const Measurements& measurements,
+                       const CorrectOptions& options, State& state) {
+  std::map<AsrId, const Asr*> asr_of;
+  for (const Asr& asr : asrs) asr_of[asr.id] = &asr;
+  for (std::size_t component = 0; component < state.direction_rad.size(); ++component) {
+    std::vector<const Asr*> rooms;
+    std::vector<double> heading_rad;
+    for (std::size_t i = 0; i < measurements.ids.size(); ++i) {
+      if (measurements.component[i] != static_cast<int>(component)) continue;
+      rooms.push_back(asr_of.at(measurements.ids[i]));
+      heading_rad.push_back(state.building_from_asr[i].theta_rad);
+    }
+    double& direction_rad = state.direction_rad[component];
+    direction_rad = settled_direction(direction_rad, rooms, heading_rad, options.walls);
+  }
+}
+
 void fill_moves(std::vector<AsrCorrection>& asrs) {
   for (AsrCorrection& asr : asrs) {
     asr.moved_m =
@@ -97,8 +115,8 @@ Correction correct(const std::vector<Asr>& asrs, const RoomGraph& graph,
   }
   const Measurements measurements = measurements_of(asrs, graph, options);
   const State start = initial_guess(measurements, options, known);
-  const ModelResult solved = is_se2 ? solve_se2(measurements, start, options)
-                                    : solve_rotation_only(measurements, start, options);
+  ModelResult solved = is_se2 ? solve_se2(measurements, start, options)
+                              : solve_rotation_only(measurements, start, options);
   correction.converged = solved.converged;
   correction.message = solved.message;
   correction.initial_cost = solved.initial_cost;
@@ -110,6 +128,9 @@ Correction correct(const std::vector<Asr>& asrs, const RoomGraph& graph,
     correction.asrs.push_back({measurements.ids[i], measurements.component[i],
                                measurements.odom_from_asr[i], solved.state.building_from_asr[i],
                                0.0, 0.0, 0.0, 0.0});
+  }
+  if (options.use_wall_directions && options.settle_on_walls) {
+    settle_directions(asrs, measurements, options, solved.state);
   }
   align_with_walls(measurements, solved.state, correction.asrs);
   fill_moves(correction.asrs);

@@ -49,6 +49,21 @@ double wrap_quarter(double angle_rad) {
   return angle_rad - kQuarter * std::floor(angle_rad / kQuarter + 0.5);
 }
 
+double settled_direction(double about_rad, const std::vector<const Asr*>& rooms,
+                         const std::vector<double>& heading_rad,
+                         const WallDirectionOptions& options) {
+  std::vector<Edge> edges;
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    for (const Edge& edge : edges_of(rooms[i]->walls, options.min_edge_m)) {
+      edges.push_back({heading_rad[i] + edge.angle_rad, edge.length_m});
+    }
+  }
+  for (const double window_deg : {6.0, 3.0, 1.5, 1.5, 1.5}) {
+    about_rad += support_of(edges, about_rad, radians(window_deg)).mean_offset_rad;
+  }
+  return about_rad;
+}
+
 std::optional<WallDirection> wall_direction(const std::vector<WallPolyline>& walls,
                                             const WallDirectionOptions& options) {
   constexpr double kWindowRad = radians(6.0);

@@ -80,6 +80,7 @@ CorrectOptions constant_sigmas(CorrectionModel model) {
   options.wall_heading_deg = 2.0;
   options.wall_heading_deg_m = 0.0;
   options.robust_sigmas = 1.5;
+  options.settle_on_walls = false;  // is no part of what is solved
   return options;
 }
 

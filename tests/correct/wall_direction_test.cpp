@@ -53,6 +53,21 @@ TEST(WallDirection, DoesNotDependOnTheOrderOrTheSenseOfTheWalls) {
   EXPECT_NEAR(one->angle_rad, other->angle_rad, 1e-12);
 }
 
+TEST(SettledDirection, IsThatOfMostWallBesideWingsAndCurves) {
+  Asr hall;  // lies at 10 degrees, found at 13 in its own frame
+  hall.walls = {turned(kRectangle, 13.0), wall(round_room(40, 4.0))};
+  Asr wing;  // its walls lie at 14.5
+  wing.walls = {turned({{0, 0}, {9, 0}}, -5.5)};
+  const double found =
+      settled_direction(radians(12.0), {&hall, &wing}, {radians(-3.0), radians(20.0)}, {});
+  EXPECT_LT(apart_deg(found, 10.0), 0.1);
+  const auto by_mean = wall_direction(
+      {turned(kRectangle, 10.0), turned(round_room(40, 4.0), -3.0), turned({{0, 0}, {9, 0}}, 14.5)},
+      {});
+  ASSERT_TRUE(by_mean);
+  EXPECT_GT(apart_deg(by_mean->angle_rad, 10.0), 0.5);
+}
+
 TEST(WallDirection, WeighsWallsByTheirLength) {
   // 9 m at 10 degrees and 3 m at 14: (9 * 10 + 3 * 14) / 12 = 11
   const auto found =

@@ -17,6 +17,8 @@ enum class CorrectionModel {
 struct CorrectOptions {
   CorrectionModel model = CorrectionModel::se2;
   bool use_wall_directions = true;  ///< off for buildings without right angles
+  bool settle_on_walls = true;      ///< the building is laid along its walls edge by edge; off:
+                                    ///< along the direction that its rooms have in common
   WallDirectionOptions walls;
   bool use_heading_bias = true;  ///< estimate odometry's drift from the walls, and take it out
 

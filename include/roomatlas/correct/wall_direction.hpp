@@ -26,6 +26,14 @@ struct WallDirection {
 [[nodiscard]] std::optional<WallDirection> wall_direction(const std::vector<WallPolyline>& walls,
                                                           const WallDirectionOptions& options);
 
+/// The direction near `about_rad` that most wall follows, over rooms that are placed: the mean of
+/// the edges' directions in a window that shrinks from 6 to 1.5 degrees, so that wings at a small
+/// angle and curves do not draw it aside.
+/// @param heading_rad of each room, parallel to `rooms`
+[[nodiscard]] double settled_direction(double about_rad, const std::vector<const Asr*>& rooms,
+                                       const std::vector<double>& heading_rad,
+                                       const WallDirectionOptions& options);
+
 /// Wraps an angle into [-pi/4, pi/4): what is left of it modulo 90 degrees.
 [[nodiscard]] double wrap_quarter(double angle_rad);
 
