@@ -27,7 +27,7 @@ struct Case {
   std::size_t every = 1;       ///< of the readings one in so many is left
   double reach_m = 1e9;        ///< farther returns are lost
   double range_sigma_m = 0.0;  ///< noise
-  bench::OdometryChange odometry;
+  bench::OdometryChange odometry = {};
 };
 constexpr Case kCases[] = {
     {.name = "every-3rd", .every = 3},
@@ -46,11 +46,11 @@ Readings altered(const Readings& whole, const Case& how) {
   std::mt19937 engine(5);
   std::normal_distribution<double> normal;
   for (RangeReading& reading : readings) {
-    for (double& range_m : reading.ranges_m) {
+    for (float& range_m : reading.ranges_m) {
       if (!(range_m > 0.0) || range_m >= reading.sensor->max_range_m) continue;
-      range_m = range_m > how.reach_m
-                    ? reading.sensor->max_range_m
-                    : std::max(0.02, range_m + how.range_sigma_m * normal(engine));
+      const double noisy_m = range_m + how.range_sigma_m * normal(engine);
+      range_m = static_cast<float>(range_m > how.reach_m ? reading.sensor->max_range_m
+                                                         : std::max(0.02, noisy_m));
     }
   }
   return readings;

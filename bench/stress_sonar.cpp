@@ -29,7 +29,7 @@ using Readings = std::vector<RangeReading>;
 /// What is done to a log.
 struct Case {
   const char* name;
-  bench::OdometryChange odometry;
+  bench::OdometryChange odometry = {};
   double first = 0.0;  ///< share of the log where it begins
   double last = 1.0;
   bool mirrored = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "heading_beliefs.hpp"
+#include "heading_chain.hpp"
 
 #include <algorithm>
 #include <cmath>
