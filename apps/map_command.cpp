@@ -90,8 +90,9 @@ void map(const Settings& settings, const Path& log, const Path& store_file) {
   }
   former.remove();
   const MissionInfo& info = mission->info();
-  store.put_metadata(metadata_of(info, sha256, settings));
-  if (summary.habits) store.put_metadata({{"odometry_json", to_json(*summary.habits)}});
+  Metadata metadata = metadata_of(info, sha256, settings);
+  if (summary.habits) metadata["odometry_json"] = to_json(*summary.habits);
+  store.put_metadata(metadata);
   store.finish();
   show(info.issues, info.issues_not_listed);
   if (summary.intervals_reversed > 0) {

@@ -91,10 +91,9 @@ int main(int argc, char** argv) {
   std::printf("| %s | readings | position, fitted, mean (m) | most |\n|---|---|---|---|\n",
               argv[1]);
   for (const Case& one : kCases) {
-    const std::string name = one.name;
-    bool wanted = argc == 2;
-    for (int i = 2; i < argc; ++i) wanted = wanted || name.find(argv[i]) != std::string::npos;
-    if (wanted) run(one, readings, footprint, reference);
+    if (bench::is_wanted(one.name, {argv + 2, argv + argc})) {
+      run(one, readings, footprint, reference);
+    }
   }
   return 0;
 }

@@ -179,10 +179,9 @@ int main(int argc, char** argv) {
   const auto relations = truth.ends_with(".relations") ? read_relations(folder / truth)
                                                        : relations_of_poses(folder / truth);
   for (const Case& one : kCases) {
-    const std::string name = one.name;
-    bool wanted = argc == 4;
-    for (int i = 4; i < argc; ++i) wanted = wanted || name.find(argv[i]) != std::string::npos;
-    if (wanted) run(one, readings, relations, std::atof(argv[3]), seed);
+    if (bench::is_wanted(one.name, {argv + 4, argv + argc})) {
+      run(one, readings, relations, std::atof(argv[3]), seed);
+    }
   }
   return 0;
 }

@@ -28,16 +28,15 @@ void align_with_walls(const Measurements& measurements, const State& state,
 }
 
 /// The direction of each component's walls, more finely than from one direction a room.
+/// @param asrs in the order of the measurements
 void settle_directions(const std::vector<Asr>& asrs, const Measurements& measurements,
                        const CorrectOptions& options, State& state) {
-  std::map<AsrId, const Asr*> asr_of;
-  for (const Asr& asr : asrs) asr_of[asr.id] = &asr;
   for (std::size_t component = 0; component < state.direction_rad.size(); ++component) {
     std::vector<const Asr*> rooms;
     std::vector<double> heading_rad;
-    for (std::size_t i = 0; i < measurements.ids.size(); ++i) {
+    for (std::size_t i = 0; i < asrs.size(); ++i) {
       if (measurements.component[i] != static_cast<int>(component)) continue;
-      rooms.push_back(asr_of.at(measurements.ids[i]));
+      rooms.push_back(&asrs[i]);
       heading_rad.push_back(state.building_from_asr[i].theta_rad);
     }
     double& direction_rad = state.direction_rad[component];

@@ -68,8 +68,8 @@ void HabitLearner::learn_heading() {
   const double variance = squared(kHeadingPerSqrtM) * std::abs(stretch_.forwards_m) +
                           squared(kHeadingPerTurn * stretch_.turned_rad) + squared(kMatchedRad);
   const double residual = error - by.dot(bias_and_gain_);
-  loss_without_ += loss(error, variance);
-  loss_with_ += loss(residual, variance);
+  headings_.without += loss(error, variance);
+  headings_.with += loss(residual, variance);
   const double its_weight = weight(residual, variance);
   heading_information_ += its_weight * by * by.transpose();
   heading_sum_ += its_weight * error * by;
@@ -86,7 +86,11 @@ void HabitLearner::learn_length() {
     return;
   }
   const double more_m = stretch_.matched.position().norm() - reported_m;
-  const double its_weight = weight(more_m - more_length_ * reported_m, squared(kLengthSigmaM));
+  const double residual_m = more_m - more_length_ * reported_m;
+  const double variance = squared(kLengthSigmaM);
+  lengths_.without += loss(more_m, variance);
+  lengths_.with += loss(residual_m, variance);
+  const double its_weight = weight(residual_m, variance);
   length_information_ += its_weight * squared(reported_m);
   length_sum_ += its_weight * reported_m * more_m;
   more_length_ = length_sum_ / (length_information_ + 1.0 / squared(kScaleSigma));
@@ -94,11 +98,11 @@ void HabitLearner::learn_length() {
 
 OdometryHabits HabitLearner::habits() const {
   OdometryHabits habits;
-  if (loss_with_ < loss_without_) {
+  if (headings_.is_better()) {
     habits.bias_rad_per_m = bias_and_gain_.x();
     habits.turn_gain = 1.0 + bias_and_gain_.y();
   }
-  habits.length_scale = 1.0 + more_length_;
+  if (lengths_.is_better()) habits.length_scale = 1.0 + more_length_;
   return habits;
 }
 

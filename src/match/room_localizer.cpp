@@ -8,6 +8,7 @@ namespace roomatlas {
 namespace {
 
 constexpr int kAtOnce = 4;           // sweeps of a room entered that are drawn while one is matched
+constexpr double kFade = 0.5;        // of recent turns, at each reading
 constexpr double kMaxLostM = 1.5;    // a wide search goes no farther
 constexpr double kLostSigmaM = 0.1;  // of a pose that a wide search found
 constexpr double kLostSigmaRad = radians(2.0);
@@ -97,38 +98,39 @@ void RoomLocalizer::insert_some_waiting() {
   }
 }
 
+ScanAlignment RoomLocalizer::match(const std::vector<ScanPoint>& points, const Pose2& predicted,
+                                   const Pose2& step) const {
+  const double step_m = step.position().norm();
+  const double turned_rad = std::max(std::abs(step.theta_rad), kFade * recent_turn_rad_);
+  const PosePrior prior{predicted, options_.step_sigma_m + options_.step_sigma_per_m * step_m,
+                        options_.turn_sigma_rad + options_.turn_sigma_per_rad * turned_rad};
+  ScanAlignment aligned = align(map_, points, predicted, prior, options_.align);
+  if (!is_at_ease(aligned, prior)) {  // odometry may have jumped: search around it
+    PosePrior wide = prior;
+    wide.position_sigma_m *= 2.0;
+    wide.heading_sigma_rad *= 2.0;
+    CorrelateOptions window = options_.correlate;
+    window.reach_rad += options_.search_per_turn * turned_rad;
+    const Pose2 start = correlate(map_, points, wide, window);
+    aligned = align(map_, points, start, prior, options_.align);
+  }
+  if (aligned.matched >= options_.lost_share * aligned.points) return aligned;
+  const ScanAlignment found = search_wide(points, predicted, step_m, turned_rad);
+  const double more = static_cast<double>(found.matched - aligned.matched);
+  const bool is_there = found.matched > options_.found_share * found.points &&
+                        more > options_.found_more_share * found.points;
+  return is_there ? found : aligned;
+}
+
 Pose2 RoomLocalizer::locate(const RangeReading& reading, const Pose2& reckoned, const Pose2& step) {
-  constexpr double kFade = 0.5;
-  const Pose2 before = reckoned * inverse(step);
-  const Pose2 predicted = before * without_habits(step, learner_.habits());
   recent_turn_rad_ = kFade * recent_turn_rad_ + std::abs(step.theta_rad);
-  if (!can_be_matched(reading)) return predicted;
+  if (!can_be_matched(reading)) return reckoned;
   insert_some_waiting();
   const Scan scan = scan_of(reading, options_.scan);
-  Pose2 pose = predicted;
+  const Pose2 before = reckoned * inverse(step);
+  Pose2 pose = before * without_habits(step, learner_.habits());
   if (!map_.empty()) {
-    const double turned_rad = std::max(std::abs(step.theta_rad), kFade * recent_turn_rad_);
-    const PosePrior prior{
-        predicted, options_.step_sigma_m + options_.step_sigma_per_m * step.position().norm(),
-        options_.turn_sigma_rad + options_.turn_sigma_per_rad * turned_rad};
-    const std::vector<ScanPoint> points = thinned(scan.points, options_.max_points);
-    ScanAlignment aligned = align(map_, points, predicted, prior, options_.align);
-    if (!is_at_ease(aligned, prior)) {  // odometry may have jumped: search around it
-      PosePrior wide = prior;
-      wide.position_sigma_m *= 2.0;
-      wide.heading_sigma_rad *= 2.0;
-      CorrelateOptions window = options_.correlate;
-      window.reach_rad += options_.search_per_turn * turned_rad;
-      const Pose2 start = correlate(map_, points, wide, window);
-      aligned = align(map_, points, start, prior, options_.align);
-    }
-    if (aligned.matched < options_.lost_share * aligned.points) {
-      const ScanAlignment found =
-          search_wide(points, predicted, step.position().norm(), turned_rad);
-      const double more = static_cast<double>(found.matched - aligned.matched);
-      const bool is_there = found.matched > options_.found_share * found.points;
-      if (is_there && more > options_.found_more_share * found.points) aligned = found;
-    }
+    const ScanAlignment aligned = match(thinned(scan.points, options_.max_points), pose, step);
     if (aligned.matched > options_.min_matched &&
         aligned.matched > options_.min_matched_share * aligned.points) {
       pose = aligned.map_from_points;

@@ -5,111 +5,14 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <tuple>
 
+#include "placed_graph.hpp"
 #include "roomatlas/core/issue.hpp"
-#include "roomatlas/correct/optimize.hpp"
 #include "wider_matches.hpp"
 
 namespace roomatlas {
 namespace {
-
-/// Two ASRs that may have seen the same walls.
-struct Pair {
-  std::size_t first = 0;
-  std::size_t second = 0;
-  double apart_m = 0.0;  ///< between their paths
-};
-
-/// How uncertain the pose of one ASR in the frame of another is.
-struct Uncertainty {
-  double position_m = 0.0;
-  double heading_rad = 0.0;
-};
-
-Uncertainty uncertainty_of(const Eigen::Matrix3d& covariance) {
-  return {std::sqrt(std::max({0.0, covariance(0, 0), covariance(1, 1)})),
-          std::sqrt(std::max(0.0, covariance(2, 2)))};
-}
-
-/// The room graph as the solver takes it, poses always up to date.
-class PlacedGraph {
- public:
-  explicit PlacedGraph(double robust_sigmas) : robust_sigmas_(robust_sigmas) {}
-
-  void add_node(AsrId id, const Pose2& pose) {
-    graph_.ids.push_back(id);
-    graph_.guess.push_back(pose);
-  }
-  void add_driven(std::size_t from, std::size_t to, const Pose2& pose,
-                  const Eigen::Matrix3d& information) {
-    graph_.edges.push_back({static_cast<std::int32_t>(from), static_cast<std::int32_t>(to),
-                            EdgeKind::odometry, pose, information, 0.0});
-  }
-  void add(const Pair& pair, const MapMatch& match) { add(pair, match, robust_sigmas_); }
-  /// A match that is to be believed, however much it moves.
-  void add_believed(const Pair& pair, const MapMatch& match) { add(pair, match, 0.0); }
-  /// From now on passages that are off by more may give way.
-  void doubt_passages(double robust_sigmas) {
-    for (PoseEdge& edge : graph_.edges) {
-      if (edge.kind == EdgeKind::odometry) edge.cauchy_sigmas = robust_sigmas;
-    }
-  }
-  /// Believes all passages again but those that are off, and tells into which nodes these lead.
-  std::set<AsrId> keep_doubts() {
-    std::set<AsrId> into;
-    for (PoseEdge& edge : graph_.edges) {
-      if (edge.kind != EdgeKind::odometry || edge.cauchy_sigmas == 0.0) continue;
-      const auto from = static_cast<std::size_t>(edge.from);
-      const auto to = static_cast<std::size_t>(edge.to);
-      const double chi = chi_square(edge, graph_.guess[from], graph_.guess[to]);
-      if (chi > edge.cauchy_sigmas * edge.cauchy_sigmas) {
-        into.insert(graph_.ids[to]);
-      } else {
-        edge.cauchy_sigmas = 0.0;
-      }
-    }
-    return into;
-  }
-  void remove_closures() {
-    std::erase_if(graph_.edges, [](const PoseEdge& e) { return e.kind == EdgeKind::loop; });
-  }
-  void solve() {
-    if (!graph_.edges.empty()) graph_.guess = optimize(graph_, {}).poses;
-  }
-  /// Solves, and tells how uncertain each pair is.
-  [[nodiscard]] std::vector<Uncertainty> uncertainties(const std::vector<Pair>& pairs) {
-    if (pairs.empty()) return {};
-    PoseGraph asked = graph_;
-    for (const Pair& pair : pairs) {  // edges that say nothing, to be asked about
-      asked.edges.push_back({static_cast<std::int32_t>(pair.first),
-                             static_cast<std::int32_t>(pair.second), EdgeKind::loop,
-                             first_from_second(pair), Eigen::Matrix3d::Zero(), 0.0});
-    }
-    OptimizeOptions options;
-    options.covariance = true;
-    const OptimizeResult result = optimize(asked, options);
-    graph_.guess = result.poses;
-    std::vector<Uncertainty> found;
-    for (std::size_t i = graph_.edges.size(); i < asked.edges.size(); ++i) {
-      found.push_back(uncertainty_of(result.covariance.of_edge[i]));
-    }
-    return found;
-  }
-  [[nodiscard]] Pose2 first_from_second(const Pair& pair) const {
-    return inverse(graph_.guess[pair.first]) * graph_.guess[pair.second];
-  }
-  [[nodiscard]] const Pose2& pose(std::size_t i) const { return graph_.guess[i]; }
-
- private:
-  void add(const Pair& pair, const MapMatch& match, double robust_sigmas) {
-    graph_.edges.push_back({static_cast<std::int32_t>(pair.first),
-                            static_cast<std::int32_t>(pair.second), EdgeKind::loop,
-                            match.first_from_second, match.information, robust_sigmas});
-  }
-
-  double robust_sigmas_;
-  PoseGraph graph_;
-};
 
 SearchWindow window_of(const Uncertainty& between, const ClosureOptions& options) {
   return {std::clamp(options.window_sigmas * between.position_m, options.min_window.reach_m,
@@ -236,21 +139,20 @@ class LoopCloser {
   void mend() {
     std::vector<WiderMatch> found = search_wider();
     for (int tries = 0; tries < options_.max_mends && !found.empty(); ++tries) {
-      const LoopCloser before = *this;
+      const auto before = std::tuple(placed_, closures_, pairs_);
+      const double score_before = total_score();
       placed_.doubt_passages(passage_robust_sigmas_);
       for (const WiderMatch& wider : take_most_alike(found)) {
         placed_.add_believed(pairs_[wider.pair], wider.match);
       }
       placed_.solve();
       match_all_again(false);
-      if (total_score() > options_.mend_gain * before.total_score()) {
+      if (total_score() > options_.mend_gain * score_before) {
         lost_before_ = placed_.keep_doubts();
         found = search_wider();
         continue;
       }
-      placed_ = before.placed_;
-      closures_ = before.closures_;
-      pairs_ = before.pairs_;
+      std::tie(placed_, closures_, pairs_) = before;
     }
   }
 
@@ -272,8 +174,8 @@ class LoopCloser {
   }
 
   /// What speaks for the places of all rooms together.
-  [[nodiscard]] int total_score() const {
-    int score = 0;
+  [[nodiscard]] double total_score() const {
+    double score = 0.0;
     for (const Closure& closure : closures_) score += closure.score();
     return score;
   }

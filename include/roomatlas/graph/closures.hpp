@@ -30,7 +30,7 @@ struct ClosureOptions {
   double min_agreement = 0.65;                  ///< of the points that can tell
   double again_near_m = 4.0;    ///< rooms this near are matched again once all are placed ...
   int again_min_agreeing = 60;  ///< ... and fewer points suffice then
-  int rounds = 3;               ///< of matching again
+  int rounds = 3;               ///< of matching again, one at least
   int max_mends = 4;  ///< times that one of the rooms which contradict each other is put where it
                       ///< fits in `max_window`, and all are matched again
   double mend_gain = 1.05;          ///< all scores together must grow so much by it

@@ -32,7 +32,8 @@ class HabitLearner {
   /// The next motion does not follow the last, or could not be matched.
   void interrupt() { stretch_ = {}; }
 
-  /// None, until they have foretold headings better than odometry alone.
+  /// Bias and gain once they have foretold headings better than odometry alone did, and the scale
+  /// once it has lengths; until then none.
   [[nodiscard]] OdometryHabits habits() const;
   [[nodiscard]] int stretches() const { return stretches_; }
 
@@ -43,6 +44,12 @@ class HabitLearner {
     double forwards_m = 0.0;
     double turned_rad = 0.0;  ///< left and right add up
     bool is_length_seen = true;
+  };
+  /// Loss of what was foretold of each stretch before it was learnt from.
+  struct Foretold {
+    double without = 0.0;
+    double with = 0.0;
+    [[nodiscard]] bool is_better() const { return with < without; }
   };
   void learn_heading();
   void learn_length();
@@ -55,9 +62,8 @@ class HabitLearner {
   double length_information_ = 0.0;
   double length_sum_ = 0.0;
   double more_length_ = 0.0;  ///< scale - 1
-  /// Loss of what was foretold before each stretch was learnt from.
-  double loss_without_ = 0.0;
-  double loss_with_ = 0.0;
+  Foretold headings_;
+  Foretold lengths_;
 };
 
 }  // namespace roomatlas

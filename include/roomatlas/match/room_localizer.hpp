@@ -29,9 +29,12 @@ struct LocalizeOptions {
   double ease_sigmas = 1.5;         ///< ... odometry's: no need to search. Smaller searches more
   double lost_share = 0.8;  ///< fewer of the points on walls: searched farther, since odometry
                             ///< may have slipped, or told a motion the wrong way round ...
-  CorrelateOptions lost{0.2, 0.1, radians(16.0), radians(2.0), 0.05, 90};  ///< ... this far, plus
-                                                                           ///< twice the step
-  double found_share = 0.65;      ///< so many on walls there, and ...
+  CorrelateOptions lost{.reach_m = 0.2,
+                        .step_m = 0.1,
+                        .reach_rad = radians(16.0),
+                        .step_rad = radians(2.0)};  ///< ... this far, plus
+                                                    ///< twice the step
+  double found_share = 0.65;                        ///< so many on walls there, and ...
   double found_more_share = 0.1;  ///< ... so many more than before: it is believed
   double min_across = 60.0;       ///< points' weight on walls across the way, from which habits of
                                   ///< odometry's lengths are learnt
@@ -77,6 +80,9 @@ class RoomLocalizer : public Localizer {
   void insert(const Scan& scan, const Pose2& map_from_robot);
   void insert_some_waiting();
 
+  /// Where the points lie on the room's walls, near to where odometry has them if possible.
+  [[nodiscard]] ScanAlignment match(const std::vector<ScanPoint>& points, const Pose2& predicted,
+                                    const Pose2& step) const;
   [[nodiscard]] ScanAlignment search_wide(const std::vector<ScanPoint>& points,
                                           const Pose2& predicted, double step_m,
                                           double turned_rad) const;
