@@ -90,6 +90,8 @@ class AsrRecorder::State {
   }
 
  private:
+  using Sweeps = std::vector<std::pair<RangeReading, Pose2>>;  ///< with the room's pose of each
+
   /// Adds a reading to the room: path, readings and the live grid.
   void append(const RangeReading& reading, const Pose2& asr_from_robot) {
     const double step_m =
@@ -108,15 +110,19 @@ class AsrRecorder::State {
     undrawn_.emplace_back(reading, asr_from_robot);
   }
 
-  /// The live grid with all that was taken for it: not at once, since a new room begins with many.
+  /// The live grid with all that was taken for it.
   const HimmGrid& live() {
-    for (const auto& [reading, asr_from_robot] : undrawn_) {
-      std::int64_t ignored = 0;
-      live_.add_sweep(rays_of(reading, asr_from_robot, ray_options(options_.map), ignored));
-      live_.mark_robot(asr_from_robot, footprint_);
-    }
-    undrawn_.clear();
+    if (begun_.valid()) live_ = begun_.get();
+    draw_all(std::exchange(undrawn_, {}), live_);
     return live_;
+  }
+
+  void draw_all(const Sweeps& sweeps, HimmGrid& grid) const {
+    for (const auto& [reading, asr_from_robot] : sweeps) {
+      std::int64_t ignored = 0;
+      grid.add_sweep(rays_of(reading, asr_from_robot, ray_options(options_.map), ignored));
+      grid.mark_robot(asr_from_robot, footprint_);
+    }
   }
 
   /// The pose on the path at an index, heading along the motion; nothing where the robot only
@@ -224,6 +230,12 @@ class AsrRecorder::State {
       if (localizer_) localizer_->add(rest_readings[i], new_from_old * rest_path[i].asr_from_robot);
       append(rest_readings[i], new_from_old * rest_path[i].asr_from_robot);
     }
+    // a new room begins with many sweeps: they are drawn until the next reading arrives
+    begun_ = std::async(std::launch::async, [this, sweeps = std::exchange(undrawn_, {})] {
+      HimmGrid grid(options_.map.cell_m);
+      draw_all(sweeps, grid);
+      return grid;
+    });
   }
 
   /// Begins to map the room, hands the one before over and forgets both. Returns where odometry has
@@ -252,6 +264,7 @@ class AsrRecorder::State {
 
     along_m_.clear();
     live_ = HimmGrid(options_.map.cell_m);
+    begun_ = {};
     undrawn_.clear();
     if (localizer_) localizer_->clear();
     last_drawn_.reset();
@@ -295,7 +308,8 @@ class AsrRecorder::State {
   std::vector<RangeReading> readings_;
   std::vector<double> along_m_;  ///< length of the path up to each sample
   HimmGrid live_;                ///< the room as seen so far, not yet cut at doors
-  std::vector<std::pair<RangeReading, Pose2>> undrawn_;  ///< not in `live_` yet
+  std::future<HimmGrid> begun_;  ///< what `live_` begins with, while it is drawn
+  Sweeps undrawn_;               ///< not in `live_` yet
   std::optional<Pose2> last_drawn_;
   double searched_to_m_ = 0.0;  ///< doorways were looked for up to here
   std::optional<DoorwayOnPath> candidate_;

@@ -16,11 +16,14 @@ Pose2 operator*(const Pose2& a_from_b, const Pose2& b_from_c) {
   return {position.x(), position.y(), wrap_angle(a_from_b.theta_rad + b_from_c.theta_rad)};
 }
 
+PointTransform::PointTransform(const Pose2& a_from_b)
+    : x_m_(a_from_b.x_m),
+      y_m_(a_from_b.y_m),
+      cosine_(std::cos(a_from_b.theta_rad)),
+      sine_(std::sin(a_from_b.theta_rad)) {}
+
 Point2 operator*(const Pose2& a_from_b, const Point2& point_b) {
-  const double c = std::cos(a_from_b.theta_rad);
-  const double s = std::sin(a_from_b.theta_rad);
-  return {a_from_b.x_m + c * point_b.x() - s * point_b.y(),
-          a_from_b.y_m + s * point_b.x() + c * point_b.y()};
+  return PointTransform(a_from_b) * point_b;
 }
 
 Pose2 inverse(const Pose2& a_from_b) {

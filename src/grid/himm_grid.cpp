@@ -75,7 +75,7 @@ void HimmGrid::add_sweep(const std::vector<Ray>& rays) {
 }
 
 void HimmGrid::mark_robot(const Pose2& grid_from_robot, const RobotFootprint& footprint) {
-  const Pose2 robot_from_grid = inverse(grid_from_robot);
+  const PointTransform robot_from_grid(inverse(grid_from_robot));
   const double reach_m = std::hypot(footprint.length_m, footprint.width_m) / 2.0;
   const Point2 reach = Point2::Constant(reach_m);
   const Cell low = frame_.cell_of(grid_from_robot.position() - reach);
@@ -95,6 +95,7 @@ std::vector<Ray> rays_of(const RangeReading& reading, const Pose2& grid_from_rob
   const RangeSensor& sensor = *reading.sensor;
   std::vector<Ray> rays;
   rays.reserve(reading.ranges_m.size());
+  const PointTransform place(grid_from_robot);
   for (std::size_t i = 0; i < reading.ranges_m.size(); ++i) {
     const double range_m = reading.ranges_m[i];
     if (!std::isfinite(range_m) || range_m <= 0.0) {
@@ -106,9 +107,11 @@ std::vector<Ray> rays_of(const RangeReading& reading, const Pose2& grid_from_rob
         sensor.kind == SensorKind::laser ? options.laser_no_echo_m : options.sonar_no_echo_m;
     const double seen_m =
         is_obstacle ? range_m : std::min({range_m, free_m, options.max_mapped_range_m});
-    const Pose2 grid_from_beam = grid_from_robot * sensor.robot_from_beam[i];
-    rays.push_back(
-        {{grid_from_beam.position(), grid_from_beam * Point2(seen_m, 0.0)}, is_obstacle});
+    const Pose2& beam = sensor.robot_from_beam[i];
+    const Point2 origin = place * beam.position();
+    const Pose2 grid_from_beam{origin.x(), origin.y(),
+                               wrap_angle(grid_from_robot.theta_rad + beam.theta_rad)};
+    rays.push_back({{origin, grid_from_beam * Point2(seen_m, 0.0)}, is_obstacle});
   }
   return rays;
 }

@@ -81,6 +81,69 @@ void add_prior(const PosePrior& prior, const Pose2& pose, const AlignOptions& op
                 heading);
 }
 
+/// Every so many of the points that are hits, about `most` of them.
+std::vector<Point2> some_hits(std::span<const ScanPoint> points, int most) {
+  const auto hits =
+      std::count_if(points.begin(), points.end(), [](const ScanPoint& p) { return p.is_hit; });
+  const auto stride = std::max<std::ptrdiff_t>(1, hits / most);
+  std::vector<Point2> some;
+  std::ptrdiff_t seen = 0;
+  for (const ScanPoint& point : points) {
+    if (point.is_hit && seen++ % stride == 0) some.push_back(point.position);
+  }
+  return some;
+}
+
+/// The certainty under points, summed for each shift of a square window. Steps are shorter than
+/// cells: a cell that several shifts of a point lead to is looked up once.
+class ShiftedSums {
+ public:
+  ShiftedSums(const LocalMap& map, int steps, double step_m)
+      : map_(map), steps_(steps), step_m_(step_m), side_(static_cast<std::size_t>(2 * steps + 1)) {
+    columns_.resize(side_);
+    rows_.resize(side_);
+    column_.resize(side_);
+  }
+
+  void clear() { sums_.assign(side_ * side_, 0); }
+
+  void add(const Point2& point) {
+    for (std::size_t i = 0; i < side_; ++i) {
+      const double shift_m = (static_cast<int>(i) - steps_) * step_m_;
+      const Cell cell = map_.frame().cell_of(point + Point2(shift_m, shift_m));
+      columns_[i] = cell.x;
+      rows_[i] = cell.y;
+    }
+    for (std::size_t i = 0; i < side_; ++i) {
+      if (i == 0 || columns_[i] != columns_[i - 1]) look_up(columns_[i]);
+      for (std::size_t j = 0; j < side_; ++j) sums_[i * side_ + j] += column_[j];
+    }
+  }
+
+  /// @param i, j steps along x and y, from minus to plus those given
+  [[nodiscard]] int at(int i, int j) const {
+    return sums_[static_cast<std::size_t>(i + steps_) * side_ +
+                 static_cast<std::size_t>(j + steps_)];
+  }
+
+ private:
+  void look_up(int x) {
+    for (std::size_t j = 0; j < side_; ++j) {
+      column_[j] = j > 0 && rows_[j] == rows_[j - 1] ? column_[j - 1]
+                                                     : std::max(0, map_.certainty({x, rows_[j]}));
+    }
+  }
+
+  const LocalMap& map_;
+  int steps_;
+  double step_m_;
+  std::size_t side_;
+  std::vector<int> columns_;  ///< of cells, by shift of the point being added
+  std::vector<int> rows_;
+  std::vector<int> column_;  ///< certainties of one column, by shift
+  std::vector<int> sums_;
+};
+
 }  // namespace
 
 ScanAlignment align(const LocalMap& map, std::span<const ScanPoint> points,
@@ -126,35 +189,26 @@ ScanAlignment align(const LocalMap& map, std::span<const ScanPoint> points,
 
 Pose2 correlate(const LocalMap& map, std::span<const ScanPoint> points, const PosePrior& prior,
                 const CorrelateOptions& options) {
-  const auto hits =
-      std::count_if(points.begin(), points.end(), [](const ScanPoint& p) { return p.is_hit; });
-  const auto stride = std::max<std::ptrdiff_t>(1, hits / options.max_points);
-  std::vector<Point2> used;
-  std::ptrdiff_t seen = 0;
-  for (const ScanPoint& point : points) {
-    if (point.is_hit && seen++ % stride == 0) used.push_back(point.position);
-  }
+  const std::vector<Point2> used = some_hits(points, options.max_points);
   if (used.empty()) return prior.mean;
   const int steps = static_cast<int>(std::lround(options.reach_m / options.step_m));
   const int turns = static_cast<int>(std::lround(options.reach_rad / options.step_rad));
+  const double most = HimmGrid::kMaxHalfSteps * static_cast<double>(used.size());
   const auto squared = [](double value) { return value * value; };
+  ShiftedSums sums(map, steps, options.step_m);
   Pose2 best = prior.mean;
   double best_score = -1.0;
-  std::vector<Point2> placed(used.size());
   for (int turn = -turns; turn <= turns; ++turn) {
     const Pose2 turned{prior.mean.x_m, prior.mean.y_m,
                        wrap_angle(prior.mean.theta_rad + turn * options.step_rad)};
-    std::transform(used.begin(), used.end(), placed.begin(),
-                   [&](const Point2& p) { return turned * p; });
+    sums.clear();
+    const PointTransform place(turned);
+    for (const Point2& p : used) sums.add(place * p);
     for (int i = -steps; i <= steps; ++i) {
       for (int j = -steps; j <= steps; ++j) {
         const Point2 shift(i * options.step_m, j * options.step_m);
-        double sum = 0.0;
-        for (const Point2& p : placed) {
-          sum += std::max(0, map.certainty(map.frame().cell_of(p + shift)));
-        }
         const double score =
-            sum / (HimmGrid::kMaxHalfSteps * static_cast<double>(placed.size())) -
+            sums.at(i, j) / most -
             options.penalty * (shift.squaredNorm() / squared(prior.position_sigma_m) +
                                squared(turn * options.step_rad / prior.heading_sigma_rad));
         if (score <= best_score) continue;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace roomatlas {
@@ -34,18 +35,25 @@ struct Sighting {
   double range_m = 0.0;
 };
 
-std::optional<Sighting> sighting_of(const RangeSensor& sensor, const Point2& point_robot) {
+/// Where a sensor's beams look, in the robot's frame.
+std::vector<Point2> directions_of(const RangeSensor& sensor) {
+  std::vector<Point2> directions;
+  for (const Pose2& beam : sensor.robot_from_beam) directions.push_back(direction(beam.theta_rad));
+  return directions;
+}
+
+std::optional<Sighting> sighting_of(const RangeSensor& sensor, std::span<const Point2> directions,
+                                    const Point2& point_robot) {
   constexpr double kMaxOffRad = radians(2.0);
+  double best_cosine = std::cos(std::max(sensor.half_cone_rad, kMaxOffRad));
   std::optional<Sighting> best;
-  double best_off = std::max(sensor.half_cone_rad, kMaxOffRad);
-  for (std::size_t i = 0; i < sensor.robot_from_beam.size(); ++i) {
-    const Pose2& beam = sensor.robot_from_beam[i];
-    const Point2 to_point = point_robot - beam.position();
-    const double off =
-        std::abs(wrap_angle(std::atan2(to_point.y(), to_point.x()) - beam.theta_rad));
-    if (off > best_off) continue;
-    best_off = off;
-    best = Sighting{i, to_point.norm()};
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const Point2 to_point = point_robot - sensor.robot_from_beam[i].position();
+    const double range_m = to_point.norm();
+    const double cosine = directions[i].dot(to_point) / range_m;
+    if (!(cosine >= best_cosine)) continue;
+    best_cosine = cosine;
+    best = Sighting{i, range_m};
   }
   return best;
 }
@@ -56,12 +64,13 @@ std::optional<double> agreement(const RangeReading& earlier, const RangeReading&
                                 const DeadReckonerOptions& options) {
   const std::size_t beams = later.ranges_m.size();
   const std::size_t stride = std::max<std::size_t>(1, beams / kBeamsCompared);
+  const std::vector<Point2> directions = directions_of(*earlier.sensor);
   double sum = 0.0;
   int compared = 0;
   for (std::size_t i = 0; i < beams; i += stride) {
     if (!is_return(later, i)) continue;
     const Point2 hit = later.sensor->robot_from_beam[i] * Point2(later.ranges_m[i], 0.0);
-    const auto seen = sighting_of(*earlier.sensor, earlier_from_later * hit);
+    const auto seen = sighting_of(*earlier.sensor, directions, earlier_from_later * hit);
     if (!seen || !is_return(earlier, seen->beam)) continue;
     const double sigmas = (seen->range_m - earlier.ranges_m[seen->beam]) / options.range_sigma_m;
     sum -= std::min(sigmas * sigmas, kWorstSigmas * kWorstSigmas) / 2.0;

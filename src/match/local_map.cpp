@@ -25,8 +25,8 @@ void LocalMap::raise(const Cell& cell, int half_steps) {
       std::clamp(certainty + half_steps, HimmGrid::kMinHalfSteps, HimmGrid::kMaxHalfSteps));
 }
 
-void LocalMap::add_free(const Point2& from, const ScanPoint& to, const Pose2& map_from_robot) {
-  const Cell end = frame_.cell_of(map_from_robot * to.position);
+void LocalMap::add_free(const Point2& from, const Point2& to) {
+  const Cell end = frame_.cell_of(to);
   for_each_cell_on_line(frame_.cell_of(from), end, [&](const Cell& cell) {
     if (are_beside(cell, end)) return false;
     raise(cell, HimmGrid::kFreeHalfSteps);
@@ -67,11 +67,12 @@ void LocalMap::add_hit(const Point2& position, const Point2& normal) {
 }
 
 void LocalMap::add(const Scan& scan, const Pose2& map_from_robot) {
-  const Point2 sensor = map_from_robot * scan.sensor;
-  for (const ScanPoint& point : scan.points) add_free(sensor, point, map_from_robot);
-  const Pose2 turn{0.0, 0.0, map_from_robot.theta_rad};
+  const PointTransform place(map_from_robot);
+  const PointTransform turn({0.0, 0.0, map_from_robot.theta_rad});
+  const Point2 sensor = place * scan.sensor;
+  for (const ScanPoint& point : scan.points) add_free(sensor, place * point.position);
   for (const ScanPoint& point : scan.points) {
-    if (point.is_hit) add_hit(map_from_robot * point.position, turn * point.normal);
+    if (point.is_hit) add_hit(place * point.position, turn * point.normal);
   }
 }
 

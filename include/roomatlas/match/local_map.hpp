@@ -75,7 +75,7 @@ class LocalMap {
     std::uint16_t other = 0;  ///< the cell's second face
   };
 
-  void add_free(const Point2& from, const ScanPoint& to, const Pose2& map_from_robot);
+  void add_free(const Point2& from, const Point2& to);
   void raise(const Cell& cell, int half_steps);
   void add_hit(const Point2& position, const Point2& normal);
 
