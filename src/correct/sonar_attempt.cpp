@@ -8,8 +8,39 @@
 #include "roomatlas/match/contradiction.hpp"
 
 namespace roomatlas {
+namespace {
 
 using Readings = std::span<const RangeReading>;
+
+/// One batch from the given poses, and its score.
+Attempt solve_from(Readings readings, const DriveDirections& directions, const Idea& idea,
+                   const std::vector<Pose2>& start, const SonarTrajectoryOptions& options,
+                   SonarBatchOptions batch_options) {
+  constexpr double kContradictedCounts = 3.0;
+  Attempt attempt;
+  const DrivenPath& path = idea.problem.path;
+  SonarProblem problem =
+      sonar_problem(readings, path, directions, start, idea.directions_rad, options.segments);
+  for (DrivenStep& step : problem.batch.steps) step.turn_sigma_rad *= idea.doubt;
+  if (idea.is_odometry) batch_options.heading_weight = 0.0;
+  const SonarBatchResult solved = solve_sonar_batch(problem.batch, batch_options);
+  attempt.length_scale = solved.length_scale;
+  attempt.strain = solved.strain;
+  attempt.map_from_robot = poses_of(path, problem, solved.map_from_node);
+  const auto turned = with_headings_of_returns(readings, problem, attempt.map_from_robot,
+                                               solved.map_from_node, batch_options);
+  attempt.map_from_robot = poses_of(path, problem, turned);
+  const Contradiction contradiction =
+      contradiction_of(readings, attempt.map_from_robot, path.path_m, problem.segments, {});
+  attempt.score_m = contradiction.confirmed_m - kContradictedCounts * contradiction.contradicted_m;
+  attempt.variant.habits = idea.habits;
+  attempt.variant.pairs = solved.pairs;
+  attempt.variant.compared_m = contradiction.compared_m();
+  attempt.variant.contradiction = contradiction.share();
+  return attempt;
+}
+
+}  // namespace
 
 std::vector<double> by_reading(const HeadingProblem& problem, const std::vector<double>& by_node) {
   std::vector<double> values;
@@ -35,30 +66,20 @@ bool is_better(const Attempt& attempt, const Attempt& than) {
 Attempt solve(Readings readings, const DriveDirections& directions, const Idea& idea,
               std::string name, std::vector<double> correction_rad,
               const SonarTrajectoryOptions& options, SonarBatchOptions batch_options) {
-  constexpr double kContradictedCounts = 3.0;
-  Attempt attempt;
-  const DrivenPath& path = idea.problem.path;
-  const auto start = with_headings(path, by_reading(idea.problem, correction_rad));
-  SonarProblem problem =
-      sonar_problem(readings, path, directions, start, idea.directions_rad, options.segments);
-  for (DrivenStep& step : problem.batch.steps) step.turn_sigma_rad *= idea.doubt;
-  if (idea.is_odometry) batch_options.heading_weight = 0.0;
-  const SonarBatchResult solved = solve_sonar_batch(problem.batch, batch_options);
-  attempt.length_scale = solved.length_scale;
-  attempt.strain = solved.strain;
-  attempt.map_from_robot = poses_of(path, problem, solved.map_from_node);
-  const auto turned = with_headings_of_returns(readings, problem, attempt.map_from_robot,
-                                               solved.map_from_node, batch_options);
-  attempt.map_from_robot = poses_of(path, problem, turned);
-  const Contradiction contradiction =
-      contradiction_of(readings, attempt.map_from_robot, path.path_m, problem.segments, {});
-  attempt.score_m = contradiction.confirmed_m - kContradictedCounts * contradiction.contradicted_m;
-  attempt.variant.habits = idea.habits;
+  const auto start = with_headings(idea.problem.path, by_reading(idea.problem, correction_rad));
+  Attempt attempt = solve_from(readings, directions, idea, start, options, batch_options);
   attempt.variant.name = std::move(name);
-  attempt.variant.pairs = solved.pairs;
-  attempt.variant.compared_m = contradiction.compared_m();
-  attempt.variant.contradiction = contradiction.share();
   attempt.correction_rad = std::move(correction_rad);
+  return attempt;
+}
+
+Attempt solve_again(Readings readings, const DriveDirections& directions, const Idea& idea,
+                    std::string name, const Attempt& ended, const SonarTrajectoryOptions& options,
+                    const SonarBatchOptions& batch_options) {
+  Attempt attempt =
+      solve_from(readings, directions, idea, ended.map_from_robot, options, batch_options);
+  attempt.variant.name = std::move(name);
+  attempt.correction_rad = ended.correction_rad;
   return attempt;
 }
 

@@ -206,7 +206,7 @@ void add_headings(const SonarBatch& batch, const SonarBatchOptions& options,
 
 void add_pairs(const SonarBatch& batch, const SonarBatchOptions& options,
                const std::vector<WallPair>& pairs, const std::vector<int>& partners, double scale_m,
-               const std::vector<Pose2>& poses, Equations& equations) {
+               double wall_weight, const std::vector<Pose2>& poses, Equations& equations) {
   const double coarse = std::max(1.0, (scale_m / kFineScaleM) * (scale_m / kFineScaleM));
   const double variance = options.wall_sigma_m * options.wall_sigma_m * coarse;
   for (const WallPair& pair : pairs) {
@@ -216,7 +216,7 @@ void add_pairs(const SonarBatch& batch, const SonarBatchOptions& options,
     const PairResidual across = across_residual(poses[a.node], a, poses[b.node], b, pair.along_m);
     const double one_wall = geman_mcclure(across.value * across.value, scale_m * scale_m);
     const double share =
-        options.wall_weight * 2.0 / (partners[pair.first] + partners[pair.second]) * one_wall;
+        wall_weight * 2.0 / (partners[pair.first] + partners[pair.second]) * one_wall;
     equations.add(a.node, b.node, across,
                   share * std::min({1.0, a.length_m, b.length_m}) / variance);
     const double turn =
@@ -231,7 +231,8 @@ void add_pairs(const SonarBatch& batch, const SonarBatchOptions& options,
 
 /// A few Gauss-Newton steps with the pairs as they are. False when a system was singular.
 bool settle(const SonarBatch& batch, const SonarBatchOptions& options,
-            const std::vector<WallPair>& pairs, double scale_m, Unknowns& unknowns) {
+            const std::vector<WallPair>& pairs, double scale_m, double wall_weight,
+            Unknowns& unknowns) {
   const std::size_t nodes = unknowns.map_from_node.size();
   std::vector<int> partners(batch.walls.size(), 0);
   std::vector<NodePair> coupled;
@@ -252,7 +253,8 @@ bool settle(const SonarBatch& batch, const SonarBatchOptions& options,
     equations.hold(0, kFirmly);
     add_steps(batch, options, unknowns, equations);
     add_headings(batch, options, unknowns.map_from_node, equations);
-    add_pairs(batch, options, pairs, partners, scale_m, unknowns.map_from_node, equations);
+    add_pairs(batch, options, pairs, partners, scale_m, wall_weight, unknowns.map_from_node,
+              equations);
     Unknowns moved = unknowns;
     const double move = equations.solve(moved);
     if (move < 0.0) return false;
@@ -278,7 +280,9 @@ SonarBatchResult solve_sonar_batch(const SonarBatch& batch, const SonarBatchOpti
         options.start_scale_m * std::pow(options.end_scale_m / options.start_scale_m, shrunk);
     const auto pairs = find_wall_pairs(batch.walls, unknowns.map_from_node, scale_m, options.pairs);
     result.pairs = pairs.size();
-    if (!settle(batch, options, pairs, scale_m, unknowns)) {
+    const double wall_weight = options.start_wall_weight *
+                               std::pow(options.wall_weight / options.start_wall_weight, shrunk);
+    if (!settle(batch, options, pairs, scale_m, wall_weight, unknowns)) {
       result.solved = false;
       break;
     }

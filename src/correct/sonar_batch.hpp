@@ -30,7 +30,8 @@ struct SonarBatchOptions {
   double start_scale_m = 1.0;       ///< smaller misses loops that are farther apart
   double end_scale_m = 0.1;         ///< smaller lets noise decide which walls are one
   double wall_sigma_m = 0.05;       ///< of one wall against all its partners
-  double wall_weight = 3.0;         ///< of a wall's partners together
+  double start_wall_weight = 0.3;   ///< of a wall's partners together, in the first round ...
+  double wall_weight = 3.0;         ///< ... and in the last
   double step_robust_sigmas = 3.0;  ///< Cauchy's loss of odometry
   double heading_weight = 0.5;      ///< of a wall that follows the building
   double parallel_weight = 0.3;     ///< of the partners' headings

@@ -85,19 +85,29 @@ void repair_slips(Readings readings, const DriveDirections& directions,
   }
 }
 
-void try_tolerances(Readings readings, const DriveDirections& directions,
-                    const SonarTrajectoryOptions& options, Idea& idea, SonarTrajectory& result) {
-  const std::vector<double> first_rad = idea.attempt.correction_rad;
-  for (const double start_scale_m : {0.5, 1.5}) {
-    SonarBatchOptions batch;
+void refine(Readings readings, const DriveDirections& directions,
+            const SonarTrajectoryOptions& options, Idea& idea, SonarTrajectory& result) {
+  const auto offer = [&](Attempt attempt) {
+    result.variants.push_back(attempt.variant);
+    if (merit(attempt) <= merit(idea.attempt)) return false;
+    result.chosen = result.variants.size() - 1;
+    idea.attempt = std::move(attempt);
+    return true;
+  };
+  const std::vector<double> heading_rad = idea.attempt.correction_rad;
+  SonarBatchOptions batch;
+  for (const double start_scale_m : {1.5, 0.5}) {
     batch.start_scale_m = start_scale_m;
     char name[32];
     (void)std::snprintf(name, sizeof name, "from %.1f m", start_scale_m);
-    Attempt attempt = solve(readings, directions, idea, name, first_rad, options, batch);
-    result.variants.push_back(attempt.variant);
-    if (merit(attempt) <= merit(idea.attempt)) continue;
-    result.chosen = result.variants.size() - 1;
-    idea.attempt = std::move(attempt);
+    (void)offer(solve(readings, directions, idea, name, heading_rad, options, batch));
+  }
+  constexpr int kMostTimes = 2;
+  for (int times = 0; times < kMostTimes; ++times) {
+    if (!offer(solve_again(readings, directions, idea, "walls extracted anew", idea.attempt,
+                           options, batch))) {
+      break;
+    }
   }
 }
 

@@ -12,8 +12,9 @@ void repair_slips(std::span<const RangeReading> readings, const DriveDirections&
                   const SonarTrajectoryOptions& options, Idea& idea, SonarTrajectory& result);
 
 /// Solves the best heading again from other tolerances: a large one brings together what drifted
-/// far apart, a small one does not mistake the other side of a corridor for this one.
-void try_tolerances(std::span<const RangeReading> readings, const DriveDirections& directions,
-                    const SonarTrajectoryOptions& options, Idea& idea, SonarTrajectory& result);
+/// far apart, a small one does not mistake the other side of a corridor for this one. Then extracts
+/// the walls anew at the poses found, and solves once more, as long as that brings more together.
+void refine(std::span<const RangeReading> readings, const DriveDirections& directions,
+            const SonarTrajectoryOptions& options, Idea& idea, SonarTrajectory& result);
 
 }  // namespace roomatlas

@@ -148,7 +148,7 @@ SonarTrajectory correct_sonar_trajectory(Readings readings, const SonarTrajector
   }
   consider_odometry();
   if (options.repair_slips && follow) repair_slips(readings, directions, options, *best, result);
-  try_tolerances(readings, directions, options, *best, result);
+  refine(readings, directions, options, *best, result);
   result.habits = best->habits;
   result.habits.length_scale *= best->attempt.length_scale;
   result.wall_directions_rad = best->directions_rad;
