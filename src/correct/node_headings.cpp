@@ -22,6 +22,7 @@ constexpr double kShare = 0.2;        // of what a return would say alone: neigh
 
 struct Wall {
   Point2 middle;
+  Point2 normal;
   Point2 along;
   double half_length_m = 0.0;
   ConeLine line;
@@ -36,9 +37,9 @@ class Walls {
       Wall wall;
       wall.middle = node * seen.middle_node;
       wall.line.normal_rad = wrap_angle(node.theta_rad + seen.normal_rad);
-      const Point2 normal = direction(wall.line.normal_rad);
-      wall.along = {-normal.y(), normal.x()};
-      wall.line.offset_m = normal.dot(wall.middle);
+      wall.normal = direction(wall.line.normal_rad);
+      wall.along = {-wall.normal.y(), wall.normal.x()};
+      wall.line.offset_m = wall.normal.dot(wall.middle);
       wall.half_length_m = seen.length_m / 2.0;
       add(wall);
     }
@@ -88,6 +89,9 @@ std::optional<Evidence> evidence_of(const ConeReturn& heard, double half_cone_ra
   Evidence sum;
   int count = 0;
   walls.for_each_near(heard.sonar + heard.range_m * heard.axis, [&](const Wall& wall) {
+    // a wall is heard at its distance or farther: most are ruled out without its sines
+    const double distance_m = wall.line.offset_m - wall.normal.dot(heard.sonar);
+    if (distance_m <= 0.0 || distance_m > heard.range_m + kGateM) return;
     if (std::abs(wrap_angle(wall.line.normal_rad - heard.axis_rad)) > kMaxOffRad) return;
     const auto expected_m = range_to_line(heard, half_cone_rad, wall.line);
     if (!expected_m || std::abs(heard.range_m - *expected_m) > kGateM) return;
