@@ -74,12 +74,12 @@ Attempt solve(Readings readings, const DriveDirections& directions, const Idea& 
 }
 
 Attempt solve_again(Readings readings, const DriveDirections& directions, const Idea& idea,
-                    std::string name, const Attempt& ended, const SonarTrajectoryOptions& options,
+                    std::string name, const SonarTrajectoryOptions& options,
                     const SonarBatchOptions& batch_options) {
   Attempt attempt =
-      solve_from(readings, directions, idea, ended.map_from_robot, options, batch_options);
+      solve_from(readings, directions, idea, idea.attempt.map_from_robot, options, batch_options);
   attempt.variant.name = std::move(name);
-  attempt.correction_rad = ended.correction_rad;
+  attempt.correction_rad = idea.attempt.correction_rad;
   return attempt;
 }
 

@@ -55,12 +55,11 @@ struct Idea {
                             const SonarTrajectoryOptions& options,
                             SonarBatchOptions batch_options = {});
 
-/// Solves once more from where an attempt ended: the walls are extracted anew at its poses, and are
-/// the sharper the truer these are.
+/// Solves once more from where the idea's attempt ended: the walls are extracted anew at its poses,
+/// and are the sharper the truer these are.
 [[nodiscard]] Attempt solve_again(std::span<const RangeReading> readings,
                                   const DriveDirections& directions, const Idea& idea,
-                                  std::string name, const Attempt& ended,
-                                  const SonarTrajectoryOptions& options,
+                                  std::string name, const SonarTrajectoryOptions& options,
                                   const SonarBatchOptions& batch_options);
 
 /// The chain's values by node as values by reading, those between nodes by way and turn.

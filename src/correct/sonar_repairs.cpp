@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -95,17 +94,15 @@ void refine(Readings readings, const DriveDirections& directions,
     return true;
   };
   const std::vector<double> heading_rad = idea.attempt.correction_rad;
-  SonarBatchOptions batch;
-  for (const double start_scale_m : {1.5, 0.5}) {
-    batch.start_scale_m = start_scale_m;
-    char name[32];
-    (void)std::snprintf(name, sizeof name, "from %.1f m", start_scale_m);
-    (void)offer(solve(readings, directions, idea, name, heading_rad, options, batch));
-  }
+  SonarBatchOptions wide;
+  wide.start_scale_m = 1.5;
+  SonarBatchOptions near;
+  near.start_scale_m = 0.5;
+  (void)offer(solve(readings, directions, idea, "from 1.5 m", heading_rad, options, wide));
+  (void)offer(solve(readings, directions, idea, "from 0.5 m", heading_rad, options, near));
   constexpr int kMostTimes = 2;
   for (int times = 0; times < kMostTimes; ++times) {
-    if (!offer(solve_again(readings, directions, idea, "walls extracted anew", idea.attempt,
-                           options, batch))) {
+    if (!offer(solve_again(readings, directions, idea, "walls extracted anew", options, near))) {
       break;
     }
   }

@@ -33,7 +33,7 @@ class HabitLearner {
   void interrupt() { stretch_ = {}; }
 
   /// Bias and gain once they have foretold headings better than odometry alone did, and the scale
-  /// once it has lengths; until then none.
+  /// once it has so foretold lengths; until then none of them.
   [[nodiscard]] OdometryHabits habits() const;
   [[nodiscard]] int stretches() const { return stretches_; }
 

@@ -29,12 +29,10 @@ struct LocalizeOptions {
   double ease_sigmas = 1.5;         ///< ... odometry's: no need to search. Smaller searches more
   double lost_share = 0.8;  ///< fewer of the points on walls: searched farther, since odometry
                             ///< may have slipped, or told a motion the wrong way round ...
-  CorrelateOptions lost{.reach_m = 0.2,
-                        .step_m = 0.1,
-                        .reach_rad = radians(16.0),
-                        .step_rad = radians(2.0)};  ///< ... this far, plus
-                                                    ///< twice the step
-  double found_share = 0.65;                        ///< so many on walls there, and ...
+  /// ... this far, plus twice the step
+  CorrelateOptions lost{
+      .reach_m = 0.2, .step_m = 0.1, .reach_rad = radians(16.0), .step_rad = radians(2.0)};
+  double found_share = 0.65;      ///< so many on walls there, and ...
   double found_more_share = 0.1;  ///< ... so many more than before: it is believed
   double min_across = 60.0;       ///< points' weight on walls across the way, from which habits of
                                   ///< odometry's lengths are learnt
