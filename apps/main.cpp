@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <glog/logging.h>
+#include <malloc.h>
 #include <spdlog/spdlog.h>
 
 #include <map>
@@ -240,6 +241,8 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  constexpr int kLargeBytes = 1024 * 1024;
+  (void)mallopt(M_MMAP_THRESHOLD, kLargeBytes);  // grids go back to the system once they are freed
   FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres logs even when asked to be silent
   google::InitGoogleLogging(argv[0]);
   const auto fail = [](const std::exception& error, ExitCode code) {

@@ -15,6 +15,7 @@ constexpr double kBestWithinM = 0.4;    // the narrowest chord within this much 
 constexpr double kSonarLagM = 0.4;      // sonars hear a jamb well only from beside it: looked for
                                         // this much later than with a laser
 constexpr double kSeedM = 1.0;          // the live grid of a new ASR starts with this much path
+constexpr int kSettledAfter = 12;       // readings: the first of a new room cost most
 constexpr int kHandOverAfter = 30;      // readings: a room that was left is mapped by then
 constexpr double kHeadingSpanM = 0.15;  // motion direction is taken over this much path each way
 
@@ -84,6 +85,9 @@ class AsrRecorder::State {
     hand_over();
   }
 
+  [[nodiscard]] bool has_just_left() const {
+    return asrs_written() > 0 && since_left_ < kSettledAfter;
+  }
   [[nodiscard]] std::int64_t asrs_written() const { return next_id_ - 1; }
   [[nodiscard]] std::optional<OdometryHabits> habits() const {
     return localizer_ ? localizer_->habits() : std::nullopt;
@@ -327,6 +331,7 @@ void AsrRecorder::add(const RangeReading& reading, const Pose2& reckoned_from_ro
   state_->add(reading, reckoned_from_robot);
 }
 void AsrRecorder::finish() { state_->finish(); }
+bool AsrRecorder::has_just_left() const { return state_->has_just_left(); }
 std::int64_t AsrRecorder::asrs_written() const { return state_->asrs_written(); }
 std::optional<OdometryHabits> AsrRecorder::habits() const { return state_->habits(); }
 

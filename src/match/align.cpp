@@ -13,8 +13,9 @@ namespace roomatlas {
 namespace {
 
 constexpr double kCloseM = 0.05;
-constexpr double kSettledShare = 0.6;  // of the iterations: by then the gate is at its smallest
-constexpr double kSettled = 1e-5;      // m and rad; smaller steps end the iteration
+constexpr double kSettledShare = 0.6;    // of the iterations: by then the gate is at its smallest
+constexpr double kNearlySettled = 1e-3;  // m and rad; after smaller steps the gate shrinks at once
+constexpr double kSettled = 1e-4;        // m and rad; smaller steps end the iteration
 
 /// The nearest face within the gate that looks the way the point does.
 const Face* partner_of(const LocalMap& map, const Point2& at, const Point2& normal, double gate_m,
@@ -153,9 +154,9 @@ ScanAlignment align(const LocalMap& map, std::span<const ScanPoint> points,
   ScanAlignment result;
   result.map_from_points = map_from_points;
   Pose2& pose = result.map_from_points;
-  const double settled_at = kSettledShare * options.max_iterations;
+  const double shrink = 1.0 / (kSettledShare * options.max_iterations);
+  double shrunk = 0.0;  // of the way from the first gate to the last
   for (int iteration = 0; iteration < options.max_iterations; ++iteration) {
-    const double shrunk = std::min(1.0, iteration / settled_at);
     const double gate_m =
         options.first_gate_m + shrunk * (options.last_gate_m - options.first_gate_m);
     const Point2 cosine_sine = direction(pose.theta_rad);
@@ -182,7 +183,8 @@ ScanAlignment align(const LocalMap& map, std::span<const ScanPoint> points,
     const Eigen::Vector3d step = -equations.hessian.ldlt().solve(equations.gradient);
     if (!step.allFinite()) break;
     pose = {pose.x_m + step.x(), pose.y_m + step.y(), wrap_angle(pose.theta_rad + step.z())};
-    if (step.norm() < kSettled && iteration > settled_at) break;
+    if (shrunk >= 1.0 && step.norm() < kSettled) break;
+    shrunk = step.norm() < kNearlySettled ? 1.0 : std::min(1.0, shrunk + shrink);
   }
   return result;
 }

@@ -139,21 +139,35 @@ class LoopCloser {
   void mend() {
     std::vector<WiderMatch> found = search_wider();
     for (int tries = 0; tries < options_.max_mends && !found.empty(); ++tries) {
-      const auto before = std::tuple(placed_, closures_, pairs_);
-      const double score_before = total_score();
-      placed_.doubt_passages(passage_robust_sigmas_);
-      for (const WiderMatch& wider : take_most_alike(found)) {
-        placed_.add_believed(pairs_[wider.pair], wider.match);
-      }
+      const std::vector<WiderMatch> alike = take_most_alike(found);
+      if (gain_of(alike) < options_.mend_seed * total_score()) return;  // the rest gain less
+      if (believe(alike)) found = search_wider();
+    }
+  }
+
+  /// Places all rooms with these matches believed, where that is better: with the passages as they
+  /// are, or with those in which the robot may have been lost giving way. Rooms that look alike
+  /// in a row hold on to their neighbours' places where passages give way.
+  bool believe(const std::vector<WiderMatch>& matches) {
+    auto best = std::tuple(placed_, closures_, pairs_);
+    const auto before = best;
+    const double score_before = total_score();
+    double best_score = options_.mend_gain * score_before;
+    bool is_better = false;
+    for (const bool doubt_passages : {false, true}) {
+      std::tie(placed_, closures_, pairs_) = before;
+      if (doubt_passages) placed_.doubt_passages(passage_robust_sigmas_);
+      for (const WiderMatch& wider : matches) placed_.add_believed(pairs_[wider.pair], wider.match);
       placed_.solve();
       match_all_again(false);
-      if (total_score() > options_.mend_gain * score_before) {
-        lost_before_ = placed_.keep_doubts();
-        found = search_wider();
-        continue;
-      }
-      std::tie(placed_, closures_, pairs_) = before;
+      if (total_score() <= best_score) continue;
+      best = std::tuple(placed_, closures_, pairs_);
+      best_score = total_score();
+      is_better = true;
     }
+    std::tie(placed_, closures_, pairs_) = std::move(best);
+    if (is_better) lost_before_ = placed_.keep_doubts();
+    return is_better;
   }
 
   /// Of the contradicted pairs those that fit elsewhere.

@@ -49,26 +49,26 @@ void require_enough(const MissionInfo& info, const MapSummary& summary) {
 MapSummary map_mission(MissionSource& mission, AsrSink& sink, const MapOptions& options,
                        const Progress& progress) {
   constexpr int kReportEvery = 256;
-  constexpr std::size_t kAtOnce = 2;
   CountingSink counting(sink);
   DeadReckoner reckoner(options.reckon);
   std::optional<AsrRecorder> recorder;  // made once the log has told the robot's footprint
   std::deque<DeadReckoned> waiting;
-  // the reckoner hands over many at once where it had to wait: worked on a few at a time
-  const auto record = [&](std::vector<DeadReckoned> readings, std::size_t at_once) {
+  const auto take = [&](std::vector<DeadReckoned> readings) {
     if (!recorder) {
       recorder.emplace(
           options.record, mission.info().footprint, counting,
           options.localize.enabled ? std::make_unique<RoomLocalizer>(options.localize) : nullptr);
     }
     std::move(readings.begin(), readings.end(), std::back_inserter(waiting));
-    for (std::size_t i = 0; i < at_once && !waiting.empty(); ++i) {
-      recorder->add(waiting.front().reading, waiting.front().reckoned_from_robot);
-      waiting.pop_front();
-    }
+  };
+  const auto record_one = [&] {
+    if (waiting.empty()) return;
+    recorder->add(waiting.front().reading, waiting.front().reckoned_from_robot);
+    waiting.pop_front();
   };
   const auto finish = [&] {
-    record(reckoner.finish(), std::numeric_limits<std::size_t>::max());
+    take(reckoner.finish());
+    while (!waiting.empty()) record_one();
     recorder->finish();
   };
 
@@ -77,7 +77,10 @@ MapSummary map_mission(MissionSource& mission, AsrSink& sink, const MapOptions& 
     if (const auto* truth = std::get_if<TruePose>(&*event)) {
       counting.put(*truth);
     } else {
-      record(reckoner.add(std::get<RangeReading>(*event)), kAtOnce);
+      take(reckoner.add(std::get<RangeReading>(*event)));
+      record_one();
+      // the reckoner hands over many at once where it had to wait: caught up with two by two
+      if (!recorder->has_just_left()) record_one();
     }
     if (progress && ++events % kReportEvery == 0 && !progress("map", mission.progress())) {
       finish();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace roomatlas {
 namespace {
@@ -37,6 +38,11 @@ std::vector<WiderMatch> take_most_alike(std::vector<WiderMatch>& found) {
   const std::vector<WiderMatch> taken(alike, found.end());
   found.erase(alike, found.end());
   return taken;
+}
+
+int gain_of(const std::vector<WiderMatch>& matches) {
+  return std::accumulate(matches.begin(), matches.end(), 0,
+                         [](int sum, const WiderMatch& wider) { return sum + wider.gain; });
 }
 
 }  // namespace roomatlas

@@ -24,4 +24,6 @@ struct WiderMatch {
 /// @param found not empty
 [[nodiscard]] std::vector<WiderMatch> take_most_alike(std::vector<WiderMatch>& found);
 
+[[nodiscard]] int gain_of(const std::vector<WiderMatch>& matches);
+
 }  // namespace roomatlas

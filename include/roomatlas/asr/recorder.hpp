@@ -42,6 +42,9 @@ class AsrRecorder {
   /// Hands over the room being mapped. Call once, at the mission's end or interruption.
   void finish();
 
+  /// True for some readings after a room was left: the next room's first sweeps are drawn beside
+  /// them, and each costs more than most.
+  [[nodiscard]] bool has_just_left() const;
   [[nodiscard]] std::int64_t asrs_written() const;
   /// Of odometry, as the localizer learnt them.
   [[nodiscard]] std::optional<OdometryHabits> habits() const;

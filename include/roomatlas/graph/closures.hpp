@@ -31,11 +31,12 @@ struct ClosureOptions {
   double again_near_m = 4.0;    ///< rooms this near are matched again once all are placed ...
   int again_min_agreeing = 60;  ///< ... and fewer points suffice then
   int rounds = 3;               ///< of matching again, one at least
-  int max_mends = 4;  ///< times that one of the rooms which contradict each other is put where it
-                      ///< fits in `max_window`, and all are matched again
-  double mend_gain = 1.05;          ///< all scores together must grow so much by it
-  double robust_sigmas = 2.0;       ///< closures off by more lose weight (Cauchy)
-  int without_best = 0;             ///< the best this many accepted closures are left out
+  int max_mends = 4;            ///< times that rooms which contradict each other are put where they
+                                ///< fit in `max_window`, and all are matched again
+  double mend_gain = 1.05;      ///< all scores together must grow so much by it,
+  double mend_seed = 0.0025;    ///< and those put elsewhere alone by so much of them: to be tried
+  double robust_sigmas = 2.0;   ///< closures off by more lose weight (Cauchy)
+  int without_best = 0;         ///< the best this many accepted closures are left out
   std::vector<GivenClosure> given;  ///< tried beside those that are found
 };
 
