@@ -44,7 +44,7 @@ void assemble(const Settings& settings, const Path& store_file) {
   assembly.plan.title = mission == metadata.end() ? "" : mission->second;
   if (!assembly.mapped_again.empty()) store.replace_asrs(assembly.mapped_again);
   const CarriedOver carried = carry_over(former, assembly.plan, assembly.room_of_asr);
-  store.put_assembly(assembly.correction, assembly.plan, assembly.room_of_asr);
+  store.put_assembly(assembly.correction, assembly.plan, assembly.room_of_asr, assembly.paths);
   if (assembly.measured_plan) {
     renumber(*assembly.measured_plan, carried.number);
     store.put_measured_plan(*assembly.measured_plan);

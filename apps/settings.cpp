@@ -156,6 +156,8 @@ void add_correction(CLI::App& app, Settings& settings) {
       ->group("Correction (offline stage)");
   stage.flag("match-rooms", assemble.match_rooms,
              "find rooms again by their walls (laser); off: by their doorways alone");
+  stage.flag("feed-back", assemble.feed_back.enabled,
+             "match readings again with all rooms where these lie once corrected (laser)");
   stage.choice("model", correct.model,
                "se2, or rotation: the paper's, rooms turn about their entry pivots",
                std::map<std::string, CorrectionModel>{

@@ -52,7 +52,9 @@ std::string found_version(Database& database) {
 void create_schema(Database& database) {
   database.execute("PRAGMA application_id = " + std::to_string(kApplicationId));
   database.execute("PRAGMA user_version = " + std::to_string(kGeoPackageVersion));
-  for (const char* sql : {kGeoPackageSql, kMissionSql, kResultSql}) database.execute(sql);
+  for (const char* sql : {kGeoPackageSql, kMissionSql, kResultSql, kMatchedPathSql}) {
+    database.execute(sql);
+  }
   for (const char* prefix : {"", kMeasured}) database.execute(shapes_sql(prefix));
   register_tables(database);
   create_layer_styles(database);

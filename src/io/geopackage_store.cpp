@@ -79,6 +79,8 @@ GeoPackageStore::GeoPackageStore(const fs::path& file, Mode mode)
   state_->mode = mode;
   try {
     state_->database = mode == Mode::create ? create(file) : open(file, mode == Mode::update);
+    state_->reads_matched_path =
+        mode == Mode::read && state_->database->connection().tableExists("matched_path");
   } catch (const SQLite::Exception& error) {
     throw InputError(file.string() + ": cannot be opened: " + error.what());
   }

@@ -82,14 +82,25 @@ void write_polygons(Database& db, const std::string& table, const std::vector<Po
   layer.write_extent();
 }
 
+void write_matched_path(Database& db, const Paths& paths) {
+  for (const auto& [asr, path] : paths) {
+    std::int64_t key = row_keys(asr).first;
+    for (const Pose2& asr_from_robot : path) {
+      db.run("INSERT INTO matched_path VALUES (?, ?, ?, ?)", key++, asr_from_robot);
+    }
+  }
+}
+
 void write_path(Database& db, const std::vector<AsrCorrection>& corrections) {
   Layer layer(db, "path");
   for (const AsrCorrection& correction : corrections) {
     const RowKeys keys = row_keys(correction.asr);
     Polyline line;
     db.for_each_row(
-        "SELECT asr_from_robot_x_m, asr_from_robot_y_m FROM path_samples "
-        "WHERE id BETWEEN ? AND ? ORDER BY id",
+        "SELECT coalesce(matched_path.asr_from_robot_x_m, path_samples.asr_from_robot_x_m), "
+        "coalesce(matched_path.asr_from_robot_y_m, path_samples.asr_from_robot_y_m) "
+        "FROM path_samples LEFT JOIN matched_path USING (id) "
+        "WHERE path_samples.id BETWEEN ? AND ? ORDER BY path_samples.id",
         [&](Row& row) { line.push_back(correction.building_from_asr * row.point()); }, keys.first,
         keys.last);
     if (line.size() < 2) continue;  // a point is no line
@@ -166,8 +177,9 @@ void GeoPackageStore::put_measured_plan(const FloorPlan& plan) {
 }
 
 void GeoPackageStore::put_assembly(const Correction& correction, const FloorPlan& plan,
-                                   const std::map<AsrId, RoomId>& room_of_asr) {
+                                   const std::map<AsrId, RoomId>& room_of_asr, const Paths& paths) {
   state_->transaction([&](Database& db) {
+    db.execute(kMatchedPathSql);  // a store that an earlier release made has none
     for (const char* table : kResultTables) db.execute("DELETE FROM " + std::string(table));
     db.run("INSERT INTO assembly VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", plan.title,
            correction.converged, correction.model, correction.message, correction.initial_cost,
@@ -175,6 +187,7 @@ void GeoPackageStore::put_assembly(const Correction& correction, const FloorPlan
            correction.odometry_bias.rad_per_rad, correction.odometry_bias.asrs);
     write_correction(db, correction);
     write_plan(db, plan);
+    write_matched_path(db, paths);
     write_path(db, correction.asrs);
     db.run("UPDATE asr SET room = 0");
     for (const auto& [asr, room] : room_of_asr) {

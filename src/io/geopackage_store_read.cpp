@@ -89,6 +89,20 @@ std::vector<PathSample> path_of(Database& db, AsrId id) {
   return path;
 }
 
+/// Puts the poses at which readings were matched again into a path.
+void take_matched_path(Database& db, Asr& asr) {
+  const RowKeys keys = row_keys(asr.id);
+  std::size_t i = 0;
+  db.for_each_row(
+      "SELECT asr_from_robot_x_m, asr_from_robot_y_m, asr_from_robot_theta_rad "
+      "FROM matched_path WHERE id BETWEEN ? AND ? ORDER BY id",
+      [&](Row& row) {
+        if (i == asr.path.size()) throw DamagedData("matched_path has more rows than path_samples");
+        asr.path[i++].asr_from_robot = row.pose();
+      },
+      keys.first, keys.last);
+}
+
 std::vector<RangeReading> readings_of(Database& db, SensorTable& sensors, const Asr& asr) {
   std::vector<RangeReading> readings;
   db.for_each_row(
@@ -128,6 +142,7 @@ Asr GeoPackageStore::get(AsrId id, AsrDetail detail) const {
     asr.exits = exits_of(db, id);
     if (detail == AsrDetail::geometry) return asr;
     asr.path = path_of(db, id);
+    if (state_->reads_matched_path) take_matched_path(db, asr);
     if (detail == AsrDetail::readings) asr.readings = readings_of(db, state_->sensors, asr);
     return asr;
   });

@@ -15,6 +15,7 @@ struct GeoPackageStore::State {
   std::filesystem::path file;
   Mode mode = Mode::read;
   std::unique_ptr<Database> database;  ///< null once finished
+  bool reads_matched_path = false;     ///< paths as they were matched again, where they were
   SensorTable sensors;
   std::vector<TruePose> pending_truth;  ///< waits for the next ASR's transaction
   std::int64_t rows_of_closed_database = 0;

@@ -233,4 +233,12 @@ CREATE TABLE plan_issues (
   message TEXT NOT NULL);
 )sql";
 
+const char* const kMatchedPathSql = R"sql(
+CREATE TABLE IF NOT EXISTS matched_path (
+  id INTEGER PRIMARY KEY,
+  asr_from_robot_x_m REAL,
+  asr_from_robot_y_m REAL,
+  asr_from_robot_theta_rad REAL);
+)sql";
+
 }  // namespace roomatlas

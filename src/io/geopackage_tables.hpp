@@ -13,7 +13,7 @@ struct TableContents {
   const char* description;
 };
 
-inline constexpr std::array<TableContents, 21> kTables = {{
+inline constexpr std::array<TableContents, 22> kTables = {{
     {"rooms", "MULTIPOLYGON", "Rooms of the floor plan"},
     {"doors", "POLYGON", "Doorways: openings in the walls"},
     {"walls", "POLYGON", "Wall bodies with thickness"},
@@ -27,6 +27,7 @@ inline constexpr std::array<TableContents, 21> kTables = {{
     {"asr", nullptr, "Visits to spaces, each in its own frame"},
     {"exits", nullptr, "Passages through which the robot entered or left a visit"},
     {"path_samples", nullptr, "Poses of the robot, one a reading"},
+    {"matched_path", nullptr, "Poses of the robot where readings were matched again"},
     {"sensors", nullptr, "Range sensors and their beams"},
     {"readings", nullptr, "Range readings, compressed, one row a visit"},
     {"truth", nullptr, "True poses in the order of the log"},
@@ -38,17 +39,19 @@ inline constexpr std::array<TableContents, 21> kTables = {{
 }};
 
 /// The tables that an assembly fills and the next one replaces.
-inline constexpr std::array<const char*, 15> kResultTables = {
+inline constexpr std::array<const char*, 16> kResultTables = {
     "rooms",          "doors",          "walls",          "free_space",          "furniture",
     "measured_rooms", "measured_doors", "measured_walls", "measured_free_space", "path",
-    "assembly",       "corrections",    "factors",        "plan_issues",         "closures"};
+    "assembly",       "corrections",    "factors",        "plan_issues",         "closures",
+    "matched_path"};
 
 /// Before the names of the tables that hold the plan as measured.
 inline constexpr const char* kMeasured = "measured_";
 
-extern const char* const kGeoPackageSql;  ///< the tables that the standard asks for
-extern const char* const kMissionSql;     ///< what the online stage writes
-extern const char* const kResultSql;      ///< what the offline stage writes
+extern const char* const kGeoPackageSql;   ///< the tables that the standard asks for
+extern const char* const kMissionSql;      ///< what the online stage writes
+extern const char* const kResultSql;       ///< what the offline stage writes
+extern const char* const kMatchedPathSql;  ///< the same, where the store does not have it yet
 
 /// The tables of a plan's shapes. @param prefix of their names: none, or kMeasured
 [[nodiscard]] std::string shapes_sql(const std::string& prefix);

@@ -39,18 +39,20 @@ void LocalMap::add_hit(const Point2& position, const Point2& normal) {
   for_each_cell({{hit.x - 1, hit.y - 1}, {hit.x + 2, hit.y + 2}}, [&](const Cell& cell) {
     raise(cell, cell == hit ? HimmGrid::kHitHalfSteps : HimmGrid::kNeighborHalfSteps);
   });
-  std::uint16_t* slot = &cells_.edit(hit).face;
-  if (*slot != 0 && faces_[*slot - 1U].normal_sum.dot(normal) < 0.0) {
+  add({position, normal, 1.0});
+}
+
+void LocalMap::add(const Face& seen) {
+  std::uint16_t* slot = &cells_.edit(frame_.cell_of(seen.position)).face;
+  if (*slot != 0 && faces_[*slot - 1U].normal_sum.dot(seen.normal) < 0.0) {
     slot = &faces_[*slot - 1U].other;  // the wall's other side
   }
   if (*slot == 0) {
     if (faces_.size() == std::numeric_limits<std::uint16_t>::max()) return;
     *slot = static_cast<std::uint16_t>(faces_.size() + 1);
     faces_.emplace_back();  // `slot` may point into `faces_`: it is not used any more
-    faces_.back().mean.position = position;
-    faces_.back().mean.hits = 1.0;
-    faces_.back().normal_sum = normal;
-    faces_.back().mean.normal = normal;
+    faces_.back().mean = seen;
+    faces_.back().normal_sum = seen.hits * seen.normal;
     return;
   }
   StoredFace& face = faces_[*slot - 1U];
@@ -58,9 +60,9 @@ void LocalMap::add_hit(const Point2& position, const Point2& normal) {
     face.mean.hits *= kFade;
     face.normal_sum *= kFade;
   }
-  face.mean.hits += 1.0;
-  face.mean.position += (position - face.mean.position) / face.mean.hits;
-  face.normal_sum += normal;
+  face.mean.hits += seen.hits;
+  face.mean.position += seen.hits * (seen.position - face.mean.position) / face.mean.hits;
+  face.normal_sum += seen.hits * seen.normal;
   const double length = face.normal_sum.norm();
   const bool is_clear = length > kClearNormal * face.mean.hits;
   face.mean.normal = is_clear ? Point2(face.normal_sum / length) : Point2::Zero();

@@ -13,15 +13,6 @@ constexpr double kMaxLostM = 1.5;    // a wide search goes no farther
 constexpr double kLostSigmaM = 0.1;  // of a pose that a wide search found
 constexpr double kLostSigmaRad = radians(2.0);
 
-/// Every n-th point, so that at most about `max_points` are left.
-std::vector<ScanPoint> thinned(const std::vector<ScanPoint>& points, int max_points) {
-  const std::size_t stride =
-      std::max<std::size_t>(1, points.size() / static_cast<std::size_t>(max_points));
-  std::vector<ScanPoint> some;
-  for (std::size_t i = 0; i < points.size(); i += stride) some.push_back(points[i]);
-  return some;
-}
-
 }  // namespace
 
 bool can_be_matched(const RangeReading& reading) {

@@ -87,4 +87,12 @@ Scan scan_of(const RangeReading& reading, const ScanOptions& options) {
   return scan;
 }
 
+std::vector<ScanPoint> thinned(const std::vector<ScanPoint>& points, int max_points) {
+  const std::size_t stride =
+      std::max<std::size_t>(1, points.size() / static_cast<std::size_t>(max_points));
+  std::vector<ScanPoint> some;
+  for (std::size_t i = 0; i < points.size(); i += stride) some.push_back(points[i]);
+  return some;
+}
+
 }  // namespace roomatlas

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "close_loops.hpp"
+#include "feed_back.hpp"
 #include "load.hpp"
 #include "map_building.hpp"
 #include "record_again.hpp"
@@ -30,6 +31,7 @@ struct CorrectedGraph {
   RoomGraph graph;
   Correction correction;
   std::vector<Closure> closures;
+  Paths paths;  ///< of readings matched again; may be empty
 };
 
 bool can_match_rooms(const std::vector<Asr>& asrs) {
@@ -62,17 +64,20 @@ CorrectedGraph correct_by_matching(const AsrSource& source, const std::vector<As
                                    const AssembleOptions& options) {
   CorrectedGraph result;
   result.graph = build_graph(asrs);
-  ClosedLoops loops = close_loops(asrs, shapes_of(source, asrs, options.closures), result.graph,
-                                  options.correct, options.closures);
+  const std::vector<AsrShape> shapes = shapes_of(source, asrs, options.closures);
+  ClosedLoops loops = close_loops(asrs, shapes, result.graph, options.correct, options.closures);
   for (const Closure& closure : loops.closures) {
     if (closure.verdict == ClosureVerdict::accepted) add_edge(result.graph, edge_of(closure));
   }
   result.closures = std::move(loops.closures);
   doubt_passages_into(result.graph, loops.lost_before);
   result.correction = correct(asrs, result.graph, options.correct, loops.placement);
-  for (const PassageEdge& edge :
-       recognise_doorways(asrs, placement_of(result.correction), options.recognise)) {
+  const Placement placement = placement_of(result.correction);
+  for (const PassageEdge& edge : recognise_doorways(asrs, placement, options.recognise)) {
     add_edge(result.graph, edge);
+  }
+  if (options.feed_back.enabled) {
+    result.paths = feed_back(source, shapes, result.closures, placement, options.feed_back);
   }
   return result;
 }
@@ -81,7 +86,7 @@ CorrectedGraph correct_by_matching(const AsrSource& source, const std::vector<As
 /// until nothing new is recognised.
 CorrectedGraph correct_in_rounds(const std::vector<Asr>& asrs, const AssembleOptions& options) {
   const RoomGraph driven = build_graph(asrs);
-  CorrectedGraph result{driven, correct(asrs, driven, options.correct), {}};
+  CorrectedGraph result{driven, correct(asrs, driven, options.correct), {}, {}};
   std::set<EdgeKey> known;
   for (int round = 0; round < options.max_rounds; ++round) {
     const std::vector<PassageEdge> recognised =
@@ -239,10 +244,12 @@ Assembly assemble_rooms(const AsrSource& source, const KnownPlacement& known,
   assembly.closures = std::move(corrected.closures);
   assembly.graph = std::move(corrected.graph);
   assembly.correction = std::move(corrected.correction);
+  assembly.paths = std::move(corrected.paths);
+  const WithPaths fed_back(source, assembly.paths);
   const Placement placement = placement_of(assembly.correction);
 
   MappedBuilding building = can_map_building(source, asrs)
-                                ? map_building(source, placement, footprint, options, progress)
+                                ? map_building(fed_back, placement, footprint, options, progress)
                                 : rooms_by_outlines(source, asrs, assembly.graph, placement,
                                                     footprint, options, progress);
   assembly.room_of_asr = std::move(building.room_of_asr);

@@ -140,6 +140,39 @@ TEST_F(StoredAssembly, LeavesTheAsrsAsTheyWereApartFromTheirRoom) {
   expect_same(store_.get(1, AsrDetail::readings), expected);
 }
 
+TEST_F(StoredAssembly, PathsThatWereMatchedAgainAreReadButNotAssembledFrom) {
+  const Asr online = sample_asr(2);
+  Paths paths;
+  for (const PathSample& sample : online.path) {
+    paths[2].push_back(sample.asr_from_robot * Pose2{0.01, -0.02, 0.003});
+  }
+  store_.put_assembly(sample_correction(3), sample_plan(), {}, paths);
+  expect_same(store_.get(2, AsrDetail::readings), online);  // it is open to be updated
+  store_.finish();
+  Asr matched = online;
+  for (std::size_t i = 0; i < paths[2].size(); ++i) matched.path[i].asr_from_robot = paths[2][i];
+  {
+    const GeoPackageStore store(file_, Mode::read);
+    expect_same(store.get(2, AsrDetail::readings), matched);
+    expect_same(store.get(1, AsrDetail::readings), sample_asr(1));
+  }
+  GeoPackageStore again(file_, Mode::update);
+  again.put_assembly(sample_correction(3), sample_plan(), {});
+  again.finish();
+  expect_same(GeoPackageStore(file_, Mode::read).get(2, AsrDetail::readings), online);
+}
+
+TEST_F(StoredAssembly, AStoreOfAnEarlierReleaseHasNoMatchedPath) {
+  store_.finish();
+  SQLite::Database(file_.string(), SQLite::OPEN_READWRITE).exec("DROP TABLE matched_path");
+  expect_same(GeoPackageStore(file_, Mode::read).get(2, AsrDetail::readings), sample_asr(2));
+  GeoPackageStore store(file_, Mode::update);
+  store.put_assembly(sample_correction(3), sample_plan(), {}, {{2, {Pose2{1.0, 2.0, 0.5}}}});
+  store.finish();
+  const Asr asr = GeoPackageStore(file_, Mode::read).get(2, AsrDetail::path);
+  EXPECT_EQ(asr.path.front().asr_from_robot, (Pose2{1.0, 2.0, 0.5}));
+}
+
 TEST_F(StoredAssembly, AFailureKeepsTheFormerOne) {
   store_.put_assembly(sample_correction(3), sample_plan(), {});
   FloorPlan twice = sample_plan();

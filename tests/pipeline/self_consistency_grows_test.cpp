@@ -2,6 +2,7 @@
 // The figures without truth get worse, in order, as known wrong corrections grow.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "pipeline/known_placement.hpp"
@@ -100,8 +101,14 @@ SelfConsistency judged(const KnownMission& mission, const Placement& placement) 
   return self_consistency(mission.evidence, placement, mission.rooms, mission.options);
 }
 
+/// Two standard errors of a share of so many samples.
+double noise_of(const ConsistencyValue& share) {
+  return 2.0 * std::sqrt(share.value * (1.0 - share.value) / share.measured);
+}
+
 /// Every step of growing error raises the sum of the figures, and that of walls that rays pass
-/// through; and each wrong map is judged worse than the true one, or not better.
+/// through but for the noise of a share that has levelled off; and each wrong map is judged worse
+/// than the true one.
 template <typename Wrong>
 void expect_growth(const KnownMission& mission, const std::vector<double>& sizes, Wrong wrong) {
   const SelfConsistency right = judged(mission, mission.truth);
@@ -111,7 +118,9 @@ void expect_growth(const KnownMission& mission, const std::vector<double>& sizes
     const SelfConsistency now = judged(mission, wrong(size));
     EXPECT_GT(now.inconsistency, former.inconsistency) << "at " << size;
     if (size >= sizes[1]) {
-      EXPECT_GE(now.figures[rays].value, former.figures[rays].value) << "at " << size;
+      const ConsistencyValue& share = now.figures[rays];
+      EXPECT_GE(share.value, former.figures[rays].value - noise_of(share)) << "at " << size;
+      EXPECT_GE(share.value, right.figures[rays].value) << "at " << size;
     }
     former = now;
   }

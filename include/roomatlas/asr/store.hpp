@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+#include <vector>
+
 #include "roomatlas/asr/asr.hpp"
 
 namespace roomatlas {
@@ -20,6 +23,9 @@ enum class AsrDetail {
   path,      ///< and the path
   readings,  ///< and the readings
 };
+
+/// Paths in the frames of their ASRs, one pose a reading.
+using Paths = std::map<AsrId, std::vector<Pose2>>;
 
 /// Where the offline stage reads from. No call reads more of the building than it names.
 class AsrSource {

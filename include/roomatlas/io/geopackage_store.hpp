@@ -47,8 +47,10 @@ class GeoPackageStore : public AsrSink, public AsrSource {
   [[nodiscard]] std::vector<Closure> closures() const;
   /// What `assemble` found: replaces what an earlier run left, in one transaction. Also writes
   /// each ASR's room and the corrected path as a feature layer.
+  /// @param paths of ASRs whose readings were matched again: `get` has these from then on, but in
+  ///   a store that is open to be updated, so that assembling again begins where it began before
   void put_assembly(const Correction& correction, const FloorPlan& plan,
-                    const std::map<AsrId, RoomId>& room_of_asr);
+                    const std::map<AsrId, RoomId>& room_of_asr, const Paths& paths = {});
   /// The same plan with its walls as measured; after `put_assembly`, which deletes that of an
   /// earlier run. Only rooms, doors, walls and free space are kept: all else is the plan's.
   void put_measured_plan(const FloorPlan& plan);

@@ -24,6 +24,8 @@ class LocalMap {
   explicit LocalMap(double cell_m) : frame_{cell_m} {}
 
   void add(const Scan& scan, const Pose2& map_from_robot);
+  /// Takes what another map saw of a surface, as so many hits; says nothing of free space.
+  void add(const Face& seen);
 
   /// HIMM's certainty in half steps, [-6, 30]; 0 where nothing is known.
   [[nodiscard]] int certainty(const Cell& cell) const { return cells_.at(cell).certainty; }

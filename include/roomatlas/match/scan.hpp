@@ -32,4 +32,7 @@ struct ScanOptions {
 /// @returns the sweep; empty for a sensor without beams
 [[nodiscard]] Scan scan_of(const RangeReading& reading, const ScanOptions& options);
 
+/// Every n-th point, so that at most about `max_points` are left.
+[[nodiscard]] std::vector<ScanPoint> thinned(const std::vector<ScanPoint>& points, int max_points);
+
 }  // namespace roomatlas

@@ -46,6 +46,19 @@ struct MapSummary {
 [[nodiscard]] MapSummary map_mission(MissionSource& mission, AsrSink& sink,
                                      const MapOptions& options, const Progress& progress = {});
 
+/// How readings are matched once more where the correction puts them.
+struct FeedBackOptions {
+  bool enabled = true;
+  ScanOptions scan;
+  AlignOptions align{.first_gate_m = 0.12, .max_iterations = 4};
+  int max_points = 120;            ///< of a sweep
+  double min_face_hits = 12.0;     ///< in one visit; fewer lie where noise put them
+  double position_sigma_m = 0.05;  ///< of the pose in its own ASR ...
+  double heading_sigma_rad = radians(2.0);
+  int min_matched = 20;            ///< fewer partners: the pose stays
+  double min_matched_share = 0.3;  ///< so it does below this share of the sweep
+};
+
 struct AssembleOptions {
   bool correct_sonars = true;  ///< a mission with sonars alone is corrected as a whole first; off:
                                ///< its rooms as odometry bent them
@@ -56,6 +69,7 @@ struct AssembleOptions {
   RoomOptions rooms;       ///< where rooms are decided by the ASRs' outlines
   SegmentOptions segment;  ///< where they are decided by everything that the mission saw
   CorrectOptions correct;
+  FeedBackOptions feed_back;
   bool regular_walls = true;  ///< also draw walls along the building's directions
   RegularWallOptions regular;
   double sonar_corner_m = 0.8;  ///< `regular.blind_corner_m` where sonars were heard
@@ -73,6 +87,7 @@ struct Assembly {
   std::vector<BuildingDoor> doors;
   std::optional<SonarTrajectory> sonars;  ///< how a sonar mission was corrected; poses left out
   std::vector<Asr> mapped_again;  ///< instead of the source's ASRs, where these were recorded anew
+  Paths paths;                    ///< instead of the source's, where readings were matched again
   std::vector<Closure> closures;  ///< matches of rooms by their walls, accepted or not
   FloorPlan plan;
   std::optional<FloorPlan> measured_plan;  ///< as measured, where the walls of `plan` are regular
