@@ -55,8 +55,11 @@ PathPlaces::PathPlaces(const BuildingGrid& grid, const std::vector<Pose2>& path,
   link_seen(see_m);
 }
 
-std::vector<std::size_t> PathPlaces::sets(const std::vector<bool>& is_closed) const {
+std::vector<std::size_t> PathPlaces::sets(
+    const std::vector<bool>& is_closed,
+    const std::vector<std::pair<std::size_t, std::size_t>>& joined) const {
   Sets sets(points_.size());
+  for (const auto& [a, b] : joined) sets.union_set(a, b);
   for (const Link& link : links_) {
     const bool is_parted = std::any_of(link.crossed.begin(), link.crossed.end(),
                                        [&](std::size_t i) { return is_closed[i]; });

@@ -32,7 +32,10 @@ class PathPlaces {
              const std::vector<Opening>& openings, double see_m);
 
   /// A number for the set of each place, while some openings are closed.
-  [[nodiscard]] std::vector<std::size_t> sets(const std::vector<bool>& is_closed) const;
+  /// @param joined places that belong together whatever is closed
+  [[nodiscard]] std::vector<std::size_t> sets(
+      const std::vector<bool>& is_closed,
+      const std::vector<std::pair<std::size_t, std::size_t>>& joined) const;
   /// The place of each pose.
   [[nodiscard]] const std::vector<std::size_t>& of_poses() const { return place_of_pose_; }
   /// The places before and behind an opening, each time that the robot drove through it.

@@ -2,10 +2,12 @@
 #include "roomatlas/graph/segment_rooms.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "path_places.hpp"
 
@@ -14,7 +16,9 @@ namespace {
 
 constexpr double kCutBeyondM = 0.2;    // the same for cells
 constexpr double kHalfPassageM = 0.3;  // what is seen through narrower gaps is not the room's
+constexpr double kOneJambM = 0.5;      // jambs this near are one
 constexpr int kMostRounds = 50;
+constexpr std::array<Cell, 4> kSides = {Cell{1, 0}, Cell{0, 1}, Cell{-1, 0}, Cell{0, -1}};
 
 /// Free space that is wide enough to be part of a room, or that the robot drove through.
 CellMask roomy(const BuildingGrid& grid, const std::vector<Pose2>& path) {
@@ -53,6 +57,7 @@ class Rooms {
       rooms = {};  // its cells are many: gives them back first
       rooms = segmented();
     }
+    remove_doubled_doors(rooms);
     return rooms;
   }
 
@@ -61,7 +66,7 @@ class Rooms {
     RoomSegmentation result;
     result.frame = grid_.frame;
     result.box = grid_.free.box;
-    const std::vector<std::size_t> set_of = places_.sets(is_closed_);
+    const std::vector<std::size_t> set_of = places_.sets(is_closed_, joined_);
     std::map<std::size_t, RoomId> number_of;
     for (const std::size_t place : places_.of_poses()) {
       const auto next = static_cast<RoomId>(number_of.size() + 1);
@@ -71,10 +76,33 @@ class Rooms {
     fill(result);
     for (std::size_t i = 0; i < openings_.size(); ++i) {
       if (!is_closed_[i]) continue;
-      result.openings.push_back(
-          {openings_[i], beside(result, openings_[i], -1.0), beside(result, openings_[i], 1.0)});
+      result.openings.push_back({openings_[i], beside(result, openings_[i], -1.0),
+                                 beside(result, openings_[i], 1.0), !drives_through_[i].empty()});
     }
     return result;
+  }
+
+  /// A doorway is seen twice where its chords differ at one jamb, that of a door leaf: of two
+  /// openings between the same rooms whose jambs meet, the one that was not used is none.
+  static void remove_doubled_doors(RoomSegmentation& rooms) {
+    const auto share_jamb = [](const Segment2& a, const Segment2& b) {
+      for (const Point2& p : {a.a, a.b}) {
+        for (const Point2& q : {b.a, b.b}) {
+          if ((p - q).norm() < kOneJambM) return true;
+        }
+      }
+      return false;
+    };
+    const std::vector<RoomOpening> all = rooms.openings;
+    std::erase_if(rooms.openings, [&](const RoomOpening& one) {
+      return !one.is_driven && one.is_door() &&
+             std::any_of(all.begin(), all.end(), [&](const RoomOpening& other) {
+               return other.is_driven &&
+                      std::minmax(one.behind, one.ahead) ==
+                          std::minmax(other.behind, other.ahead) &&
+                      share_jamb(one.opening.jambs, other.opening.jambs);
+             });
+    });
   }
 
   /// Roomy space goes to the room from which it is reached first.
@@ -95,7 +123,7 @@ class Rooms {
     }
     for (; !front.empty(); front.pop_front()) {
       const Cell at = front.front();
-      for (const Cell& side : {Cell{1, 0}, Cell{0, 1}, Cell{-1, 0}, Cell{0, -1}}) {
+      for (const Cell& side : kSides) {
         take({at.x + side.x, at.y + side.y}, result.at(at));
       }
     }
@@ -151,6 +179,51 @@ class Rooms {
     return pairs;
   }
 
+  /// Joins the smaller of two rooms at an opening with a third, where its floor goes over into that
+  /// one's or it has none itself: the robot looked in at a door and turned back, and was in the
+  /// room behind by another way.
+  bool join_by_floor(const RoomSegmentation& rooms, const RoomOpening& opening,
+                     const RoomPair& pair, const std::vector<double>& area_m2) {
+    const auto area_of = [&](RoomId room) { return area_m2[static_cast<std::size_t>(room)]; };
+    const auto [small, other] =
+        area_of(pair.first) < area_of(pair.second) ? pair : RoomPair(pair.second, pair.first);
+    RoomId third = most_touched_by(small, rooms);
+    if (area_of(small) == 0.0) third = opening.behind == other ? opening.ahead : opening.behind;
+    if (third == 0 || third == other) return false;
+    const auto place_in = [&](RoomId room) {
+      const auto pose = std::find(rooms.room_of_pose.begin(), rooms.room_of_pose.end(), room);
+      return places_.of_poses()[static_cast<std::size_t>(pose - rooms.room_of_pose.begin())];
+    };
+    joined_.emplace_back(place_in(small), place_in(third));
+    return true;
+  }
+
+  /// The room that shares most edges of cells with one that was entered; 0: none does.
+  [[nodiscard]] RoomId most_touched_by(RoomId room, const RoomSegmentation& rooms) const {
+    std::vector<Cell> seeds;
+    for (std::size_t i = 0; i < path_.size(); ++i) {
+      const Cell at = grid_.frame.cell_of(path_[i].position());
+      if (rooms.room_of_pose[i] == room && rooms.at(at) == room) seeds.push_back(at);
+    }
+    std::map<RoomId, int> edges;
+    std::set<std::int64_t> seen;
+    while (!seeds.empty()) {
+      const Cell at = seeds.back();
+      seeds.pop_back();
+      if (!seen.insert(key_of(at)).second) continue;
+      for (const Cell& side : kSides) {
+        const Cell next{at.x + side.x, at.y + side.y};
+        const RoomId there = rooms.at(next);
+        if (there == room) seeds.push_back(next);
+        if (there != 0 && there != room) ++edges[there];
+      }
+    }
+    const auto most =
+        std::max_element(edges.begin(), edges.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most == edges.end() ? 0 : most->first;
+  }
+
   /// Opens what is no door after all. False when every closed opening may stay closed.
   bool open_false_doors(const RoomSegmentation& rooms) {
     std::vector<double> area_m2 = areas_m2(rooms);
@@ -172,8 +245,8 @@ class Rooms {
       if (opening.behind != opening.ahead && !is_small && !(is_wide(i) && opening.is_door())) {
         continue;
       }
-      is_closed_[i] = false;
       any = true;
+      if (!is_small || !join_by_floor(rooms, opening, *small, area_m2)) is_closed_[i] = false;
       if (is_small) of(small->first) = of(small->second) = options_.min_room_m2;  // one a round
     }
     return any;
@@ -186,6 +259,7 @@ class Rooms {
   const CellMask roomy_;
   const PathPlaces places_;
   std::vector<bool> is_closed_;
+  std::vector<std::pair<std::size_t, std::size_t>> joined_;  ///< places of one room after all
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> drives_through_;  ///< by opening
 };
 

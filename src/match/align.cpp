@@ -15,7 +15,7 @@ namespace {
 constexpr double kCloseM = 0.05;
 constexpr double kSettledShare = 0.6;    // of the iterations: by then the gate is at its smallest
 constexpr double kNearlySettled = 1e-3;  // m and rad; after smaller steps the gate shrinks at once
-constexpr double kSettled = 1e-4;        // m and rad; smaller steps end the iteration
+constexpr double kSettled = 1e-5;        // m and rad; smaller steps end the iteration
 
 /// The nearest face within the gate that looks the way the point does.
 const Face* partner_of(const LocalMap& map, const Point2& at, const Point2& normal, double gate_m,

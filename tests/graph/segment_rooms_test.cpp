@@ -98,6 +98,56 @@ TEST(SegmentRooms, ARoomTooSmallBelongsToTheNext) {
   EXPECT_EQ(rooms_of(building, closets).rooms, 2);
 }
 
+/// Two rooms with a wide door and one of 0.7 m at (4.1, 4.0), in which the robot turns back; it
+/// stands too near to a jamb there to see anything with room on both sides.
+SketchedBuilding looked_in() {
+  SketchedBuilding building(8.2, 5.0);
+  building.box(4.0, 0.0, 4.2, 1.0);
+  building.box(4.0, 1.9, 4.2, 3.7);
+  building.box(4.0, 4.2, 4.2, 5.0);
+  building.drive({{1, 1}, {3, 3.95}, {4.18, 3.95}, {3, 3.95}, {3, 1.4}});
+  building.drive({{3, 1.4}, {5, 1.4}, {5, 4.6}, {4.7, 4.6}, {4.7, 3.4}});
+  return building;
+}
+
+TEST(SegmentRooms, ADoorAtWhichTheRobotTurnedBackIsOne) {
+  const SketchedBuilding building = looked_in();
+  const RoomSegmentation rooms = rooms_of(building);
+  EXPECT_EQ(rooms.rooms, 2);
+  ASSERT_EQ(rooms.openings.size(), 2U);
+  for (const RoomOpening& opening : rooms.openings) {
+    EXPECT_TRUE(opening.is_door());
+    EXPECT_NE(opening.behind, opening.ahead);
+    EXPECT_TRUE(opening.is_driven);
+  }
+  SegmentOptions closets;
+  closets.min_room_m2 = 0.0;
+  EXPECT_EQ(rooms_of(building, closets).rooms, 3) << "it saw the room behind: nothing is tested";
+}
+
+/// Two openings beside each other, a post of 0.3 m between them.
+SketchedBuilding with_a_post() {
+  SketchedBuilding building(8.2, 8.0);
+  building.box(4.0, 0.0, 4.2, 3.0);
+  building.box(4.0, 3.9, 4.2, 4.2);
+  building.box(4.0, 5.1, 4.2, 8.0);
+  return building;
+}
+
+TEST(SegmentRooms, OfTwoOpeningsAtOneJambTheUnusedIsNone) {
+  SketchedBuilding one_used = with_a_post();
+  SketchedBuilding both_used = with_a_post();
+  one_used.drive({{1, 3.4}, {7, 3.4}});
+  both_used.drive({{1, 3.4}, {7, 3.4}, {7, 4.65}, {1, 4.65}});
+  SegmentOptions slender;
+  slender.doors.min_beside_share = 0.2;  // the post is all there is beside the openings
+  const RoomSegmentation once = rooms_of(one_used, slender);
+  EXPECT_EQ(once.rooms, 2);
+  ASSERT_EQ(once.openings.size(), 1U);
+  EXPECT_NEAR(once.openings[0].opening.middle().y(), 3.45, 0.1);
+  EXPECT_EQ(rooms_of(both_used, slender).openings.size(), 2U);
+}
+
 TEST(SegmentRooms, AWindowEndsARoomAndAWidePassageDoesNot) {
   SketchedBuilding building(8.2, 6.0);
   building.box(4.0, 0.0, 4.2, 2.0);

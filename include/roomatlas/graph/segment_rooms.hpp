@@ -22,6 +22,7 @@ struct RoomOpening {
   Opening opening;
   RoomId behind = 0;  ///< the room against the opening's heading; 0 where the robot was not
   RoomId ahead = 0;
+  bool is_driven = false;  ///< the robot went through it
   [[nodiscard]] bool is_door() const { return behind != 0 && ahead != 0; }
 };
 
@@ -43,7 +44,9 @@ struct RoomSegmentation {
 /// Decides what is one room, from everything that the mission saw: places on the path belong
 /// together when one was driven to from the other, or sees it, without crossing an opening. An
 /// opening whose two sides are the same room by another way is no door (furniture), nor is one to
-/// a room that is too small; then the question is asked again. Free space goes to the room from
+/// a room that is too small, unless that is a part of a third whose floor it shares; then the
+/// question is asked again. Of two doors between the same rooms whose jambs meet, one that was
+/// not used is none. Free space goes to the room from
 /// which it is reached; openings into what was not entered end it.
 /// @param building_from_robot the mission's path, in its order; not empty
 [[nodiscard]] RoomSegmentation segment_rooms(const BuildingGrid& grid,
