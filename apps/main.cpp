@@ -243,7 +243,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   constexpr int kLargeBytes = 1024 * 1024;
   (void)mallopt(M_MMAP_THRESHOLD, kLargeBytes);  // grids go back to the system once they are freed
-  FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres logs even when asked to be silent
+  FLAGS_minloglevel = google::GLOG_FATAL;        // Ceres logs even when asked to be silent
   google::InitGoogleLogging(argv[0]);
   const auto fail = [](const std::exception& error, ExitCode code) {
     fmt::print(stderr, "error: {}\n", error.what());

@@ -146,18 +146,15 @@ class LoopCloser {
   }
 
   /// Places all rooms with these matches believed, where that is better: with the passages as they
-  /// are, or with those in which the robot may have been lost giving way. Rooms that look alike
-  /// in a row hold on to their neighbours' places where passages give way.
+  /// are, and from there with those giving way in which the robot may have been lost. Were they
+  /// doubted at once, rooms that look alike in a row would hold on to their neighbours' places.
   bool believe(const std::vector<WiderMatch>& matches) {
     auto best = std::tuple(placed_, closures_, pairs_);
-    const auto before = best;
-    const double score_before = total_score();
-    double best_score = options_.mend_gain * score_before;
+    double best_score = options_.mend_gain * total_score();
     bool is_better = false;
+    for (const WiderMatch& wider : matches) placed_.add_believed(pairs_[wider.pair], wider.match);
     for (const bool doubt_passages : {false, true}) {
-      std::tie(placed_, closures_, pairs_) = before;
       if (doubt_passages) placed_.doubt_passages(passage_robust_sigmas_);
-      for (const WiderMatch& wider : matches) placed_.add_believed(pairs_[wider.pair], wider.match);
       placed_.solve();
       match_all_again(false);
       if (total_score() <= best_score) continue;
