@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "roomatlas/asr/with_paths.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/pipeline/pipeline.hpp"
 #include "roomatlas/simulate/explore.hpp"
@@ -45,14 +46,15 @@ Outcome run(const FloorPlan& world, SimulationOptions simulation, std::uint64_t 
   (void)map_mission(mission, store, {});
   const Assembly assembly = assemble(store, simulation.footprint, {});
   if (!assembly.mapped_again.empty()) store.asrs = assembly.mapped_again;
-  const PlacedMission placed = place(store, assembly.correction);
+  const WithPaths matched(store, assembly.paths);
+  const PlacedMission placed = place(matched, assembly.correction);
   Truth truth;
   truth.plan = world;
   for (const TruePose& pose : store.truth()) {
     truth.poses.push_back({pose.timestamp_s, pose.world_from_robot});
   }
   outcome.evaluation = evaluate(placed.odometry, placed.corrected, assembly.plan, truth);
-  judge_placements(store, assembly.correction, assembly.plan, truth, outcome.evaluation);
+  judge_placements(matched, assembly.correction, assembly.plan, truth, outcome.evaluation);
   return outcome;
 }
 

@@ -11,6 +11,7 @@
 
 #include "altered_odometry.hpp"
 #include "recorded_data.hpp"
+#include "roomatlas/asr/with_paths.hpp"
 #include "roomatlas/evaluate/true_poses.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/pipeline/pipeline.hpp"
@@ -60,7 +61,8 @@ Trajectory corrected(const Readings& readings, const RobotFootprint& footprint) 
   test::MemoryMission mission({readings.begin(), readings.end()});
   test::MemoryStore store;
   (void)map_mission(mission, store, {});
-  return place(store, assemble(store, footprint, {}).correction).corrected;
+  const Assembly assembly = assemble(store, footprint, {});
+  return place(WithPaths(store, assembly.paths), assembly.correction).corrected;
 }
 
 void run(const Case& how, const Readings& whole, const RobotFootprint& footprint,

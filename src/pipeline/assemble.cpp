@@ -8,6 +8,7 @@
 #include "load.hpp"
 #include "map_building.hpp"
 #include "record_again.hpp"
+#include "roomatlas/asr/with_paths.hpp"
 #include "roomatlas/pipeline/pipeline.hpp"
 
 namespace roomatlas {

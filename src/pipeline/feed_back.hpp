@@ -18,24 +18,7 @@ namespace roomatlas {
 /// @returns one path an ASR, in its frame and one pose a reading; readings that match too little
 ///   keep their pose
 [[nodiscard]] Paths feed_back(const AsrSource& source, const std::vector<AsrShape>& shapes,
-                                     const std::vector<Closure>& closures,
-                                     const Placement& placement, const FeedBackOptions& options);
-
-/// A source whose paths are those given; the others as they are. The source must outlive it.
-class WithPaths : public AsrSource {
- public:
-  WithPaths(const AsrSource& source, const Paths& paths) : source_(source), paths_(paths) {}
-
-  [[nodiscard]] std::vector<AsrId> ids() const override { return source_.ids(); }
-  [[nodiscard]] Asr get(AsrId id, AsrDetail detail) const override;
-  [[nodiscard]] std::vector<AsrId> neighbors(AsrId id) const override {
-    return source_.neighbors(id);
-  }
-  [[nodiscard]] std::vector<TruePose> truth() const override { return source_.truth(); }
-
- private:
-  const AsrSource& source_;
-  const Paths& paths_;
-};
+                              const std::vector<Closure>& closures, const Placement& placement,
+                              const FeedBackOptions& options);
 
 }  // namespace roomatlas

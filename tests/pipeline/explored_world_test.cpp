@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "pipeline/memory_mission.hpp"
+#include "roomatlas/asr/with_paths.hpp"
 #include "roomatlas/correct/wall_direction.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/merge/regular_walls.hpp"
@@ -52,7 +53,7 @@ TEST_P(ExploredWorld, ComesBackAsItsPlan) {
   MemoryStore store = mapped(events);
   Assembly assembly = assemble(store, robot.footprint, {});
   if (!assembly.mapped_again.empty()) store.asrs = std::move(assembly.mapped_again);
-  const PlacedMission placed = place(store, assembly.correction);
+  const PlacedMission placed = place(WithPaths(store, assembly.paths), assembly.correction);
   Truth truth;
   truth.plan = world;
   for (const TruePose& pose : store.true_poses) {

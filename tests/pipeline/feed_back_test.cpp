@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/memory_mission.hpp"
+#include "roomatlas/asr/with_paths.hpp"
 #include "roomatlas/evaluate/ape_rpe.hpp"
 #include "roomatlas/io/formats.hpp"
 

@@ -22,9 +22,10 @@ struct DeadReckonerOptions {
   double max_apart_m = 0.55;    ///< farther ones see too different things
   double range_sigma_m = 0.08;  ///< agreement of two readings of one wall
   double flip_log_odds = 3.0;   ///< evidence needed to reverse an interval ...
-  double flip_log_odds_per_pair = 3.0;  ///< ... and this much from each pair on average. True
-                                        ///< reversals give 9 and more, a smooth corridor a little
-                                        ///< either way; smaller flips falsely
+  double flip_log_odds_per_pair = 7.0;  ///< ... and this much from each pair on average. True
+                                        ///< reversals give 9 and more, a smooth corridor up to 3.4
+                                        ///< under bad odometry, sonars up to 6.4; smaller flips
+                                        ///< falsely
 };
 
 /// Odometry that never reports a backward step counts each one double. Between two stops the

@@ -87,7 +87,8 @@ struct Assembly {
   std::vector<BuildingDoor> doors;
   std::optional<SonarTrajectory> sonars;  ///< how a sonar mission was corrected; poses left out
   std::vector<Asr> mapped_again;  ///< instead of the source's ASRs, where these were recorded anew
-  Paths paths;                    ///< instead of the source's, where readings were matched again
+  Paths paths;                    ///< instead of the source's, where readings were matched again;
+                                  ///< see `WithPaths`
   std::vector<Closure> closures;  ///< matches of rooms by their walls, accepted or not
   FloorPlan plan;
   std::optional<FloorPlan> measured_plan;  ///< as measured, where the walls of `plan` are regular
