@@ -4,37 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/memory_mission.hpp"
-#include "roomatlas/evaluate/ape_rpe.hpp"
-#include "roomatlas/io/formats.hpp"
+#include "pipeline/three_rounds.hpp"
 
 namespace roomatlas {
 namespace {
 
 using namespace test;
-
-/// Three times round eight rooms and a corridor, with a laser that looks ahead.
-std::vector<MissionEvent> driven(OdometryPreset odometry) {
-  const Path world = Path(ROOMATLAS_SOURCE_DIR) / "data/worlds/eight_rooms";
-  SimulationOptions options;
-  options.sensor = SensorKind::laser;
-  options.odometry = odometry_errors(odometry);
-  std::vector<MissionEvent> events;
-  simulate(read_plan(world.string() + ".geojson"), read_drive(world.string() + ".drive"), options,
-           [&](const SimulatedStep& step) {
-             events.emplace_back(step.reading);
-             events.emplace_back(step.truth);
-           });
-  return events;
-}
-
-double rmse_m(const MemoryStore& store, const Trajectory& estimate) {
-  Trajectory truth;
-  for (const TruePose& pose : store.true_poses) {
-    truth.push_back({pose.timestamp_s, pose.world_from_robot});
-  }
-  return ape(match_poses(estimate, truth, {}), {}).statistics.rmse;
-}
 
 struct Closed {
   MemoryStore store;
@@ -53,7 +28,7 @@ Closed closed(const std::vector<MissionEvent>& events, bool match_rooms = true) 
 
 /// Mapped and assembled once for all tests.
 const Closed& typical() {
-  static const Closed result = closed(driven(OdometryPreset::typical));
+  static const Closed result = closed(three_rounds(OdometryPreset::typical));
   return result;
 }
 
@@ -148,7 +123,7 @@ TEST(CloseLoops, WithoutMatchingDoorwaysStillBringItNearer) {
 }
 
 TEST(CloseLoops, HardOdometryEndsNearTheTruthToo) {
-  const Closed mission = closed(driven(OdometryPreset::hard));
+  const Closed mission = closed(three_rounds(OdometryPreset::hard));
   EXPECT_GT(rmse_m(mission.store, mission.placed.odometry), 3.0);
   EXPECT_LT(rmse_m(mission.store, mission.placed.corrected), 0.15);
 }

@@ -4,10 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/memory_mission.hpp"
+#include "pipeline/three_rounds.hpp"
 #include "roomatlas/asr/with_paths.hpp"
-#include "roomatlas/evaluate/ape_rpe.hpp"
-#include "roomatlas/io/formats.hpp"
 
 namespace roomatlas {
 namespace {
@@ -24,18 +22,8 @@ struct Mission {
 
 const Mission& mission() {
   static const Mission result = [] {
-    const Path world = Path(ROOMATLAS_SOURCE_DIR) / "data/worlds/eight_rooms";
-    SimulationOptions options;
-    options.sensor = SensorKind::laser;
-    options.odometry = odometry_errors(OdometryPreset::typical);
-    std::vector<MissionEvent> events;
-    simulate(read_plan(world.string() + ".geojson"), read_drive(world.string() + ".drive"), options,
-             [&](const SimulatedStep& step) {
-               events.emplace_back(step.reading);
-               events.emplace_back(step.truth);
-             });
     Mission made;
-    made.store = mapped(events);
+    made.store = mapped(three_rounds(OdometryPreset::typical));
     made.assembly = assemble(made.store, {}, {});
     for (const Asr& asr : made.store.asrs) made.shapes.push_back(shape_of(asr, {}));
     made.placement = placement_of(made.assembly.correction);
@@ -44,13 +32,8 @@ const Mission& mission() {
   return result;
 }
 
-double rmse_m(const AsrSource& source) {
-  Trajectory truth;
-  for (const TruePose& pose : source.truth()) {
-    truth.push_back({pose.timestamp_s, pose.world_from_robot});
-  }
-  const PlacedMission placed = place(source, mission().assembly.correction);
-  return ape(match_poses(placed.corrected, truth, {}), {}).statistics.rmse;
+double error_m(const AsrSource& source) {
+  return rmse_m(mission().store, place(source, mission().assembly.correction).corrected);
 }
 
 Paths fed_back(const AsrSource& source) {
@@ -60,7 +43,7 @@ Paths fed_back(const AsrSource& source) {
 TEST(FeedBack, BringsThePathNearerToTheTruth) {
   const Paths& paths = mission().assembly.paths;
   ASSERT_EQ(paths.size(), mission().store.asrs.size());
-  EXPECT_LT(rmse_m(WithPaths(mission().store, paths)), 0.95 * rmse_m(mission().store));
+  EXPECT_LT(error_m(WithPaths(mission().store, paths)), 0.95 * error_m(mission().store));
 }
 
 TEST(FeedBack, IsWhatAssembleDoes) {

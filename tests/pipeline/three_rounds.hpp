@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A laser mission with loops, and how far an estimate of its poses is off.
+#pragma once
+
+#include <vector>
+
+#include "pipeline/memory_mission.hpp"
+#include "roomatlas/evaluate/ape_rpe.hpp"
+#include "roomatlas/io/formats.hpp"
+
+namespace roomatlas::test {
+
+/// Three times round eight rooms and a corridor, with a laser that looks ahead.
+inline std::vector<MissionEvent> three_rounds(OdometryPreset odometry) {
+  const Path world = Path(ROOMATLAS_SOURCE_DIR) / "data/worlds/eight_rooms";
+  SimulationOptions options;
+  options.sensor = SensorKind::laser;
+  options.odometry = odometry_errors(odometry);
+  std::vector<MissionEvent> events;
+  simulate(read_plan(world.string() + ".geojson"), read_drive(world.string() + ".drive"), options,
+           [&](const SimulatedStep& step) {
+             events.emplace_back(step.reading);
+             events.emplace_back(step.truth);
+           });
+  return events;
+}
+
+inline double rmse_m(const MemoryStore& store, const Trajectory& estimate) {
+  Trajectory truth;
+  for (const TruePose& pose : store.true_poses) {
+    truth.push_back({pose.timestamp_s, pose.world_from_robot});
+  }
+  return ape(match_poses(estimate, truth, {}), {}).statistics.rmse;
+}
+
+}  // namespace roomatlas::test
