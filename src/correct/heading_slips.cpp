@@ -3,157 +3,174 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
+#include <limits>
+#include <numeric>
 #include <utility>
 
-#include "heading_beliefs.hpp"
+#include "heading_ways.hpp"
 
 namespace roomatlas {
 namespace {
 
-/// A path drawn from the posterior: corrections in states, unwrapped, by node.
-std::vector<int> drawn_path(const HeadingModel& model, const std::vector<Belief>& filtered,
-                            std::mt19937_64& engine) {
-  const auto uniform = [&] { return static_cast<double>(engine() >> 11) * 0x1.0p-53; };
-  const auto draw = [&](const Belief& weights) {
-    double sum = 0.0;
-    for (const double weight : weights) sum += weight;
-    double left = uniform() * sum;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-      left -= weights[i];
-      if (left < 0.0) return i;
-    }
-    return weights.size() - 1;
-  };
-  const auto count = static_cast<int>(model.shape.corrections);
-  const auto directions = model.shape.directions;
-  std::vector<int> path(filtered.size());
-  std::size_t state = draw(filtered.back());
-  path.back() = static_cast<int>(state % model.shape.corrections);
-  Belief weights;
-  for (std::size_t k = filtered.size() - 1; k-- > 0;) {
-    const auto& kernel = model.kernels[k + 1];
-    const int width = static_cast<int>(kernel.size() / 2);
-    const int correction = static_cast<int>(state % model.shape.corrections);
-    const std::size_t direction = state / model.shape.corrections;
-    weights.clear();
-    for (std::size_t d = 0; d < directions; ++d) {
-      const double stays = d == direction
-                               ? 1.0 - (directions > 1 ? model.switch_share : 0.0)
-                               : model.switch_share / static_cast<double>(directions - 1);
-      for (int step = -width; step <= width; ++step) {
-        const int from = (correction + step + count) % count;
-        const std::size_t at = d * model.shape.corrections + static_cast<std::size_t>(from);
-        weights.push_back(stays * kernel[static_cast<std::size_t>(step + width)] * filtered[k][at]);
-      }
-    }
-    const auto drawn = static_cast<int>(draw(weights));
-    const int step = drawn % (2 * width + 1) - width;
-    path[k] = path[k + 1] + step;
-    state = static_cast<std::size_t>(drawn / (2 * width + 1)) * model.shape.corrections +
-            static_cast<std::size_t>((correction + step + count) % count);
-  }
-  return path;
-}
-
-/// Where a drawn path leaves the mean's winding for the next one.
-struct Parting {
-  std::size_t node = 0;
-  int sign = 0;
-  std::size_t path = 0;
+/// A way that goes over to the other winding between two nodes.
+struct Crossing {
+  double log_odds = -std::numeric_limits<double>::infinity();
+  std::size_t node = 0;  ///< the second
+  std::size_t from = 0;  ///< states
+  std::size_t to = 0;
 };
 
-constexpr std::size_t kDrawnPaths = 200;
-constexpr std::size_t kTogether = 12;  // nodes; partings this near to each other are one slip
-constexpr double kAgreeRad = radians(10.0);
-constexpr std::size_t kLongest = 200;  // nodes to either side
+/// All ways that wind a quarter turn more than the reference, and where they may do so.
+struct Windings {
+  const HeadingModel& model;
+  StatesBeside states;
+  HeadingWays until;
+  HeadingWays since;
 
-/// The mean way, beyond the posterior's mean, of the paths that part here.
-HeadingSlip slip_of(std::span<const Parting> partings,
-                    const std::vector<std::vector<double>>& beyond_rad) {
-  std::size_t first = partings.front().node;
-  std::size_t last = first;
-  for (const Parting& parting : partings) {
-    first = std::min(first, parting.node);
-    last = std::max(last, parting.node);
-  }
-  const double quarter = partings.front().sign * kPi / 2.0;
-  const auto beyond_at = [&](std::size_t node) {
-    double sum = 0.0;
-    for (const Parting& parting : partings) {
-      const std::vector<double>& beyond = beyond_rad[parting.path];
-      const double before = std::round(beyond[parting.node - 1] / (kPi / 2.0)) * (kPi / 2.0);
-      sum += beyond[node] - before;
+  Windings(const HeadingModel& of, const std::vector<double>& reference_rad, int sign)
+      : model(of),
+        states(of, reference_rad, sign),
+        until(ways_until(of, states)),
+        since(ways_since(of, states)) {}
+
+  /// Of the likeliest way that never goes over.
+  [[nodiscard]] double stays_log_odds() const {
+    const std::vector<double>& ends = until.log_odds.back();
+    double best = -std::numeric_limits<double>::infinity();
+    for (std::size_t state = 0; state < ends.size(); ++state) {
+      if (states.is_near(state)) best = std::max(best, ends[state]);
     }
-    return sum / static_cast<double>(partings.size());
-  };
-  // from the last node at which they still agree with the mean to the first at which they have
-  // turned by all of it
-  const std::size_t least = first > kLongest ? first - kLongest : 0;
-  const std::size_t most = std::min(beyond_rad.front().size() - 1, last + kLongest);
-  while (first > least && std::abs(beyond_at(first)) > kAgreeRad) --first;
-  while (last < most && std::abs(beyond_at(last) - quarter) > kAgreeRad) {
-    ++last;
+    return best;
+  }
+};
+
+/// The likeliest that goes over on its way into a node.
+Crossing crossing_into(const Windings& windings, std::size_t node) {
+  const StatesBeside& states = windings.states;
+  const std::vector<double>& kernel = windings.model.kernels[node];
+  const int width = static_cast<int>(kernel.size() / 2);
+  const int drift = states.drift(node - 1, node);
+  const auto row = static_cast<int>(states.row());
+  Crossing best;
+  best.node = node;
+  for (std::size_t to = 0; to < states.size(); ++to) {
+    if (states.is_near(to)) continue;
+    const int stays_at = static_cast<int>(to % states.row()) + drift;
+    const std::size_t first_of_row = to - to % states.row();
+    for (int at = std::max(0, stays_at - width); at <= std::min(row - 1, stays_at + width); ++at) {
+      const std::size_t from = first_of_row + static_cast<std::size_t>(at);
+      if (!states.is_near(from)) break;
+      const double odds = windings.until.log_odds[node - 1][from] +
+                          windings.since.log_odds[node][to] +
+                          std::log(kernel[static_cast<std::size_t>(stays_at - at + width)]);
+      if (odds > best.log_odds) best = {odds, node, from, to};
+    }
+  }
+  return best;
+}
+
+/// Marks the slope of a peak to one side: until the odds rise again from a valley.
+void mark_slope(const std::vector<Crossing>& crossings, std::size_t peak, int direction,
+                std::vector<char>& marked) {
+  constexpr double kValley = 2.0;  // of log odds
+  double lowest = crossings[peak].log_odds;
+  const auto count = static_cast<std::ptrdiff_t>(crossings.size());
+  for (auto k = static_cast<std::ptrdiff_t>(peak); k >= 0 && k < count; k += direction) {
+    const auto at = static_cast<std::size_t>(k);
+    if (crossings[at].log_odds > lowest + kValley) return;
+    lowest = std::min(lowest, crossings[at].log_odds);
+    marked[at] = 1;
+  }
+}
+
+/// The places that the walls leave open: the likeliest crossing of each.
+std::vector<Crossing> peaks_of(const std::vector<Crossing>& crossings) {
+  std::vector<std::size_t> order(crossings.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return crossings[a].log_odds > crossings[b].log_odds;
+  });
+  std::vector<Crossing> peaks;
+  std::vector<char> marked(crossings.size(), 0);
+  for (const std::size_t at : order) {
+    if (marked[at] != 0 || !std::isfinite(crossings[at].log_odds)) continue;
+    peaks.push_back(crossings[at]);
+    mark_slope(crossings, at, 1, marked);
+    mark_slope(crossings, at, -1, marked);
+  }
+  return peaks;
+}
+
+/// The way through a crossing, from where it leaves the reference to where it has turned by all.
+HeadingSlip slip_through(const Crossing& crossing, const Windings& windings) {
+  constexpr double kAgreeRad = radians(5.0);
+  const StatesBeside& states = windings.states;
+  const double step_rad = windings.model.shape.step_rad();
+  const int agree = static_cast<int>(kAgreeRad / step_rad);
+  std::vector<int> beyond;  // first backwards from the crossing, then on from it
+  std::size_t node = crossing.node - 1;
+  for (std::size_t state = crossing.from; states.beyond(state) > agree;) {
+    beyond.push_back(states.beyond(state));
+    if (node == 0) break;
+    state = static_cast<std::size_t>(windings.until.from[node--][state]);
   }
   HeadingSlip slip;
-  slip.first_node = first;
-  slip.share = static_cast<double>(partings.size()) / static_cast<double>(kDrawnPaths);
-  for (std::size_t k = first; k < last; ++k) {
-    slip.more_rad.push_back(
-        std::clamp(beyond_at(k), std::min(0.0, quarter), std::max(0.0, quarter)));
+  slip.log_odds = crossing.log_odds - windings.stays_log_odds();
+  slip.first_node = crossing.node - beyond.size();
+  std::reverse(beyond.begin(), beyond.end());
+  const std::size_t last_node = windings.model.walls.size() - 1;
+  node = crossing.node;
+  for (std::size_t state = crossing.to;
+       node < last_node && states.beyond(state) < states.quarter() - agree;) {
+    beyond.push_back(states.beyond(state));
+    state = static_cast<std::size_t>(windings.since.from[node++][state]);
   }
-  slip.more_rad.push_back(quarter);
+  beyond.push_back(states.quarter());
+  for (const int steps : beyond) {
+    slip.more_rad.push_back(states.sign() * std::min(steps, states.quarter()) * step_rad);
+  }
   return slip;
 }
 
 }  // namespace
 
+bool are_one(const HeadingSlip& a, const HeadingSlip& b) {
+  const auto are_together = [](std::size_t one, std::size_t other) {
+    constexpr std::size_t kTogether = 12;  // nodes
+    return std::max(one, other) - std::min(one, other) < kTogether;
+  };
+  return a.more_rad.back() == b.more_rad.back() && are_together(a.first_node, b.first_node) &&
+         are_together(a.first_node + a.more_rad.size(), b.first_node + b.more_rad.size());
+}
+
 std::vector<HeadingSlip> find_slips(std::span<const HeadingNode> nodes,
                                     std::span<const WallSighting> sightings,
                                     std::span<const double> directions_rad,
                                     const HeadingChainOptions& options,
-                                    const std::vector<double>& mean_rad) {
-  if (sightings.empty()) return {};
+                                    const std::vector<double>& correction_rad,
+                                    double least_log_odds) {
   const HeadingModel model = heading_model(nodes, sightings, directions_rad, options);
-  std::vector<Belief> filtered;
-  (void)filter(model, &filtered);
-  std::mt19937_64 engine(20231);                // any number: the paths must be the same each time
-  std::vector<std::vector<double>> beyond_rad;  // of each path, against the mean
-  std::vector<Parting> partings;
-  for (std::size_t path = 0; path < kDrawnPaths; ++path) {
-    const std::vector<int> drawn = drawn_path(model, filtered, engine);
-    std::vector<double> beyond;
-    int winding = 0;
-    for (std::size_t k = 0; k < drawn.size(); ++k) {
-      beyond.push_back(drawn[k] * model.shape.step_rad() - mean_rad[k]);
-      const double quarters = beyond.back() / (kPi / 2.0);
-      // a path that only strays leaves its winding late
-      constexpr double kStray = 0.6;
-      if (k == 0) winding = static_cast<int>(std::lround(quarters));
-      if (std::abs(quarters - winding) > kStray) {
-        const int now = static_cast<int>(std::lround(quarters));
-        partings.push_back({k, now > winding ? 1 : -1, path});
-        winding = now;
-      }
+  std::vector<HeadingSlip> all;
+  for (const int sign : {1, -1}) {
+    const Windings windings(model, correction_rad, sign);
+    std::vector<Crossing> crossings;
+    for (std::size_t node = 1; node < nodes.size(); ++node) {
+      crossings.push_back(crossing_into(windings, node));
     }
-    beyond_rad.push_back(std::move(beyond));
+    for (const Crossing& peak : peaks_of(crossings)) {
+      all.push_back(slip_through(peak, windings));
+    }
   }
-  std::sort(partings.begin(), partings.end(), [](const Parting& a, const Parting& b) {
-    if (a.sign != b.sign) return a.sign < b.sign;
-    return a.node != b.node ? a.node < b.node : a.path < b.path;
+  std::stable_sort(all.begin(), all.end(), [](const HeadingSlip& a, const HeadingSlip& b) {
+    return a.log_odds > b.log_odds;
   });
   std::vector<HeadingSlip> slips;
-  for (std::size_t first = 0; first < partings.size();) {
-    std::size_t end = first + 1;
-    while (end < partings.size() && partings[end].sign == partings[first].sign &&
-           partings[end].node <= partings[first].node + kTogether) {
-      ++end;
-    }
-    slips.push_back(slip_of(std::span(partings).subspan(first, end - first), beyond_rad));
-    first = end;
+  for (HeadingSlip& slip : all) {
+    if (slip.log_odds < least_log_odds) break;
+    const bool is_known = std::any_of(
+        slips.begin(), slips.end(), [&](const HeadingSlip& other) { return are_one(slip, other); });
+    if (!is_known) slips.push_back(std::move(slip));
   }
-  std::stable_sort(slips.begin(), slips.end(),
-                   [](const HeadingSlip& a, const HeadingSlip& b) { return a.share > b.share; });
   return slips;
 }
 

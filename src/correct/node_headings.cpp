@@ -110,7 +110,7 @@ std::optional<Evidence> evidence_of(const ConeReturn& heard, double half_cone_ra
 /// Least squares of the turns of all nodes: tridiagonal normal equations.
 class Turns {
  public:
-  explicit Turns(std::size_t nodes) : diagonal_(nodes), beside_(nodes), right_(nodes) {}
+  explicit Turns(std::size_t nodes) : diagonal_(nodes, kHold), beside_(nodes), right_(nodes) {}
 
   void add(std::size_t node, const Evidence& evidence) {
     const double variance = kSigmaM * kSigmaM;
@@ -147,6 +147,8 @@ class Turns {
   }
 
  private:
+  static constexpr double kHold = 1e-3;  // where no wall holds a heading, it stays
+
   std::vector<double> diagonal_;
   std::vector<double> beside_;  ///< of each node with the next
   std::vector<double> right_;

@@ -2,6 +2,7 @@
 #include "sonar_attempt.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "node_headings.hpp"
@@ -32,11 +33,15 @@ Attempt solve_from(Readings readings, const DriveDirections& directions, const I
   attempt.map_from_robot = poses_of(path, problem, turned);
   const Contradiction contradiction =
       contradiction_of(readings, attempt.map_from_robot, path.path_m, problem.segments, {});
-  attempt.score_m = contradiction.confirmed_m - kContradictedCounts * contradiction.contradicted_m;
+  attempt.score_m =
+      solved.solved ? contradiction.confirmed_m - kContradictedCounts * contradiction.contradicted_m
+                    : -std::numeric_limits<double>::infinity();
   attempt.variant.habits = idea.habits;
   attempt.variant.pairs = solved.pairs;
-  attempt.variant.compared_m = contradiction.compared_m();
-  attempt.variant.contradiction = contradiction.share();
+  if (solved.solved) {
+    attempt.variant.compared_m = contradiction.compared_m();
+    attempt.variant.contradiction = contradiction.share();
+  }
   return attempt;
 }
 
@@ -84,14 +89,12 @@ Attempt solve_again(Readings readings, const DriveDirections& directions, const 
 }
 
 Idea idea_of(Readings readings, const DriveDirections& directions, const Calibration& calibration,
-             double drift, const std::vector<double>& directions_rad,
-             const SonarTrajectoryOptions& options) {
+             const std::vector<double>& directions_rad, const SonarTrajectoryOptions& options) {
   Idea idea;
   idea.directions_rad = directions_rad;
   idea.habits = calibration.habits;
   idea.doubt = calibration.doubt;
   idea.chain_options = calibration.doubting({});
-  idea.chain_options.drift_rad_per_sqrt_m *= drift;
   idea.problem = heading_problem(readings, directions, idea.habits, options.segments);
   idea.chain = smooth_heading(idea.problem.nodes, idea.problem.sightings, idea.directions_rad,
                               idea.chain_options);

@@ -21,7 +21,8 @@ struct Attempt {
   std::vector<Pose2> map_from_robot;
   double length_scale = 1.0;  ///< times what the heading's habits make of lengths
   SonarVariant variant;
-  double score_m = 0.0;  ///< of wall: confirmed, less what is contradicted
+  double score_m = 0.0;  ///< of wall: confirmed, less what is contradicted; of a batch that could
+                         ///< not be solved the lowest there is
   double strain = 0.0;   ///< of odometry
 };
 
@@ -40,10 +41,9 @@ struct Idea {
   Attempt attempt;
 };
 
-/// @param drift times the calibration's
 [[nodiscard]] Idea idea_of(std::span<const RangeReading> readings,
                            const DriveDirections& directions, const Calibration& calibration,
-                           double drift, const std::vector<double>& directions_rad,
+                           const std::vector<double>& directions_rad,
                            const SonarTrajectoryOptions& options);
 
 /// Solves an idea with one heading, whatever its own attempt was. Wall that is contradicted counts

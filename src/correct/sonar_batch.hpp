@@ -27,7 +27,7 @@ struct SonarBatch {
 
 struct SonarBatchOptions {
   WallPairOptions pairs;
-  double start_scale_m = 1.0;       ///< smaller misses loops that are farther apart
+  double start_scale_m = 1.5;       ///< smaller misses loops that are farther apart
   double end_scale_m = 0.1;         ///< smaller lets noise decide which walls are one
   double wall_sigma_m = 0.05;       ///< of one wall against all its partners
   double start_wall_weight = 0.3;   ///< of a wall's partners together, in the first round ...

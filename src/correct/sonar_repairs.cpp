@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <string>
 #include <utility>
 
 #include "heading_slips.hpp"
@@ -33,21 +33,48 @@ std::vector<double> slipped(const Idea& idea, const HeadingSlip& slip) {
   return prior_rad;
 }
 
-/// Slips of the heading that a freer odometry would allow, the likeliest first.
-std::vector<HeadingSlip> possible_slips(const Idea& idea) {
-  constexpr double kLeastShare = 0.01;
-  constexpr std::size_t kMost = 12;
-  constexpr double kFreer = 2.5;
-  HeadingChainOptions loose = idea.chain_options;
-  loose.trust /= 2.0;
-  loose.drift_rad_per_sqrt_m *= kFreer;
-  loose.drift_per_turn *= kFreer;
-  std::vector<HeadingSlip> slips;
-  for (HeadingSlip& slip : find_slips(idea.problem.nodes, idea.problem.sightings,
-                                      idea.directions_rad, loose, idea.chain.correction_rad)) {
-    if (slip.share >= kLeastShare && slips.size() < kMost) slips.push_back(std::move(slip));
+HeadingSlip undone(HeadingSlip slip) {
+  for (double& more : slip.more_rad) more = -more;
+  return slip;
+}
+
+std::string name_of(const HeadingSlip& slip, const Idea& idea) {
+  const double quarter = degrees(slip.more_rad.back());
+  const auto at_m = std::lround(idea.problem.nodes[slip.first_node].path_m);
+  return "turned by " + std::to_string(std::lround(quarter)) + " deg from " + std::to_string(at_m) +
+         " m on";
+}
+
+/// What odometry does in every step, by the poses that the walls gave.
+OdometryHabits learnt_habits(Readings readings, const DriveDirections& directions,
+                             const Idea& idea) {
+  OdometryHabits habits = idea.habits;
+  habits.bias_rad_per_m = 0.0;
+  habits.turn_gain = 1.0;
+  const auto driven = driven_path(readings, directions, habits).odom_from_robot;
+  const std::vector<Pose2>& found = idea.attempt.map_from_robot;
+  HabitLearner learner;
+  for (std::size_t i = 1; i < driven.size(); ++i) {
+    learner.add(inverse(driven[i - 1]) * driven[i], inverse(found[i - 1]) * found[i], false);
   }
-  return slips;
+  habits.bias_rad_per_m = learner.habits().bias_rad_per_m;
+  habits.turn_gain = learner.habits().turn_gain;
+  return habits;
+}
+
+/// The idea with other habits where its own were far off: those of a short mission, or of a heading
+/// that slipped.
+Idea with_learnt_habits(Readings readings, const DriveDirections& directions, const Idea& idea) {
+  constexpr double kFarBias = radians(0.5);  // a metre
+  constexpr double kFarGain = 0.03;
+  const OdometryHabits habits = learnt_habits(readings, directions, idea);
+  Idea learnt = idea;
+  if (std::abs(habits.bias_rad_per_m - idea.habits.bias_rad_per_m) > kFarBias ||
+      std::abs(habits.turn_gain - idea.habits.turn_gain) > kFarGain) {
+    learnt.habits = habits;
+    learnt.problem.path = driven_path(readings, directions, habits);
+  }
+  return learnt;
 }
 
 /// Of attempts with one heading. Walls of two rooms that are held to be one confirm each other, but
@@ -57,30 +84,36 @@ double merit(const Attempt& attempt) { return attempt.score_m - attempt.strain; 
 }  // namespace
 
 void repair_slips(Readings readings, const DriveDirections& directions,
-                  const SonarTrajectoryOptions& options, Idea& idea, SonarTrajectory& result) {
-  constexpr int kMostTries = 12;
-  std::vector<HeadingSlip> slips = possible_slips(idea);
-  for (int tries = 0; !slips.empty() && tries < kMostTries;) {
-    std::optional<Attempt> better;
-    std::size_t better_slip = 0;
-    for (std::size_t i = 0; i < slips.size() && tries < kMostTries; ++i, ++tries) {
-      const double quarter = degrees(slips[i].more_rad.back());
-      const auto at_m = std::lround(idea.problem.nodes[slips[i].first_node].path_m);
-      std::string name = "turned by " + std::to_string(std::lround(quarter)) + " deg from " +
-                         std::to_string(at_m) + " m on";
+                  const SonarTrajectoryOptions& options, Idea& idea, std::vector<Attempt>& others,
+                  SonarTrajectory& result) {
+  constexpr double kLeastLogOdds = -60.0;
+  constexpr std::size_t kMostTries = 16;
+  std::size_t tries = 0;
+  std::vector<HeadingSlip> refuted;
+  const auto is_refuted = [&](const HeadingSlip& slip) {
+    return std::any_of(refuted.begin(), refuted.end(),
+                       [&](const HeadingSlip& other) { return are_one(slip, other); });
+  };
+  for (bool repaired = true; repaired;) {
+    repaired = false;
+    for (const HeadingSlip& slip :
+         find_slips(idea.problem.nodes, idea.problem.sightings, idea.directions_rad,
+                    idea.chain_options, idea.attempt.correction_rad, kLeastLogOdds)) {
+      if (is_refuted(slip)) continue;
+      if (++tries > kMostTries) return;
       Attempt attempt =
-          solve(readings, directions, idea, std::move(name), slipped(idea, slips[i]), options);
+          solve(readings, directions, idea, name_of(slip, idea), slipped(idea, slip), options);
       result.variants.push_back(attempt.variant);
-      if (!is_better(attempt, idea.attempt)) continue;
-      if (better && attempt.score_m <= better->score_m) continue;
-      better = std::move(attempt);
-      better_slip = i;
-      result.chosen = result.variants.size() - 1;
+      repaired = is_better(attempt, idea.attempt);
+      if (repaired) {
+        std::swap(attempt, idea.attempt);
+        result.chosen = result.variants.size() - 1;
+        ++result.slips_repaired;
+      }
+      others.push_back(std::move(attempt));
+      refuted.push_back(repaired ? undone(slip) : slip);
+      if (repaired) break;
     }
-    if (!better) break;
-    idea.attempt = std::move(*better);
-    slips.erase(slips.begin() + static_cast<std::ptrdiff_t>(better_slip));
-    ++result.slips_repaired;
   }
 }
 
@@ -95,16 +128,19 @@ void refine(Readings readings, const DriveDirections& directions,
   };
   const std::vector<double> heading_rad = idea.attempt.correction_rad;
   SonarBatchOptions wide;
-  wide.start_scale_m = 1.5;
+  wide.start_scale_m = 2.0;
   SonarBatchOptions near;
   near.start_scale_m = 0.5;
-  (void)offer(solve(readings, directions, idea, "from 1.5 m", heading_rad, options, wide));
+  (void)offer(solve(readings, directions, idea, "from 2 m", heading_rad, options, wide));
   (void)offer(solve(readings, directions, idea, "from 0.5 m", heading_rad, options, near));
   constexpr int kMostTimes = 2;
   for (int times = 0; times < kMostTimes; ++times) {
-    if (!offer(solve_again(readings, directions, idea, "walls extracted anew", options, near))) {
+    Idea learnt = with_learnt_habits(readings, directions, idea);
+    if (!offer(solve_again(readings, directions, learnt, "walls extracted anew", options, near))) {
       break;
     }
+    learnt.attempt = std::move(idea.attempt);
+    idea = std::move(learnt);
   }
 }
 

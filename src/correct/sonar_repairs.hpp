@@ -6,10 +6,12 @@
 
 namespace roomatlas {
 
-/// Tries the other ways that the heading may have gone, and keeps what brings more walls together.
-/// Adds each try to the result's variants.
+/// Tries the other ways that the heading may have gone, the likeliest first, and keeps what brings
+/// more walls together. Adds each try to the result's variants.
+/// @param others receives the attempts that are not kept
 void repair_slips(std::span<const RangeReading> readings, const DriveDirections& directions,
-                  const SonarTrajectoryOptions& options, Idea& idea, SonarTrajectory& result);
+                  const SonarTrajectoryOptions& options, Idea& idea, std::vector<Attempt>& others,
+                  SonarTrajectory& result);
 
 /// Solves the best heading again from other tolerances: a large one brings together what drifted
 /// far apart, a small one does not mistake the other side of a corridor for this one. Then extracts

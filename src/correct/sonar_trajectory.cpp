@@ -16,32 +16,6 @@ namespace {
 
 using Readings = std::span<const RangeReading>;
 
-/// A change of the likeliest habits, or of how far odometry is believed: where the heading's
-/// winding hangs in the balance, one of these finds it.
-struct Change {
-  const char* name;
-  double bias_deg_per_m;
-  double turn_gain;
-  double drift;
-};
-constexpr Change kChanges[] = {
-    {"as likely", 0.0, 0.0, 1.0},
-    {"bias +0.25 deg/m, gain -0.01", 0.25, -0.01, 1.0},
-    {"bias -0.25 deg/m, gain +0.01", -0.25, 0.01, 1.0},
-    {"bias +0.25 deg/m, gain -0.03", 0.25, -0.03, 1.0},
-    {"bias -0.25 deg/m, gain +0.03", -0.25, 0.03, 1.0},
-    {"gain -0.03", 0.0, -0.03, 1.0},
-    {"gain +0.03", 0.0, 0.03, 1.0},
-    {"drift 1.7 of the usual", 0.0, 0.0, 1.7},
-};
-
-/// Where none of these is convincing.
-constexpr Change kFurtherChanges[] = {
-    {"bias +1 deg/m", 1.0, 0.0, 1.0},        {"bias -1 deg/m", -1.0, 0.0, 1.0},
-    {"gain -0.06", 0.0, -0.06, 1.0},         {"gain +0.06", 0.0, 0.06, 1.0},
-    {"drift half the usual", 0.0, 0.0, 0.5},
-};
-
 /// Whether the walls make one heading clearly more likely than walls that lie anyhow would: in a
 /// round hall they do not.
 bool walls_follow_directions(const HeadingProblem& problem,
@@ -53,36 +27,44 @@ bool walls_follow_directions(const HeadingProblem& problem,
          evidence > kLeastASegment * static_cast<double>(problem.sightings.size());
 }
 
-Calibration changed(Calibration calibration, const Change& change) {
-  calibration.habits.bias_rad_per_m += radians(change.bias_deg_per_m);
-  calibration.habits.turn_gain += change.turn_gain;
-  return calibration;
-}
-
-/// Whether two headings part for good: by more than odds and ends of a turn, for long.
-bool winds_otherwise(const std::vector<Pose2>& a, const std::vector<Pose2>& b) {
+/// Share of the readings whose headings part for good: by more than odds and ends of a turn.
+double share_turned(const std::vector<Pose2>& a, const std::vector<Pose2>& b) {
   constexpr double kTurned = radians(30.0);
-  constexpr double kShare = 0.05;  // of the readings
   const auto apart = [&](std::size_t i) { return wrap_angle(a[i].theta_rad - b[i].theta_rad); };
+  const double middle = apart(a.size() / 2);
   std::size_t turned = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (std::abs(wrap_angle(apart(i) - apart(a.size() / 2))) > kTurned) ++turned;
+    if (std::abs(wrap_angle(apart(i) - middle)) > kTurned) ++turned;
   }
-  return static_cast<double>(turned) > kShare * static_cast<double>(a.size());
+  return static_cast<double>(turned) / static_cast<double>(a.size());
 }
 
-/// Whether enough wall was seen by several visits, they agree about it, and no attempt that winds
-/// otherwise does nearly as well.
-bool is_verified(const Attempt& kept, const std::vector<Attempt>& others,
+/// Whether walls tell the heading nearly everywhere. Without directions to follow they cannot.
+bool is_heading_sure(const Idea& kept) {
+  constexpr double kSure = radians(5.0);
+  constexpr double kShare = 0.05;  // of the readings that may be less sure
+  if (kept.is_odometry) return true;
+  const std::vector<double> sigmas_rad = by_reading(kept.problem, kept.chain.sigma_rad);
+  const auto unsure = std::count_if(sigmas_rad.begin(), sigmas_rad.end(),
+                                    [](double sigma_rad) { return sigma_rad > kSure; });
+  return static_cast<double>(unsure) <= kShare * static_cast<double>(sigmas_rad.size());
+}
+
+/// Whether the heading is sure, enough wall was seen by several visits, they agree about it, and no
+/// attempt that winds otherwise does nearly as well: what it turns must cost it walls.
+bool is_verified(const Idea& idea, const std::vector<Attempt>& others,
                  const SonarTrajectoryOptions& options) {
-  constexpr double kNearly = 0.8;
+  const Attempt& kept = idea.attempt;
+  constexpr double kLeastShare = 0.05;  // of the readings
+  constexpr double kCost = 0.2;         // of the score, for each share of the readings
   const SonarVariant& variant = kept.variant;
-  if (variant.compared_m < options.verified_m || variant.contradiction > options.verified_share) {
+  if (variant.compared_m < options.verified_m || variant.contradiction > options.verified_share ||
+      !is_heading_sure(idea)) {
     return false;
   }
   return std::none_of(others.begin(), others.end(), [&](const Attempt& other) {
-    return other.score_m > kNearly * kept.score_m &&
-           winds_otherwise(other.map_from_robot, kept.map_from_robot);
+    const double share = share_turned(other.map_from_robot, kept.map_from_robot);
+    return share > kLeastShare && other.score_m > (1.0 - kCost * share) * kept.score_m;
   });
 }
 
@@ -95,6 +77,57 @@ double begin_at(const Pose2& first, std::vector<Pose2>& poses) {
 
 }  // namespace
 
+/// What stays of several ideas, and what does not.
+struct Choice {
+  std::optional<Idea> best;
+  std::vector<Attempt> others;
+
+  /// The first stays unless another is clearly better.
+  void offer(Idea idea, SonarTrajectory& result) {
+    result.variants.push_back(idea.attempt.variant);
+    if (best && !is_better(idea.attempt, best->attempt)) {
+      others.push_back(std::move(idea.attempt));
+      return;
+    }
+    if (best) others.push_back(std::move(best->attempt));
+    result.chosen = result.variants.size() - 1;
+    best = std::move(idea);
+  }
+};
+
+std::string name_of(const std::vector<double>& walls_rad) {
+  if (walls_rad.size() == 1) return "walls in one direction";
+  return "walls in " + std::to_string(walls_rad.size()) + " directions";
+}
+
+/// Headings by the building's walls, where these follow directions, and odometry's own.
+Choice choose_heading(Readings readings, const DriveDirections& directions,
+                      const Calibration& likely, const SonarTrajectoryOptions& options,
+                      SonarTrajectory& result) {
+  const HeadingProblem problem =
+      heading_problem(readings, directions, likely.habits, options.segments);
+  const HeadingChainOptions chain = likely.doubting({});
+  const std::vector<double> walls_rad = building_directions(problem, chain);
+  Choice choice;
+  const auto consider = [&](Idea idea, std::string name) {
+    idea.attempt =
+        solve(readings, directions, idea, std::move(name), idea.chain.correction_rad, options);
+    choice.offer(std::move(idea), result);
+  };
+  if (walls_follow_directions(problem, walls_rad, chain)) {
+    // all of them first: wings at an angle are believed
+    if (walls_rad.size() > 1) {
+      consider(idea_of(readings, directions, likely, walls_rad, options), name_of(walls_rad));
+    }
+    consider(idea_of(readings, directions, likely, {0.0}, options), name_of({0.0}));
+  }
+  Idea odometry = idea_of(readings, directions, {}, {0.0}, options);
+  std::fill(odometry.chain.correction_rad.begin(), odometry.chain.correction_rad.end(), 0.0);
+  odometry.is_odometry = true;
+  consider(std::move(odometry), "odometry's own heading");
+  return choice;
+}
+
 SonarTrajectory correct_sonar_trajectory(Readings readings, const SonarTrajectoryOptions& options) {
   SonarTrajectory result;
   if (readings.empty()) return result;
@@ -103,62 +136,21 @@ SonarTrajectory correct_sonar_trajectory(Readings readings, const SonarTrajector
   result.undecided_m = directions.undecided_m.back();
   Calibration likely;
   if (options.calibrate) likely = calibrate_odometry(readings, directions, options.segments, {});
-  const HeadingProblem likely_problem =
-      heading_problem(readings, directions, likely.habits, options.segments);
-  const HeadingChainOptions chain = likely.doubting({});
-  const std::vector<double> directions_rad = building_directions(likely_problem, chain);
-  std::optional<Idea> best;
-  std::vector<Attempt> attempts;
-  const auto offer = [&](Idea idea, std::string name) {
-    Attempt attempt =
-        solve(readings, directions, idea, std::move(name), idea.chain.correction_rad, options);
-    result.variants.push_back(attempt.variant);
-    attempts.push_back(attempt);
-    if (best && !is_better(attempt, best->attempt)) return;
-    result.chosen = result.variants.size() - 1;
-    idea.attempt = std::move(attempt);
-    best = std::move(idea);
-  };
-  const auto consider = [&](const Change& change, const std::vector<double>& walls_rad) {
-    Idea idea =
-        idea_of(readings, directions, changed(likely, change), change.drift, walls_rad, options);
-    std::string name = change.name;
-    if (walls_rad.size() > 1) {
-      name += ", walls in " + std::to_string(walls_rad.size()) + " directions";
-    }
-    offer(std::move(idea), std::move(name));
-  };
-  const auto consider_odometry = [&] {
-    Idea idea = idea_of(readings, directions, {}, 1.0, {0.0}, options);
-    std::fill(idea.chain.correction_rad.begin(), idea.chain.correction_rad.end(), 0.0);
-    idea.is_odometry = true;
-    offer(std::move(idea), "odometry's own heading");
-  };
-  const auto consider_all = [&](std::span<const Change> changes) {
-    const std::vector<double> walls_rad = best->directions_rad;
-    for (const Change& change : changes) consider(change, walls_rad);
-  };
-  // the first stays unless another is clearly better: wings at an angle are believed
-  const bool follow = walls_follow_directions(likely_problem, directions_rad, chain);
-  if (follow && directions_rad.size() > 1) consider(kChanges[0], directions_rad);
-  if (follow) consider(kChanges[0], {0.0});
-  if (follow && options.calibrate) {
-    consider_all(std::span(kChanges).subspan(1));
-    if (!is_verified(best->attempt, attempts, options)) consider_all(kFurtherChanges);
+  Choice choice = choose_heading(readings, directions, likely, options, result);
+  Idea& best = *choice.best;
+  if (options.repair_slips && !best.is_odometry) {
+    repair_slips(readings, directions, options, best, choice.others, result);
   }
-  consider_odometry();
-  if (options.repair_slips && follow) repair_slips(readings, directions, options, *best, result);
-  refine(readings, directions, options, *best, result);
-  result.habits = best->habits;
-  result.habits.length_scale *= best->attempt.length_scale;
-  result.wall_directions_rad = best->directions_rad;
-  result.log_evidence = best->chain.log_evidence;
-  result.heading_sigma_rad = by_reading(best->problem, best->chain.sigma_rad);
-  result.segments = best->problem.segments.size();
-  result.loops_verified = is_verified(best->attempt, attempts, options);
-  result.map_from_robot = std::move(best->attempt.map_from_robot);
+  refine(readings, directions, options, best, result);
+  result.habits = best.habits;
+  result.habits.length_scale *= best.attempt.length_scale;
+  result.wall_directions_rad = best.directions_rad;
+  result.log_evidence = best.chain.log_evidence;
+  result.segments = best.problem.segments.size();
+  result.loops_verified = is_verified(best, choice.others, options);
+  result.map_from_robot = std::move(best.attempt.map_from_robot);
   const double turn_rad = begin_at(readings.front().odom_from_robot, result.map_from_robot);
-  if (!best->is_odometry) result.walls_rad = wrap_quarter(turn_rad);
+  if (!best.is_odometry) result.walls_rad = wrap_quarter(turn_rad);
   return result;
 }
 

@@ -303,7 +303,6 @@ Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
   Assembly assembly = assemble_rooms(again.asrs, known, footprint, options, progress);
   assembly.mapped_again = std::move(again.asrs.asrs);
   trajectory.map_from_robot.clear();
-  trajectory.heading_sigma_rad.clear();
   assembly.sonars = std::move(trajectory);
   return assembly;
 }

@@ -99,6 +99,44 @@ TEST(SonarTrajectory, FindsThatOdometryTurnsTooLittle) {
   EXPECT_GT(result.habits.turn_gain, 1.0);
 }
 
+/// Odometry turns by so much too far along some readings, in which no sonar hears anything.
+void turn_unheard(std::vector<RangeReading>& readings, std::size_t first, std::size_t last,
+                  double turn_deg) {
+  Pose2 before = readings[first - 1].odom_from_robot;
+  Pose2 pose = before;
+  for (std::size_t i = first; i < readings.size(); ++i) {
+    Pose2 step = inverse(before) * readings[i].odom_from_robot;
+    before = readings[i].odom_from_robot;
+    if (i < last) {
+      step.theta_rad += radians(turn_deg) / static_cast<double>(last - first);
+      std::fill(readings[i].ranges_m.begin(), readings[i].ranges_m.end(), 0.0F);
+    }
+    pose = pose * step;
+    readings[i].odom_from_robot = pose;
+  }
+}
+
+TEST(SonarTrajectory, TurnsBackAQuarterThatItTookForTheLikelierWay) {
+  Mission mission = square_corridor(0.0);
+  const std::size_t first = mission.readings.size() / 2 + 40;  // on a straight way
+  const std::size_t last = first + 60;
+  turn_unheard(mission.readings, first, last, 55.0);  // 35 degrees off the other way
+  EXPECT_GT(largest_error(mission, odometry_of(mission)).position_m, 5.0);
+  SonarTrajectoryOptions once;
+  once.repair_slips = false;
+  const SonarTrajectory unrepaired = correct_sonar_trajectory(mission.readings, once);
+  EXPECT_GT(largest_error(mission, unrepaired.map_from_robot).heading_deg, 80.0);
+
+  const SonarTrajectory result = correct_sonar_trajectory(mission.readings, {});
+  EXPECT_EQ(result.slips_repaired, 1);
+  // nothing tells where it turned until walls were heard for a while
+  std::vector<Pose2> heard = result.map_from_robot;
+  for (std::size_t i = first - 60; i < last + 30; ++i) heard[i] = mission.truth[i];
+  const Error error = largest_error(mission, heard);
+  EXPECT_LT(error.position_m, 0.4);
+  EXPECT_LT(error.heading_deg, 6.0);
+}
+
 TEST(SonarTrajectory, LeavesTrueOdometryAlone) {
   const Mission mission = square_corridor(0.0);
   const SonarTrajectory result = correct_sonar_trajectory(mission.readings, {});
@@ -302,6 +340,22 @@ TEST(SonarTrajectory, IsTheSameEachTime) {
 TEST(SonarTrajectory, OfAnEmptyMissionIsEmpty) {
   const SonarTrajectory result = correct_sonar_trajectory({}, {});
   EXPECT_TRUE(result.map_from_robot.empty());
+  EXPECT_FALSE(result.loops_verified);
+}
+
+TEST(SonarTrajectory, OfARobotThatStandsIsItsPlace) {
+  Mission mission = square_corridor(0.0);
+  mission.readings.resize(30);
+  mission.truth.assign(30, mission.truth.front());
+  for (RangeReading& reading : mission.readings) {
+    reading.odom_from_robot = mission.readings.front().odom_from_robot;
+  }
+  const SonarTrajectory result = correct_sonar_trajectory(mission.readings, {});
+  ASSERT_EQ(result.map_from_robot.size(), 30U);
+  for (const Pose2& pose : result.map_from_robot) ASSERT_TRUE(std::isfinite(pose.theta_rad));
+  const Error error = largest_error(mission, result.map_from_robot);
+  EXPECT_LT(error.position_m, 1e-6);
+  EXPECT_LT(error.heading_deg, 1e-6);
   EXPECT_FALSE(result.loops_verified);
 }
 

@@ -37,11 +37,10 @@ struct SonarVariant {
 
 /// The mission's poses, corrected by the walls that a ring of sonars heard.
 struct SonarTrajectory {
-  std::vector<Pose2> map_from_robot;      ///< one a reading; the first is odometry's first
-  std::vector<double> heading_sigma_rad;  ///< one a reading: how unsure the heading's posterior is
-  OdometryHabits habits;                  ///< as found
-  std::optional<double> walls_rad;        ///< first of these directions in the map's frame, [-pi/4,
-                                          ///< pi/4); none where walls follow no direction
+  std::vector<Pose2> map_from_robot;  ///< one a reading; the first is odometry's first
+  OdometryHabits habits;              ///< as found
+  std::optional<double> walls_rad;    ///< first of these directions in the map's frame, [-pi/4,
+                                      ///< pi/4); none where walls follow no direction
   std::vector<double> wall_directions_rad;  ///< of the building, modulo 90 degrees, from the first
   double log_evidence = 0.0;                ///< of the headings, against "walls lie anyhow"
   int intervals_reversed = 0;               ///< drives that odometry reported the wrong way round
