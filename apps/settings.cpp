@@ -68,7 +68,7 @@ class Stage {
 };
 
 void add_mission(CLI::App& app, MissionOptions& mission) {
-  Stage stage(app, "Mission (what the log does not say)");
+  Stage stage(app, kMissionStage);
   stage.add("laser-max-range", mission.laser_max_range_m,
             "m; laser readings at or beyond it are no echo: free space", 0.5, 1000.0);
   stage.add("sonar-max-range", mission.sonar_max_range_m,
@@ -87,15 +87,18 @@ void add_mission(CLI::App& app, MissionOptions& mission) {
 }
 
 void add_map(CLI::App& app, MapOptions& options) {
-  Stage stage(app, "Rooms (online stage)");
+  Stage stage(app, kRoomsStage);
   stage.flag("find-reverse", options.reckon.find_reverse,
              "find drives that odometry reports forwards and the readings show backwards");
   stage.flag("localize", options.localize.enabled,
              "match each laser sweep with the room so far; off: dead reckoning, as in the paper");
   RecorderOptions& record = options.record;
   RoomMapOptions& map = record.map;
-  stage.add("cell", map.cell_m, "m; cell of the grid. Smaller needs more readings a cell", 0.02,
-            1.0);
+  stage.add(
+      "cell", map.cell_m,
+      "m; cell of the HIMM grid from which each room is mapped, and of no other grid. Smaller "
+      "needs more readings a cell",
+      0.02, 1.0);
   stage.add("max-mapped-range", map.max_mapped_range_m,
             "m; farther obstacles are not mapped. Larger smears walls by the drift in a room", 0.5,
             100.0);
@@ -143,7 +146,7 @@ void add_map(CLI::App& app, MapOptions& options) {
 
 void add_correction(CLI::App& app, Settings& settings) {
   AssembleOptions& assemble = settings.assemble;
-  Stage stage(app, "Correction (offline stage)");
+  Stage stage(app, kCorrectionStage);
   CorrectOptions& correct = assemble.correct;
   stage.flag("correct-sonars", assemble.correct_sonars,
              "correct a mission with sonars as a whole, by its walls, before its rooms are mapped");
@@ -153,7 +156,7 @@ void add_correction(CLI::App& app, Settings& settings) {
   app.add_option("--add-closures", settings.add_closures,
                  "file of matches to be tried: from_asr to_asr x_m y_m theta_rad a line")
       ->configurable(false)  // no path gets into the store
-      ->group("Correction (offline stage)");
+      ->group(kCorrectionStage);
   stage.flag("match-rooms", assemble.match_rooms,
              "find rooms again by their walls (laser); off: by their doorways alone");
   stage.flag("feed-back", assemble.feed_back.enabled,
@@ -297,9 +300,13 @@ void add_parameters(CLI::App& app, Settings& settings) {
 
 void complete(Settings& settings, const CLI::App& app) {
   settings.assemble.record = settings.map.record;
+  settings.assemble.sonars.directions.find_reverse = settings.map.reckon.find_reverse;
   settings.simulation.footprint = settings.mission.footprint;
   settings.simulation.sonar_max_range_m = settings.mission.sonar_max_range_m;
   settings.as_toml = app.config_to_str(true, false);
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->count() > 0) settings.given.insert(option->get_single_name());
+  }
 }
 
 }  // namespace roomatlas::apps

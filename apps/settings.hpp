@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "roomatlas/draw/draw.hpp"
@@ -28,14 +29,20 @@ struct Settings {
   bool quiet = false;
   bool verbose = false;
 
-  std::string as_toml;  ///< all parameters as set, filled after parsing
+  std::string as_toml;          ///< all parameters as set, filled after parsing
+  std::set<std::string> given;  ///< names that stood on the command line or in its file
 };
+
+// Stages: the parameters of one stand under one heading of the help.
+inline constexpr const char* kMissionStage = "Mission (what the log does not say)";
+inline constexpr const char* kRoomsStage = "Rooms (online stage)";
+inline constexpr const char* kCorrectionStage = "Correction (offline stage)";
 
 /// Adds every parameter to the program, once: its flag, its key in the configuration file and its
 /// line in `--help` and `config --print` come from here.
 void add_parameters(CLI::App& app, Settings& settings);
 
-/// Copies what two stages share, after parsing.
+/// Copies what two stages share, and keeps what was given, after parsing.
 void complete(Settings& settings, const CLI::App& app);
 
 }  // namespace roomatlas::apps

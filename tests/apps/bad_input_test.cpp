@@ -112,6 +112,10 @@ TEST(BadInput, AStoreThatIsNoneIsNamed) {
   expect_one_line(run("-q assemble " + file.string()), 3, "x.gpkg");
 }
 
+TEST(Help, SaysWhoseGridTheCellIs) {
+  EXPECT_NE(run("config --print").out.find("cell of the HIMM grid"), std::string::npos);
+}
+
 TEST(Help, AndVersionAndConfigurationAnswer) {
   EXPECT_EQ(run("--help").exit_code, 0);
   EXPECT_EQ(run("build --help").exit_code, 0);
