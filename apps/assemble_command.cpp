@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include "commands.hpp"
@@ -30,16 +31,26 @@ void report(const SonarTrajectory& sonars) {
   }
 }
 
+/// The call of the library; nothing is written yet.
+Assembly assembly_of(const GeoPackageStore& store, const Path& store_file, const Settings& settings,
+                     const RobotFootprint& footprint) {
+  AssembleOptions options = settings.assemble;
+  if (!settings.add_closures.empty()) options.closures.given = read_closures(settings.add_closures);
+  try {
+    return roomatlas::assemble(store, footprint, options, console_progress(settings));
+  } catch (const Interrupted& stop) {
+    throw Interrupted(fmt::format("{}: {} is as it was; run the same command to assemble it again",
+                                  stop.what(), store_file.string()));
+  }
+}
+
 }  // namespace
 
 void assemble(const Settings& settings, const Path& store_file) {
   const std::vector<PlanRoom> former = former_rooms(store_file);
   GeoPackageStore store(store_file, GeoPackageStore::Mode::update);
   const Metadata metadata = store.metadata();
-  AssembleOptions options = settings.assemble;
-  if (!settings.add_closures.empty()) options.closures.given = read_closures(settings.add_closures);
-  Assembly assembly =
-      roomatlas::assemble(store, footprint_of(metadata), options, console_progress(settings));
+  Assembly assembly = assembly_of(store, store_file, settings, footprint_of(metadata));
   const auto mission = metadata.find("mission_file");
   assembly.plan.title = mission == metadata.end() ? "" : mission->second;
   if (!assembly.mapped_again.empty()) store.replace_asrs(assembly.mapped_again);

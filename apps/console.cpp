@@ -9,11 +9,42 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <memory>
 
 namespace roomatlas::apps {
 namespace {
 
 volatile std::sig_atomic_t stop_requested = 0;  // a signal handler can reach nothing else
+
+extern "C" void request_stop(int) {
+  (void)std::signal(SIGINT, SIG_DFL);  // a second one ends the process at once
+  (void)std::signal(SIGTERM, SIG_DFL);
+  stop_requested = 1;
+}
+
+/// While it lives, Ctrl-C and SIGTERM ask to stop; before and after, they do what they did.
+class SignalWatch {
+ public:
+  SignalWatch() {
+    struct sigaction watched = {};
+    watched.sa_handler = request_stop;
+    watched.sa_flags = SA_RESTART;
+    sigemptyset(&watched.sa_mask);
+    for (const int both : {SIGINT, SIGTERM}) sigaddset(&watched.sa_mask, both);
+    sigaction(SIGINT, &watched, &interrupt_before_);
+    sigaction(SIGTERM, &watched, &terminate_before_);
+  }
+  ~SignalWatch() {
+    sigaction(SIGINT, &interrupt_before_, nullptr);
+    sigaction(SIGTERM, &terminate_before_, nullptr);
+  }
+  SignalWatch(const SignalWatch&) = delete;
+  SignalWatch& operator=(const SignalWatch&) = delete;
+
+ private:
+  struct sigaction interrupt_before_ = {};
+  struct sigaction terminate_before_ = {};
+};
 
 }  // namespace
 
@@ -24,13 +55,12 @@ void set_up_console(const Settings& settings) {
                     : settings.verbose ? spdlog::level::debug
                                        : spdlog::level::info);
   spdlog::set_default_logger(logger);
-  std::signal(SIGINT, [](int) { stop_requested = 1; });
-  std::signal(SIGTERM, [](int) { stop_requested = 1; });
 }
 
 Progress console_progress(const Settings& settings) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
-  return [=, last = std::string()](const std::string& stage, double done) mutable {
+  return [=, watch = std::make_shared<SignalWatch>(), last = std::string()](
+             const std::string& stage, double done) mutable {
     if (settings.quiet) return stop_requested == 0;
     if (terminal) {
       const int percent = static_cast<int>(100.0 * std::clamp(done, 0.0, 1.0));

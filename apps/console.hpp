@@ -7,11 +7,12 @@
 
 namespace roomatlas::apps {
 
-/// Sends messages to stderr as the settings ask, and catches Ctrl-C for `progress`.
+/// Sends messages to stderr as the settings ask.
 void set_up_console(const Settings& settings);
 
 /// Progress on stderr: one line that is overwritten on a terminal, one line a stage elsewhere,
-/// none with --quiet. Says stop after Ctrl-C.
+/// none with --quiet. Says stop after Ctrl-C or SIGTERM, which are caught as long as it or a copy
+/// lives: a second one ends the process at once, as the first does where nobody asks.
 [[nodiscard]] Progress console_progress(const Settings& settings);
 
 /// Shows warnings and errors, the first `limit` of them, and how many more there are. Notes are

@@ -260,8 +260,7 @@ int main(int argc, char** argv) {
   } catch (const apps::GateFailed& error) {
     return fail(error, kGateFailed);
   } catch (const Interrupted& error) {
-    fmt::print(stderr, "{}: what was mapped is kept; run the same command to start again\n",
-               error.what());
+    fmt::print(stderr, "{}\n", error.what());
     return kInterrupted;
   } catch (const std::exception& error) {
     return fail(error, kInternal);

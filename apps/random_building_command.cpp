@@ -36,7 +36,7 @@ class WatchedSink : public AsrSink {
   }
   void at_room(RoomId room) {
     if (!progress_("simulate", static_cast<double>(room) / static_cast<double>(rooms_))) {
-      throw Interrupted("interrupted while simulating");
+      throw Interrupted("interrupted while simulating: the store has the rooms so far");
     }
   }
 
