@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "evaluation_report.hpp"
+#include "new_store.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
 #include "roomatlas/io/summary.hpp"
@@ -52,6 +53,7 @@ void build(const Settings& settings, const Path& log, const Path& out,
   const Path new_folder = topmost_missing(out);
   std::filesystem::create_directories(out);
   const Path store = out / "building.gpkg";
+  settle_new_store(store);
   if (is_mapped_already(settings, log, store)) {
     spdlog::info("{} holds this mission already; assembling it again", store.string());
   } else {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
-
-#include <charconv>
-#include <filesystem>
 
 #include "commands.hpp"
 #include "console.hpp"
 #include "former_store.hpp"
+#include "new_store.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
 #include "roomatlas/io/room_names.hpp"
@@ -32,32 +31,47 @@ class PeekedMission : public MissionSource {
   std::optional<MissionEvent> first_;
 };
 
-void remove_store(const Path& store) {
-  for (const char* suffix : {"", "-wal", "-shm"}) {
-    std::error_code ignored;
-    std::filesystem::remove(store.string() + suffix, ignored);
-  }
+/// What a mapped mission leaves to tell.
+struct Recorded {
+  MapSummary summary;
+  MissionInfo info;
+};
+
+/// The whole mission into a store, which is finished and closed then.
+Recorded record(const Settings& settings, MissionSource& mission, const std::string& sha256,
+                const std::vector<PlanRoom>& carried, const Path& store_file) {
+  GeoPackageStore store(store_file, GeoPackageStore::Mode::create);
+  if (!carried.empty()) put_former_rooms(store_file, carried);
+  Recorded recorded;
+  recorded.summary = map_mission(mission, store, settings.map, console_progress(settings));
+  recorded.info = mission.info();
+  Metadata metadata = metadata_of(recorded.info, sha256, settings);
+  if (recorded.summary.habits) metadata["odometry_json"] = to_json(*recorded.summary.habits);
+  store.put_metadata(metadata);
+  store.finish();
+  return recorded;
 }
 
-/// The store that a new one replaces stands beside it until something has been mapped, so that a
-/// log without walls costs nobody his map.
-class FormerStore {
- public:
-  explicit FormerStore(const Path& store) : store_(store), aside_(store.string() + ".former") {
-    std::error_code none_there;
-    std::filesystem::rename(store_, aside_, none_there);
+/// The same in the place of what is there, which stays as it is unless all goes well.
+Recorded record_in_place(const Settings& settings, MissionSource& mission,
+                         const std::string& sha256, const Path& store_file) {
+  settle_new_store(store_file);
+  const std::vector<PlanRoom> carried = rooms_to_carry_over(store_file, sha256);
+  const NewStore store(store_file);
+  try {
+    Recorded recorded = record(settings, mission, sha256, carried, store.file());
+    store.put_in_place();
+    return recorded;
+  } catch (const Interrupted& stop) {
+    const Path kept = store.keep_unfinished();
+    throw Interrupted(fmt::format(
+        "{}: the rooms so far are in {}{}; run the same command to start again", stop.what(),
+        kept.string(), kept == store_file ? "" : ", and " + store_file.string() + " is as it was"));
+  } catch (...) {
+    store.give_up();
+    throw;
   }
-  void bring_back() const {
-    remove_store(store_);
-    std::error_code none_there;
-    std::filesystem::rename(aside_, store_, none_there);
-  }
-  void remove() const { remove_store(aside_); }
-
- private:
-  Path store_;
-  Path aside_;
-};
+}
 
 }  // namespace
 
@@ -73,27 +87,7 @@ void map(const Settings& settings, const Path& log, const Path& store_file) {
     (void)map_mission(peeked, nowhere, settings.map);  // says what is missing
   }
 
-  const std::string sha256 = sha256_of_file(log);
-  const std::vector<PlanRoom> carried = rooms_to_carry_over(store_file, sha256);
-  const FormerStore former(store_file);
-  GeoPackageStore store(store_file, GeoPackageStore::Mode::create);
-  if (!carried.empty()) put_former_rooms(store_file, carried);
-  MapSummary summary;
-  try {
-    summary = map_mission(peeked, store, settings.map, console_progress(settings));
-  } catch (const NotEnoughError&) {
-    former.bring_back();
-    throw;
-  } catch (const Interrupted&) {
-    former.remove();
-    throw;
-  }
-  former.remove();
-  const MissionInfo& info = mission->info();
-  Metadata metadata = metadata_of(info, sha256, settings);
-  if (summary.habits) metadata["odometry_json"] = to_json(*summary.habits);
-  store.put_metadata(metadata);
-  store.finish();
+  const auto [summary, info] = record_in_place(settings, peeked, sha256_of_file(log), store_file);
   show(info.issues, info.issues_not_listed);
   if (summary.intervals_reversed > 0) {
     spdlog::info("{} drives were reported forwards but went backwards", summary.intervals_reversed);

@@ -89,7 +89,7 @@ TEST(BadInput, AMissionThatSawNoWallLeavesTheStoreThatWasThere) {
   const auto store = folder.write("building.gpkg", "the map of an earlier mission");
   EXPECT_EQ(run("map " + file.string() + " -q -o " + store.string()).exit_code, 4);
   EXPECT_EQ(content_of(store), "the map of an earlier mission");
-  EXPECT_FALSE(std::filesystem::exists(store.string() + ".former"));
+  EXPECT_FALSE(std::filesystem::exists(store.string() + ".new"));
 }
 
 TEST(BadInput, AWrongCommandLineIsAUsageError) {

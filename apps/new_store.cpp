@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "new_store.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <optional>
+
+#include "roomatlas/io/geopackage_store.hpp"
+
+namespace roomatlas::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path beside(const fs::path& place) { return place.string() + ".new"; }
+
+/// What SQLite keeps beside a file; it would be taken for the next store's.
+void remove_side_files(const fs::path& store) {
+  for (const char* ending : {"-wal", "-shm", "-journal"}) {
+    std::error_code ignored;
+    fs::remove(store.string() + ending, ignored);
+  }
+}
+
+void replace(const fs::path& place, const fs::path& by) {
+  remove_side_files(place);
+  std::error_code error;
+  fs::rename(by, place, error);
+  if (error) throw InputError(place.string() + ": cannot be replaced: " + error.message());
+}
+
+/// How far a store of this version has come.
+struct Stage {
+  bool is_mapped = false;  ///< the whole mission is in it
+  bool is_assembled = false;
+};
+
+/// None for a file that is missing or no store of this version.
+std::optional<Stage> stage_of(const fs::path& file) {
+  try {
+    const GeoPackageStore store(file, GeoPackageStore::Mode::read);
+    return Stage{store.metadata().contains("mission_sha256"), store.has_assembly()};
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+bool is_mapped(const fs::path& file) {
+  const auto stage = stage_of(file);
+  return stage && stage->is_mapped;
+}
+
+}  // namespace
+
+NewStore::NewStore(const fs::path& place)
+    : place_(place), file_(fs::exists(place) ? beside(place) : place) {
+  if (fs::is_directory(place)) {
+    throw InputError(place.string() + ": is a directory, expected a file name for the store");
+  }
+}
+
+void NewStore::put_in_place() const {
+  if (file_ != place_) replace(place_, file_);
+}
+
+fs::path NewStore::keep_unfinished() const {
+  if (file_ == place_) return place_;
+  const auto former = stage_of(place_);
+  if (!former || former->is_mapped || former->is_assembled) return file_;
+  replace(place_, file_);
+  return place_;
+}
+
+void NewStore::give_up() const {
+  if (is_mapped(file_)) {
+    spdlog::warn("{}: the whole mission is mapped in it; the next run goes on from there",
+                 file_.string());
+    return;
+  }
+  std::error_code ignored;
+  fs::remove(file_, ignored);
+  remove_side_files(file_);
+}
+
+void settle_new_store(const fs::path& place) {
+  const fs::path made = beside(place);
+  if (!is_mapped(made)) return;
+  GeoPackageStore(made, GeoPackageStore::Mode::update).finish();
+  replace(place, made);
+  spdlog::info("{}: a run before was stopped as it put its finished map here; this is done now",
+               place.string());
+}
+
+}  // namespace roomatlas::apps

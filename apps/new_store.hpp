@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+namespace roomatlas::apps {
+
+/// Where a store is made: at its place where nothing is there, else beside it in `FILE.new`, so
+/// that what is there stays whole until the new one is finished, however the run ends.
+class NewStore {
+ public:
+  /// @throws InputError when the place is a directory
+  explicit NewStore(const std::filesystem::path& place);
+
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+
+  /// The finished store takes its place. It must not be open any more.
+  void put_in_place() const;
+  /// After an interruption: takes the place of an unfinished store, and stays beside any other
+  /// file. @returns where it is
+  [[nodiscard]] std::filesystem::path keep_unfinished() const;
+  /// After an error: removed, unless the whole mission is in it; a warning says so then.
+  void give_up() const;
+
+ private:
+  std::filesystem::path place_;
+  std::filesystem::path file_;
+};
+
+/// Puts the store in its place that a run had finished beside it when it was stopped. One that was
+/// not finished stays, for the next run to replace.
+void settle_new_store(const std::filesystem::path& place);
+
+}  // namespace roomatlas::apps
