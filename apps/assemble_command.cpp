@@ -53,6 +53,7 @@ void assemble(const Settings& settings, const Path& store_file) {
   Assembly assembly = assembly_of(store, store_file, settings, footprint_of(metadata));
   const auto mission = metadata.find("mission_file");
   assembly.plan.title = mission == metadata.end() ? "" : mission->second;
+  store.put_metadata(metadata_of(assembly, settings));
   if (!assembly.mapped_again.empty()) store.replace_asrs(assembly.mapped_again);
   const CarriedOver carried = carry_over(former, assembly.plan, assembly.room_of_asr);
   store.put_assembly(assembly.correction, assembly.plan, assembly.room_of_asr, assembly.paths);
@@ -61,7 +62,6 @@ void assemble(const Settings& settings, const Path& store_file) {
     store.put_measured_plan(*assembly.measured_plan);
   }
   store.put_closures(assembly.closures);
-  if (assembly.sonars) store.put_metadata({{"odometry_json", to_json(assembly.sonars->habits)}});
   put_former_rooms(store_file, {});
   store.finish();
   show(assembly.plan.issues);

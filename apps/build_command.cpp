@@ -19,7 +19,7 @@ bool is_mapped_already(const Settings& settings, const Path& log, const Path& st
   if (!std::filesystem::exists(store_file)) return false;
   try {
     const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
-    return is_made_from(store.metadata(), sha256_of_file(log), settings);
+    return is_mapped_from(store.metadata(), sha256_of_file(log), settings);
   } catch (const InputError&) {
     return false;  // an interrupted or foreign store is mapped anew
   }
@@ -56,6 +56,8 @@ void build(const Settings& settings, const Path& log, const Path& out,
   settle_new_store(store);
   if (is_mapped_already(settings, log, store)) {
     spdlog::info("{} holds this mission already; assembling it again", store.string());
+    GeoPackageStore(store, GeoPackageStore::Mode::update)
+        .put_metadata({{"configuration", settings.as_toml}});  // maps alike: all else may differ
   } else {
     try {
       map(settings, log, store);

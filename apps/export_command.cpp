@@ -15,7 +15,7 @@
 #include "roomatlas/io/summary.hpp"
 #include "roomatlas/merge/unexplored.hpp"
 #include "roomatlas/pipeline/visit_graph.hpp"
-#include "store_metadata.hpp"
+#include "stored_configuration.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -28,12 +28,13 @@ struct Exported {
   PlacedMission placed;
   RoomGraph graph;
   std::vector<Closure> closures;
+  CorrectOptions correct;  ///< with which the store was assembled
   std::optional<GeoReference> on_earth;
   std::optional<double> north_deg;
   std::string ogr_driver;
 };
 
-Exported read(const Path& store_file, bool measured_walls) {
+Exported read(const Settings& settings, const Path& store_file, bool measured_walls) {
   const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
   if (!store.has_assembly()) {
     throw NotEnoughError(store_file.string() +
@@ -47,13 +48,15 @@ Exported read(const Path& store_file, bool measured_walls) {
                     store.closures(),
                     {},
                     {},
+                    {},
                     {}};
+  exported.correct = as_corrected(settings, exported.metadata, store_file).assemble.correct;
   exported.placed = place(store, exported.correction);
   exported.graph = graph_of(store, exported.correction);
   return exported;
 }
 
-PlanAnnotations annotations_of(const Exported& from, const Settings& settings) {
+PlanAnnotations annotations_of(const Exported& from) {
   PlanAnnotations annotations;
   annotations.mission = from.plan.title;
   annotations.date = date_of(from.metadata);
@@ -69,7 +72,7 @@ PlanAnnotations annotations_of(const Exported& from, const Settings& settings) {
         {asr.building_from_asr_before.position(), asr.building_from_asr.position()});
   }
   const VisitUncertainty uncertainty =
-      uncertainty_of(from.graph, from.closures, from.correction, settings.assemble.correct);
+      uncertainty_of(from.graph, from.closures, from.correction, from.correct);
   for (const VisitEstimate& visit : uncertainty.visits) {
     annotations.uncertainty.push_back({visit.at, visit.covariance_m2});
   }
@@ -81,7 +84,7 @@ PlanAnnotations annotations_of(const Exported& from, const Settings& settings) {
 std::string plan_svg(const Exported& from, const Settings& settings) {
   DrawOptions options = settings.draw;
   options.north_deg = from.north_deg;
-  return draw_plan(from.plan, annotations_of(from, settings), options);
+  return draw_plan(from.plan, annotations_of(from), options);
 }
 
 std::string before_after_svg(const Exported& from) {
@@ -92,8 +95,8 @@ std::string before_after_svg(const Exported& from) {
 }
 
 /// Corrected poses of the visits, and the measurements between them.
-void write_pose_graph(const Path& file, const Exported& from, const Settings& settings) {
-  const PoseGraph graph = pose_graph_of(from.graph, from.closures, settings.assemble.correct);
+void write_pose_graph(const Path& file, const Exported& from) {
+  const PoseGraph graph = pose_graph_of(from.graph, from.closures, from.correct);
   const Placement placement = placement_of(from.correction);
   std::vector<Pose2> poses;
   for (const AsrId id : graph.ids) poses.push_back(placement.at(id));
@@ -139,8 +142,8 @@ const std::map<std::string, Exporter>& exporters() {
        [](const Exported& from, const Settings&, const Path& out) {
          write_file(out / "rooms.graphml", rooms_graphml(from.plan));
        }},
-      {"g2o", [](const Exported& from, const Settings& settings,
-                 const Path& out) { write_pose_graph(out / "graph.g2o", from, settings); }},
+      {"g2o", [](const Exported& from, const Settings&,
+                 const Path& out) { write_pose_graph(out / "graph.g2o", from); }},
       {"nav2", [](const Exported& from, const Settings&,
                   const Path& out) { write_nav2_map(out, from.plan); }},
       {"dxf", [](const Exported& from, const Settings&,
@@ -181,7 +184,7 @@ void export_all(const Settings& settings, const Path& store_file,
                                    fmt::join(export_formats(), ",")));
     }
   }
-  Exported from = read(store_file, options.measured_walls);
+  Exported from = read(settings, store_file, options.measured_walls);
   from.on_earth = options.reference();
   from.north_deg = options.north_deg();
   from.ogr_driver = options.ogr_driver;

@@ -6,7 +6,7 @@
 #include "roomatlas/asr/map_room.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
-#include "store_metadata.hpp"
+#include "stored_configuration.hpp"
 
 namespace roomatlas::apps {
 
@@ -19,8 +19,9 @@ void inspect(const Settings& settings, const Path& store_file, AsrId id, const P
                     "without --no-keep-readings",
                     store_file.string(), id));
   }
-  const RoomMap map = map_room(asr.path, asr.readings, asr.exits, footprint_of(store.metadata()),
-                               settings.map.record.map);
+  const Metadata metadata = store.metadata();
+  const RoomMap map = map_room(asr.path, asr.readings, asr.exits, footprint_of(metadata),
+                               as_mapped(settings, metadata, store_file).map.record.map);
   Polyline path;
   for (const PathSample& sample : asr.path) path.push_back(sample.asr_from_robot.position());
   const std::string svg = draw_room_steps(map, path, fmt::format("ASR {}, step by step", id));

@@ -7,7 +7,7 @@
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
 #include "roomatlas/io/report_data.hpp"
-#include "store_metadata.hpp"
+#include "stored_configuration.hpp"
 
 namespace roomatlas::apps {
 
@@ -18,8 +18,8 @@ void write_report(const Settings& settings, const Path& store_file, const Evalua
   const Correction correction = store.correction();
   const FloorPlan plan = store.plan();
   const RoomGraph graph = graph_of(store, correction);
-  const VisitUncertainty uncertainty =
-      uncertainty_of(graph, store.closures(), correction, settings.assemble.correct);
+  const CorrectOptions correct = as_corrected(settings, metadata, store_file).assemble.correct;
+  const VisitUncertainty uncertainty = uncertainty_of(graph, store.closures(), correction, correct);
   const std::string data = report_data(metadata, date_of(metadata), correction, plan, graph,
                                        place(store, correction), uncertainty, evaluation);
   write_file(out, report_page(plan.title.empty() ? "Floor plan" : plan.title, data));

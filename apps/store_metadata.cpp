@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "roomatlas/io/summary.hpp"
+#include "stored_configuration.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -38,6 +39,13 @@ Metadata metadata_of(const MissionInfo& info, const std::string& mission_sha256,
           {"robot_width_m", text_of(info.footprint.width_m)}};
 }
 
+Metadata metadata_of(const Assembly& assembly, const Settings& settings) {
+  Metadata metadata = {{"assembly_configuration", settings.as_toml}};
+  if (!assembly.mapped_again.empty()) metadata["rooms_configuration"] = settings.as_toml;
+  if (assembly.sonars) metadata["odometry_json"] = to_json(assembly.sonars->habits);
+  return metadata;
+}
+
 RobotFootprint footprint_of(const Metadata& metadata) {
   const RobotFootprint otherwise;
   return {number_in(metadata, "robot_length_m", otherwise.length_m),
@@ -56,14 +64,17 @@ std::string date_of(const Metadata& metadata) {
   return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(timestamp_s)));
 }
 
-bool is_made_from(const Metadata& metadata, const std::string& mission_sha256,
-                  const Settings& settings) {
-  const auto has = [&](const std::string& key, const std::string& value) {
+bool is_mapped_from(const Metadata& metadata, const std::string& mission_sha256,
+                    const Settings& settings) {
+  const auto value = [&](const std::string& key) {
     const auto entry = metadata.find(key);
-    return entry != metadata.end() && entry->second == value;
+    return entry == metadata.end() ? std::string() : entry->second;
   };
-  return has("mission_sha256", mission_sha256) && has("configuration", settings.as_toml) &&
-         has("tool_version", ROOMATLAS_VERSION);
+  // Rooms that an assembly of a sonar mission mapped again are not those of the odometry any more.
+  const bool has_its_rooms =
+      settings.assemble.correct_sonars || !metadata.contains("rooms_configuration");
+  return value("mission_sha256") == mission_sha256 && value("tool_version") == ROOMATLAS_VERSION &&
+         map_alike(value("configuration"), settings.as_toml) && has_its_rooms;
 }
 
 }  // namespace roomatlas::apps

@@ -11,9 +11,11 @@ namespace roomatlas::apps {
 
 using Metadata = std::map<std::string, std::string>;
 
-/// What the store remembers of the run that made it.
+/// What the store remembers of the run that mapped it.
 [[nodiscard]] Metadata metadata_of(const MissionInfo& info, const std::string& mission_sha256,
                                    const Settings& settings);
+/// What it remembers of the run that assembled it.
+[[nodiscard]] Metadata metadata_of(const Assembly& assembly, const Settings& settings);
 
 /// Reads them back; the defaults where a store lacks them.
 [[nodiscard]] RobotFootprint footprint_of(const Metadata& metadata);
@@ -22,8 +24,9 @@ using Metadata = std::map<std::string, std::string>;
 /// the years 1990 to 2100.
 [[nodiscard]] std::string date_of(const Metadata& metadata);
 
-/// True when the store was finished from the same log with the same parameters.
-[[nodiscard]] bool is_made_from(const Metadata& metadata, const std::string& mission_sha256,
-                                const Settings& settings);
+/// True when the store was finished from the same log by the same version, with the same
+/// parameters as far as mapping uses them: then it need not be mapped again.
+[[nodiscard]] bool is_mapped_from(const Metadata& metadata, const std::string& mission_sha256,
+                                  const Settings& settings);
 
 }  // namespace roomatlas::apps
