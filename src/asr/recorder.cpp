@@ -182,10 +182,10 @@ class AsrRecorder::State {
   }
 
   /// Cuts the room where doorways have been looked for already, so that none is lost at the cut;
-  /// but not so early that a robot that hardly moves would be cut again at once.
+  /// but not so early that a robot that hardly moves, or short pieces, would be cut again at once.
   void leave_open() {
     if (path_.size() < 2) return;
-    const double cut_m = std::max(0.0, along_m_.back() - lag_m() - kBestWithinM);
+    const double cut_m = std::max(along_m_.back() / 2.0, along_m_.back() - lag_m() - kBestWithinM);
     const auto cut = std::lower_bound(along_m_.begin(), along_m_.end(), cut_m);
     std::size_t split = std::max<std::size_t>(1, static_cast<std::size_t>(cut - along_m_.begin()));
     if (is_full()) split = std::max(split, path_.size() / 2);

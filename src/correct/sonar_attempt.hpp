@@ -3,6 +3,7 @@
 // what the visits say of each other's walls.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +15,14 @@
 #include "sonar_problem.hpp"
 
 namespace roomatlas {
+
+/// What is corrected, and how.
+struct SonarMission {
+  std::span<const RangeReading> readings;
+  const DriveDirections& directions;
+  const SonarTrajectoryOptions& options;
+  const std::function<void()>& before_attempt;  ///< may be empty; what it throws ends the work
+};
 
 /// A trajectory, and what its visits say of each other's walls.
 struct Attempt {
@@ -41,25 +50,19 @@ struct Idea {
   Attempt attempt;
 };
 
-[[nodiscard]] Idea idea_of(std::span<const RangeReading> readings,
-                           const DriveDirections& directions, const Calibration& calibration,
-                           const std::vector<double>& directions_rad,
-                           const SonarTrajectoryOptions& options);
+[[nodiscard]] Idea idea_of(const SonarMission& mission, const Calibration& calibration,
+                           const std::vector<double>& directions_rad);
 
 /// Solves an idea with one heading, whatever its own attempt was. Wall that is contradicted counts
 /// three times in the score.
 /// @param name of the variant
-[[nodiscard]] Attempt solve(std::span<const RangeReading> readings,
-                            const DriveDirections& directions, const Idea& idea, std::string name,
+[[nodiscard]] Attempt solve(const SonarMission& mission, const Idea& idea, std::string name,
                             std::vector<double> correction_rad,
-                            const SonarTrajectoryOptions& options,
                             SonarBatchOptions batch_options = {});
 
 /// Solves once more from where the idea's attempt ended: the walls are extracted anew at its poses,
 /// and are the sharper the truer these are.
-[[nodiscard]] Attempt solve_again(std::span<const RangeReading> readings,
-                                  const DriveDirections& directions, const Idea& idea,
-                                  std::string name, const SonarTrajectoryOptions& options,
+[[nodiscard]] Attempt solve_again(const SonarMission& mission, const Idea& idea, std::string name,
                                   const SonarBatchOptions& batch_options);
 
 /// The chain's values by node as values by reading, those between nodes by way and turn.

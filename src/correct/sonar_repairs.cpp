@@ -11,8 +11,6 @@
 namespace roomatlas {
 namespace {
 
-using Readings = std::span<const RangeReading>;
-
 /// The posterior's mean given that the heading went the other way: smoothed about a heading that
 /// has gone there already.
 std::vector<double> slipped(const Idea& idea, const HeadingSlip& slip) {
@@ -46,12 +44,11 @@ std::string name_of(const HeadingSlip& slip, const Idea& idea) {
 }
 
 /// What odometry does in every step, by the poses that the walls gave.
-OdometryHabits learnt_habits(Readings readings, const DriveDirections& directions,
-                             const Idea& idea) {
+OdometryHabits learnt_habits(const SonarMission& mission, const Idea& idea) {
   OdometryHabits habits = idea.habits;
   habits.bias_rad_per_m = 0.0;
   habits.turn_gain = 1.0;
-  const auto driven = driven_path(readings, directions, habits).odom_from_robot;
+  const auto driven = driven_path(mission.readings, mission.directions, habits).odom_from_robot;
   const std::vector<Pose2>& found = idea.attempt.map_from_robot;
   HabitLearner learner;
   for (std::size_t i = 1; i < driven.size(); ++i) {
@@ -64,15 +61,15 @@ OdometryHabits learnt_habits(Readings readings, const DriveDirections& direction
 
 /// The idea with other habits where its own were far off: those of a short mission, or of a heading
 /// that slipped.
-Idea with_learnt_habits(Readings readings, const DriveDirections& directions, const Idea& idea) {
+Idea with_learnt_habits(const SonarMission& mission, const Idea& idea) {
   constexpr double kFarBias = radians(0.5);  // a metre
   constexpr double kFarGain = 0.03;
-  const OdometryHabits habits = learnt_habits(readings, directions, idea);
+  const OdometryHabits habits = learnt_habits(mission, idea);
   Idea learnt = idea;
   if (std::abs(habits.bias_rad_per_m - idea.habits.bias_rad_per_m) > kFarBias ||
       std::abs(habits.turn_gain - idea.habits.turn_gain) > kFarGain) {
     learnt.habits = habits;
-    learnt.problem.path = driven_path(readings, directions, habits);
+    learnt.problem.path = driven_path(mission.readings, mission.directions, habits);
   }
   return learnt;
 }
@@ -83,8 +80,7 @@ double merit(const Attempt& attempt) { return attempt.score_m - attempt.strain; 
 
 }  // namespace
 
-void repair_slips(Readings readings, const DriveDirections& directions,
-                  const SonarTrajectoryOptions& options, Idea& idea, std::vector<Attempt>& others,
+void repair_slips(const SonarMission& mission, Idea& idea, std::vector<Attempt>& others,
                   SonarTrajectory& result) {
   constexpr double kLeastLogOdds = -60.0;
   constexpr std::size_t kMostTries = 16;
@@ -101,8 +97,7 @@ void repair_slips(Readings readings, const DriveDirections& directions,
                     idea.chain_options, idea.attempt.correction_rad, kLeastLogOdds)) {
       if (is_refuted(slip)) continue;
       if (++tries > kMostTries) return;
-      Attempt attempt =
-          solve(readings, directions, idea, name_of(slip, idea), slipped(idea, slip), options);
+      Attempt attempt = solve(mission, idea, name_of(slip, idea), slipped(idea, slip));
       result.variants.push_back(attempt.variant);
       repaired = is_better(attempt, idea.attempt);
       if (repaired) {
@@ -117,8 +112,7 @@ void repair_slips(Readings readings, const DriveDirections& directions,
   }
 }
 
-void refine(Readings readings, const DriveDirections& directions,
-            const SonarTrajectoryOptions& options, Idea& idea, SonarTrajectory& result) {
+void refine(const SonarMission& mission, Idea& idea, SonarTrajectory& result) {
   const auto offer = [&](Attempt attempt) {
     result.variants.push_back(attempt.variant);
     if (merit(attempt) <= merit(idea.attempt)) return false;
@@ -131,12 +125,12 @@ void refine(Readings readings, const DriveDirections& directions,
   wide.start_scale_m = 2.0;
   SonarBatchOptions near;
   near.start_scale_m = 0.5;
-  (void)offer(solve(readings, directions, idea, "from 2 m", heading_rad, options, wide));
-  (void)offer(solve(readings, directions, idea, "from 0.5 m", heading_rad, options, near));
+  (void)offer(solve(mission, idea, "from 2 m", heading_rad, wide));
+  (void)offer(solve(mission, idea, "from 0.5 m", heading_rad, near));
   constexpr int kMostTimes = 2;
   for (int times = 0; times < kMostTimes; ++times) {
-    Idea learnt = with_learnt_habits(readings, directions, idea);
-    if (!offer(solve_again(readings, directions, learnt, "walls extracted anew", options, near))) {
+    Idea learnt = with_learnt_habits(mission, idea);
+    if (!offer(solve_again(mission, learnt, "walls extracted anew", near))) {
       break;
     }
     learnt.attempt = std::move(idea.attempt);

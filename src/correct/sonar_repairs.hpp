@@ -9,14 +9,12 @@ namespace roomatlas {
 /// Tries the other ways that the heading may have gone, the likeliest first, and keeps what brings
 /// more walls together. Adds each try to the result's variants.
 /// @param others receives the attempts that are not kept
-void repair_slips(std::span<const RangeReading> readings, const DriveDirections& directions,
-                  const SonarTrajectoryOptions& options, Idea& idea, std::vector<Attempt>& others,
+void repair_slips(const SonarMission& mission, Idea& idea, std::vector<Attempt>& others,
                   SonarTrajectory& result);
 
 /// Solves the best heading again from other tolerances: a large one brings together what drifted
 /// far apart, a small one does not mistake the other side of a corridor for this one. Then extracts
 /// the walls anew at the poses found, and solves once more, as long as that brings more together.
-void refine(std::span<const RangeReading> readings, const DriveDirections& directions,
-            const SonarTrajectoryOptions& options, Idea& idea, SonarTrajectory& result);
+void refine(const SonarMission& mission, Idea& idea, SonarTrajectory& result);
 
 }  // namespace roomatlas

@@ -14,8 +14,6 @@
 namespace roomatlas {
 namespace {
 
-using Readings = std::span<const RangeReading>;
-
 /// Whether the walls make one heading clearly more likely than walls that lie anyhow would: in a
 /// round hall they do not.
 bool walls_follow_directions(const HeadingProblem& problem,
@@ -101,34 +99,34 @@ std::string name_of(const std::vector<double>& walls_rad) {
 }
 
 /// Headings by the building's walls, where these follow directions, and odometry's own.
-Choice choose_heading(Readings readings, const DriveDirections& directions,
-                      const Calibration& likely, const SonarTrajectoryOptions& options,
+Choice choose_heading(const SonarMission& mission, const Calibration& likely,
                       SonarTrajectory& result) {
-  const HeadingProblem problem =
-      heading_problem(readings, directions, likely.habits, options.segments);
+  const HeadingProblem problem = heading_problem(mission.readings, mission.directions,
+                                                 likely.habits, mission.options.segments);
   const HeadingChainOptions chain = likely.doubting({});
   const std::vector<double> walls_rad = building_directions(problem, chain);
   Choice choice;
   const auto consider = [&](Idea idea, std::string name) {
-    idea.attempt =
-        solve(readings, directions, idea, std::move(name), idea.chain.correction_rad, options);
+    idea.attempt = solve(mission, idea, std::move(name), idea.chain.correction_rad);
     choice.offer(std::move(idea), result);
   };
   if (walls_follow_directions(problem, walls_rad, chain)) {
     // all of them first: wings at an angle are believed
     if (walls_rad.size() > 1) {
-      consider(idea_of(readings, directions, likely, walls_rad, options), name_of(walls_rad));
+      consider(idea_of(mission, likely, walls_rad), name_of(walls_rad));
     }
-    consider(idea_of(readings, directions, likely, {0.0}, options), name_of({0.0}));
+    consider(idea_of(mission, likely, {0.0}), name_of({0.0}));
   }
-  Idea odometry = idea_of(readings, directions, {}, {0.0}, options);
+  Idea odometry = idea_of(mission, {}, {0.0});
   std::fill(odometry.chain.correction_rad.begin(), odometry.chain.correction_rad.end(), 0.0);
   odometry.is_odometry = true;
   consider(std::move(odometry), "odometry's own heading");
   return choice;
 }
 
-SonarTrajectory correct_sonar_trajectory(Readings readings, const SonarTrajectoryOptions& options) {
+SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
+                                         const SonarTrajectoryOptions& options,
+                                         const std::function<void()>& before_attempt) {
   SonarTrajectory result;
   if (readings.empty()) return result;
   const DriveDirections directions = find_drive_directions(readings, options.directions);
@@ -136,12 +134,13 @@ SonarTrajectory correct_sonar_trajectory(Readings readings, const SonarTrajector
   result.undecided_m = directions.undecided_m.back();
   Calibration likely;
   if (options.calibrate) likely = calibrate_odometry(readings, directions, options.segments, {});
-  Choice choice = choose_heading(readings, directions, likely, options, result);
+  const SonarMission mission{readings, directions, options, before_attempt};
+  Choice choice = choose_heading(mission, likely, result);
   Idea& best = *choice.best;
   if (options.repair_slips && !best.is_odometry) {
-    repair_slips(readings, directions, options, best, choice.others, result);
+    repair_slips(mission, best, choice.others, result);
   }
-  refine(readings, directions, options, best, result);
+  refine(mission, best, result);
   result.habits = best.habits;
   result.habits.length_scale *= best.attempt.length_scale;
   result.wall_directions_rad = best.directions_rad;

@@ -4,6 +4,7 @@
 
 #include "roomatlas/io/as_sonar.hpp"
 #include "roomatlas/io/formats.hpp"
+#include "roomatlas/io/one_sensor_kind.hpp"
 
 #include <system_error>
 #include <utility>
@@ -22,9 +23,11 @@ std::unique_ptr<MissionSource> open_log(const Path& file, const MissionOptions& 
 }  // namespace
 
 std::unique_ptr<MissionSource> open_mission(const Path& file, const MissionOptions& options) {
-  auto log = open_log(file, options);
-  if (!options.as_sonar.enabled) return log;
-  return as_sonar(std::move(log), options.as_sonar, options.sonar_max_range_m);
+  auto mission = open_log(file, options);
+  if (options.as_sonar.enabled) {
+    mission = as_sonar(std::move(mission), options.as_sonar, options.sonar_max_range_m);
+  }
+  return one_sensor_kind(std::move(mission));
 }
 
 }  // namespace roomatlas

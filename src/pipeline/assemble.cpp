@@ -8,6 +8,7 @@
 #include "load.hpp"
 #include "map_building.hpp"
 #include "record_again.hpp"
+#include "report.hpp"
 #include "roomatlas/asr/with_paths.hpp"
 #include "roomatlas/pipeline/pipeline.hpp"
 
@@ -15,10 +16,6 @@ namespace roomatlas {
 namespace {
 
 constexpr double kDoorReachM = 1.0;  // doors this near an outline are cut into it
-
-void report(const Progress& progress, const char* stage, double done) {
-  if (progress && !progress(stage, done)) throw Interrupted("interrupted while assembling");
-}
 
 using EdgeKey = std::pair<AsrId, AsrId>;
 
@@ -33,18 +30,17 @@ struct CorrectedGraph {
   Correction correction;
   std::vector<Closure> closures;
   Paths paths;  ///< of readings matched again; may be empty
+  bool are_rooms_matched = false;
 };
 
-bool can_match_rooms(const std::vector<Asr>& asrs) {
-  return std::all_of(asrs.begin(), asrs.end(), [](const Asr& asr) { return asr.is_localized; });
-}
-
-/// The maps of all ASRs, from readings that are loaded for one ASR at a time.
+/// The maps of all ASRs, from readings that are loaded for one ASR at a time; none where an ASR was
+/// not localized, or its readings were not kept.
 std::vector<AsrShape> shapes_of(const AsrSource& source, const std::vector<Asr>& asrs,
                                 const ClosureOptions& options) {
+  if (!can_map_building(source, asrs)) return {};
   std::vector<AsrShape> shapes;
   for (const Asr& asr : asrs) {
-    shapes.push_back(shape_of(source.get(asr.id, AsrDetail::readings), options));
+    shapes.push_back(shape_of(load_with_readings(source, asr.id), options));
   }
   return shapes;
 }
@@ -60,13 +56,15 @@ PassageEdge edge_of(const Closure& closure) {
   return edge;
 }
 
-/// Rooms found again by their walls, then doorways where these put them.
+/// Rooms found again by their walls.
 CorrectedGraph correct_by_matching(const AsrSource& source, const std::vector<Asr>& asrs,
-                                   const AssembleOptions& options) {
+                                   const std::vector<AsrShape>& shapes,
+                                   const AssembleOptions& options, const Progress& progress) {
   CorrectedGraph result;
+  result.are_rooms_matched = true;
   result.graph = build_graph(asrs);
-  const std::vector<AsrShape> shapes = shapes_of(source, asrs, options.closures);
-  ClosedLoops loops = close_loops(asrs, shapes, result.graph, options.correct, options.closures);
+  ClosedLoops loops =
+      close_loops(asrs, shapes, result.graph, options.correct, options.closures, progress);
   for (const Closure& closure : loops.closures) {
     if (closure.verdict == ClosureVerdict::accepted) add_edge(result.graph, edge_of(closure));
   }
@@ -74,9 +72,6 @@ CorrectedGraph correct_by_matching(const AsrSource& source, const std::vector<As
   doubt_passages_into(result.graph, loops.lost_before);
   result.correction = correct(asrs, result.graph, options.correct, loops.placement);
   const Placement placement = placement_of(result.correction);
-  for (const PassageEdge& edge : recognise_doorways(asrs, placement, options.recognise)) {
-    add_edge(result.graph, edge);
-  }
   if (options.feed_back.enabled) {
     result.paths = feed_back(source, shapes, result.closures, placement, options.feed_back);
   }
@@ -87,7 +82,9 @@ CorrectedGraph correct_by_matching(const AsrSource& source, const std::vector<As
 /// until nothing new is recognised.
 CorrectedGraph correct_in_rounds(const std::vector<Asr>& asrs, const AssembleOptions& options) {
   const RoomGraph driven = build_graph(asrs);
-  CorrectedGraph result{driven, correct(asrs, driven, options.correct), {}, {}};
+  CorrectedGraph result;
+  result.graph = driven;
+  result.correction = correct(asrs, driven, options.correct);
   std::set<EdgeKey> known;
   for (int round = 0; round < options.max_rounds; ++round) {
     const std::vector<PassageEdge> recognised =
@@ -195,8 +192,7 @@ MappedBuilding rooms_by_outlines(const AsrSource& source, const std::vector<Asr>
   building.doors = doors_of(asrs, graph, placement, building.room_of_asr);
   const DoorsOfRooms doors_of_rooms = by_room(building.doors);
   for (const Asr& asr : asrs) {
-    report(progress, "outline",
-           static_cast<double>(building.outlines.size()) / static_cast<double>(asrs.size()));
+    report(progress, "outline", share_of(building.outlines.size(), asrs.size()));
     const RoomId room = building.room_of_asr.at(asr.id);
     const Pose2& building_from_asr = placement.at(asr.id);
     const Polygon outline = outline_cut_at_doors(source, asr, room, building_from_asr,
@@ -228,6 +224,55 @@ Issues lost_on_the_way(const RoomGraph& graph) {
   return issues;
 }
 
+/// By what the mission allows: places that are known, rooms found again, or doorways.
+CorrectedGraph corrected_graph(const AsrSource& source, const std::vector<Asr>& asrs,
+                               const KnownPlacement& known, const AssembleOptions& options,
+                               const Progress& progress) {
+  if (!known.placement.empty()) return correct_from(asrs, known, options);
+  if (options.match_rooms) {
+    const std::vector<AsrShape> shapes = shapes_of(source, asrs, options.closures);
+    if (!shapes.empty()) return correct_by_matching(source, asrs, shapes, options, progress);
+  }
+  return correct_in_rounds(asrs, options);
+}
+
+/// Closures that the user added or left out, where none are sought.
+Issues unused_closures(const CorrectedGraph& corrected, const ClosureOptions& options) {
+  if (corrected.are_rooms_matched || (options.given.empty() && options.without_best <= 0)) {
+    return {};
+  }
+  return {{Severity::warning, "", 0, "closures",
+           "those added or left out by the user have no effect: rooms are matched only in missions "
+           "with a laser whose readings are localized and kept"}};
+}
+
+/// The plan; where walls are made regular, also as it was measured.
+void add_plans(MappedBuilding building, const AssembleOptions& options, Assembly& assembly) {
+  std::vector<PlacedDoor> doors;
+  for (const BuildingDoor& door : building.doors) {
+    doors.push_back({jambs_of(door), door.room_a, door.room_b});
+  }
+  const auto plan_of = [&](const auto& outlines, const auto& placed_doors) {
+    FloorPlan plan = merge(outlines, placed_doors, options.merge);
+    for (PlanRoom& room : plan.rooms) room.asrs = asrs_of(room.id, building.room_of_asr);
+    plan.furniture = building.furniture;
+    return plan;
+  };
+  assembly.plan = plan_of(building.outlines, doors);
+  if (!options.regular_walls) return;
+  assembly.measured_plan = std::move(assembly.plan);
+  RegularWallOptions walls = options.regular;
+  if (building.sensor == SensorKind::sonar) walls.blind_corner_m = options.sonar_corner_m;
+  const RegularOutlines regular = with_regular_walls(std::move(building.outlines), doors, walls);
+  assembly.plan = plan_of(regular.outlines, regular.doors);
+  if (regular.kept > 0) {
+    assembly.plan.issues.push_back(
+        {Severity::note, "", 0, "regular walls",
+         std::to_string(regular.kept) + " of " + std::to_string(regular.outlines.size()) +
+             " outlines are drawn as measured: straightened they would cross themselves"});
+  }
+}
+
 /// Everything after the rooms are as true as they will be.
 /// @param known may be empty
 Assembly assemble_rooms(const AsrSource& source, const KnownPlacement& known,
@@ -238,10 +283,8 @@ Assembly assemble_rooms(const AsrSource& source, const KnownPlacement& known,
 
   Assembly assembly;
   report(progress, "correct", 0.0);
-  CorrectedGraph corrected = !known.placement.empty() ? correct_from(asrs, known, options)
-                             : options.match_rooms && can_match_rooms(asrs)
-                                 ? correct_by_matching(source, asrs, options)
-                                 : correct_in_rounds(asrs, options);
+  CorrectedGraph corrected = corrected_graph(source, asrs, known, options, progress);
+  const Issues unused = unused_closures(corrected, options.closures);
   assembly.closures = std::move(corrected.closures);
   assembly.graph = std::move(corrected.graph);
   assembly.correction = std::move(corrected.correction);
@@ -253,36 +296,13 @@ Assembly assemble_rooms(const AsrSource& source, const KnownPlacement& known,
                                 ? map_building(fed_back, placement, footprint, options, progress)
                                 : rooms_by_outlines(source, asrs, assembly.graph, placement,
                                                     footprint, options, progress);
-  assembly.room_of_asr = std::move(building.room_of_asr);
+  assembly.room_of_asr = building.room_of_asr;
+  assembly.doors = building.doors;
   set_rooms(assembly.graph, assembly.room_of_asr);
-  assembly.doors = std::move(building.doors);
-  std::vector<PlacedDoor> doors;
-  for (const BuildingDoor& door : assembly.doors) {
-    doors.push_back({jambs_of(door), door.room_a, door.room_b});
-  }
   report(progress, "merge", 0.0);
-  const auto plan_of = [&](const auto& outlines, const auto& placed_doors) {
-    FloorPlan plan = merge(outlines, placed_doors, options.merge);
-    for (PlanRoom& room : plan.rooms) room.asrs = asrs_of(room.id, assembly.room_of_asr);
-    plan.furniture = building.furniture;
-    return plan;
-  };
-  assembly.plan = plan_of(building.outlines, doors);
-  if (options.regular_walls) {
-    assembly.measured_plan = std::move(assembly.plan);
-    RegularWallOptions walls = options.regular;
-    if (building.sensor == SensorKind::sonar) walls.blind_corner_m = options.sonar_corner_m;
-    const RegularOutlines regular = with_regular_walls(std::move(building.outlines), doors, walls);
-    assembly.plan = plan_of(regular.outlines, regular.doors);
-    if (regular.kept > 0) {
-      assembly.plan.issues.push_back(
-          {Severity::note, "", 0, "regular walls",
-           std::to_string(regular.kept) + " of " + std::to_string(regular.outlines.size()) +
-               " outlines are drawn as measured: straightened they would cross themselves"});
-    }
-  }
-  for (Issue& issue : lost_on_the_way(assembly.graph)) {
-    assembly.plan.issues.push_back(std::move(issue));
+  add_plans(std::move(building), options, assembly);
+  for (const Issues& issues : {unused, lost_on_the_way(assembly.graph)}) {
+    assembly.plan.issues.insert(assembly.plan.issues.end(), issues.begin(), issues.end());
   }
   return assembly;
 }
@@ -297,7 +317,8 @@ Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
   if (sonars.empty()) return assemble_rooms(source, {}, footprint, options, progress);
 
   report(progress, "correct sonars", 0.0);
-  SonarTrajectory trajectory = correct_sonar_trajectory(sonars, options.sonars);
+  SonarTrajectory trajectory = correct_sonar_trajectory(
+      sonars, options.sonars, [&] { report(progress, "correct sonars", 0.0); });
   RecordedAgain again = record_again(sonars, trajectory.map_from_robot, footprint, options.record);
   const KnownPlacement known{std::move(again.placement), trajectory.walls_rad};
   Assembly assembly = assemble_rooms(again.asrs, known, footprint, options, progress);

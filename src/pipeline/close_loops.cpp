@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "placed_graph.hpp"
+#include "report.hpp"
 #include "roomatlas/core/issue.hpp"
 #include "wider_matches.hpp"
 
@@ -24,10 +25,12 @@ SearchWindow window_of(const Uncertainty& between, const ClosureOptions& options
 class LoopCloser {
  public:
   LoopCloser(const std::vector<Asr>& asrs, const std::vector<AsrShape>& shapes,
-             const RoomGraph& driven, const CorrectOptions& correct, const ClosureOptions& options)
+             const RoomGraph& driven, const CorrectOptions& correct, const ClosureOptions& options,
+             const Progress& progress)
       : asrs_(asrs),
         shapes_(shapes),
         options_(options),
+        progress_(progress),
         passage_robust_sigmas_(correct.passage_robust_sigmas),
         placed_(options.robust_sigmas) {
     std::map<AsrId, std::size_t> index_of;
@@ -42,7 +45,10 @@ class LoopCloser {
   }
 
   ClosedLoops run() {
-    for (std::size_t i = 0; i < asrs_.size(); ++i) enter(i);
+    for (std::size_t i = 0; i < asrs_.size(); ++i) {
+      report(progress_, "match rooms", share_of(i, asrs_.size()));
+      enter(i);
+    }
     placed_.solve();
     for (int round = 1; round < options_.rounds; ++round) match_all_again(false);
     mend();
@@ -113,6 +119,7 @@ class LoopCloser {
     std::optional<SearchableMap> map;
     std::size_t map_of = asrs_.size();
     for (std::size_t k = 0; k < pairs.size(); ++k) {
+      report(progress_, "match rooms again", share_of(k, pairs.size()));
       if (map_of != pairs[k].first) {
         map.emplace(shapes_[pairs[k].first].map, options_.match);
         map_of = pairs[k].first;
@@ -245,6 +252,7 @@ class LoopCloser {
   const std::vector<Asr>& asrs_;
   const std::vector<AsrShape>& shapes_;
   const ClosureOptions& options_;
+  const Progress& progress_;
   double passage_robust_sigmas_;
   PlacedGraph placed_;
   std::set<AsrId> lost_before_;
@@ -258,8 +266,8 @@ class LoopCloser {
 
 ClosedLoops close_loops(const std::vector<Asr>& asrs, const std::vector<AsrShape>& shapes,
                         const RoomGraph& driven, const CorrectOptions& correct,
-                        const ClosureOptions& options) {
-  return LoopCloser(asrs, shapes, driven, correct, options).run();
+                        const ClosureOptions& options, const Progress& progress) {
+  return LoopCloser(asrs, shapes, driven, correct, options, progress).run();
 }
 
 }  // namespace roomatlas

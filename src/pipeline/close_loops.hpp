@@ -21,8 +21,10 @@ struct ClosedLoops {
 /// to lie near to each other again, in rounds.
 /// @param shapes parallel to `asrs`
 /// @param driven the graph of `asrs`, vertices in this order
+/// @throws Interrupted
 [[nodiscard]] ClosedLoops close_loops(const std::vector<Asr>& asrs,
                                       const std::vector<AsrShape>& shapes, const RoomGraph& driven,
-                                      const CorrectOptions& correct, const ClosureOptions& options);
+                                      const CorrectOptions& correct, const ClosureOptions& options,
+                                      const Progress& progress = {});
 
 }  // namespace roomatlas

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "load.hpp"
+#include "report.hpp"
 #include "roomatlas/asr/trace_outline.hpp"
 #include "roomatlas/polyline/simplify.hpp"
 
@@ -29,11 +31,8 @@ PlacedReadings placed_readings(const AsrSource& source, const Placement& placeme
   std::optional<Pose2> last;
   const std::vector<AsrId> ids = source.ids();
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (progress &&
-        !progress("map building", static_cast<double>(i) / static_cast<double>(ids.size()))) {
-      throw Interrupted("interrupted while assembling");
-    }
-    const Asr asr = source.get(ids[i], AsrDetail::readings);
+    report(progress, "map building", share_of(i, ids.size()));
+    const Asr asr = load_with_readings(source, ids[i]);
     for (std::size_t k = 0; k < asr.path.size(); ++k) {
       const Pose2 pose = placement.at(asr.id) * asr.path[k].asr_from_robot;
       placed.building_from_robot.push_back(pose);
@@ -153,8 +152,12 @@ void add_outlines(const PlacedReadings& placed, const BuildingGrid& grid,
     const std::optional<Cell> wall = nearest_wall_cell(outside, is_wall);
     return wall ? std::optional<Point2>(placed.map.mean_hit(*wall)) : std::nullopt;
   };
-  const auto hole_cells = static_cast<std::int64_t>(options.record.map.min_hole_m2 /
-                                                    (grid.frame.cell_m * grid.frame.cell_m));
+  RoomMapOptions outline = options.record.map;
+  if (placed.kind == SensorKind::sonar) {
+    outline.simplify_tolerance_m = outline.sonar_simplify_tolerance_m;
+  }
+  const auto hole_cells =
+      static_cast<std::int64_t>(outline.min_hole_m2 / (grid.frame.cell_m * grid.frame.cell_m));
   for (RoomId room = 1; room <= rooms.rooms; ++room) {
     std::vector<Point2> jambs;
     for (const BuildingDoor& door : building.doors) {
@@ -166,9 +169,8 @@ void add_outlines(const PlacedReadings& placed, const BuildingGrid& grid,
                                     [&](const auto& entry) { return entry.second == room; });
     const CellMask region = region_of(room, rooms, grid);
     const CellMask filled = holes_filled(region, hole_cells);
-    building.outlines.push_back(
-        {first != building.room_of_asr.end() ? first->first : 0, room,
-         trace_outline(filled, grid.frame, wall_near, jambs, options.record.map)});
+    building.outlines.push_back({first != building.room_of_asr.end() ? first->first : 0, room,
+                                 trace_outline(filled, grid.frame, wall_near, jambs, outline)});
     add_furniture(region, filled, grid, building.furniture);
   }
 }
@@ -176,7 +178,8 @@ void add_outlines(const PlacedReadings& placed, const BuildingGrid& grid,
 }  // namespace
 
 bool can_map_building(const AsrSource& source, const std::vector<Asr>& asrs) {
-  return std::all_of(asrs.begin(), asrs.end(), [](const Asr& asr) { return asr.is_localized; }) &&
+  return !asrs.empty() &&
+         std::all_of(asrs.begin(), asrs.end(), [](const Asr& asr) { return asr.is_localized; }) &&
          !source.get(asrs.front().id, AsrDetail::readings).readings.empty();
 }
 

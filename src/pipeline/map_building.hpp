@@ -19,8 +19,8 @@ struct MappedBuilding {
   SensorKind sensor = SensorKind::laser;  ///< sonar where there were both
 };
 
-/// True when every ASR has its readings and a path that was found in a map: then the mission can
-/// be mapped as a whole.
+/// True when every ASR has a path that was found in a map, and readings were kept: then the mission
+/// can be mapped as a whole.
 [[nodiscard]] bool can_map_building(const AsrSource& source, const std::vector<Asr>& asrs);
 
 /// All readings in one map, where the correction puts them; rooms, doors and outlines from it.

@@ -96,6 +96,20 @@ void add_wall_directions(const Correction& correction, const CorrectOptions& opt
   }
 }
 
+/// Passages in which the robot was lost count as little as the correction believed them.
+void weigh_passages(const Correction& correction, PoseGraph& graph) {
+  std::map<std::pair<AsrId, AsrId>, double> weight_of;
+  for (const FactorReport& factor : correction.factors) {
+    if (factor.kind == FactorKind::odometry) weight_of[{factor.from, factor.to}] = factor.weight;
+  }
+  for (PoseEdge& edge : graph.edges) {
+    if (edge.kind != EdgeKind::odometry) continue;
+    const auto weight = weight_of.find({graph.ids[static_cast<std::size_t>(edge.from)],
+                                        graph.ids[static_cast<std::size_t>(edge.to)]});
+    if (weight != weight_of.end()) edge.information *= weight->second;
+  }
+}
+
 /// The frames of the components' covariances, as turns from building axes: that of the fixed node,
 /// or building axes themselves where headings hold the component.
 std::vector<double> frames_of(const PoseGraph& graph, const OptimizeResult& solved) {
@@ -124,6 +138,7 @@ VisitUncertainty uncertainty_of(const RoomGraph& graph, const std::vector<Closur
   if (measured.edges.empty()) return {};
   const Placement placement = placement_of(correction);
   for (const AsrId id : measured.ids) measured.guess.push_back(placement.at(id));
+  weigh_passages(correction, measured);
   for (PoseEdge& edge : measured.edges) {
     if (edge.kind == EdgeKind::loop) edge.cauchy_sigmas = options.robust_sigmas;
   }

@@ -30,7 +30,7 @@ const WorldDrawing kHall = {"####################",  //
                             "####################"};
 
 TEST(RecorderPieces, CutsALongCorridorAtOpenPassagesOfAtMostTheOptionsLength) {
-  for (const double max_m : {5.0, 9.0}) {
+  for (const double max_m : {1.0, 5.0, 9.0}) {
     RecorderOptions options;
     options.max_piece_path_m = max_m;
     const auto readings = readings_in(kCorridor);

@@ -2,7 +2,10 @@
 // From a drawn world to a drawn plan, through the public interface alone.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "pipeline/memory_mission.hpp"
+#include "pipeline/three_rounds.hpp"
 
 namespace roomatlas {
 namespace {
@@ -91,6 +94,35 @@ TEST(Pipeline, NeedsNoReadingsInTheStoreToDrawAPlan) {
   const MemoryStore store = mapped(events_of(readings_in(kTwoRooms)), options);
   for (const Asr& asr : store.asrs) EXPECT_TRUE(asr.readings.empty());
   EXPECT_EQ(assemble(store, {}, {}).plan.rooms.size(), 2U);
+}
+
+TEST(Pipeline, RecognisesDoorwaysWhereReadingsWereNotKept) {
+  MapOptions options;
+  options.record.keep_readings = false;
+  const MemoryStore store = mapped(three_rounds(OdometryPreset::mild), options);
+  const auto edges = edges_of(assemble(store, {}, {}).graph);
+  EXPECT_GE(
+      std::count_if(edges.begin(), edges.end(),
+                    [](const PassageEdge& edge) { return edge.source == EdgeSource::recognised; }),
+      5);
+}
+
+TEST(Pipeline, TellsOfReadingsThatAreMissing) {
+  MemoryStore store = mapped(events_of(readings_in(kTwoRooms)));
+  store.asrs.back().readings.resize(1);
+  EXPECT_THROW((void)assemble(store, {}, {}), InputError);
+}
+
+TEST(Pipeline, TellsOfClosuresThatHaveNoEffect) {
+  AssembleOptions options;
+  options.closures.without_best = 3;
+  const auto is_told = [&](const MemoryStore& store) {
+    const Issues issues = assemble(store, {}, options).plan.issues;
+    return std::any_of(issues.begin(), issues.end(),
+                       [](const Issue& issue) { return issue.field == "closures"; });
+  };
+  EXPECT_TRUE(is_told(mapped(sonar_mission(kTwoRooms))));
+  EXPECT_FALSE(is_told(mapped(events_of(readings_in(kTwoRooms)))));
 }
 
 TEST(Pipeline, PlacesOnePoseAReadingWithItsOwnTimestamp) {

@@ -102,6 +102,24 @@ TEST(VisitUncertainty, ShrinksWithAMatchOfWalls) {
   EXPECT_LT(*with.typical_m, *without.typical_m);
 }
 
+TEST(VisitUncertainty, TakesNoneOfAPassageThatTheCorrectionDidNotBelieve) {
+  RoomGraph graph = row_of_visits();
+  const Eigen::Matrix3d information = Eigen::Vector3d(2500.0, 2500.0, 1e5).asDiagonal();
+  Closure elsewhere = closure(1, 3, information);
+  elsewhere.match.first_from_second.x_m += 3.0;  // the robot was lost on the way to 3
+  graph = with_match(std::move(graph), 1, 3);
+  const VisitUncertainty believed = uncertainty_of(graph, {elsewhere}, placed(), {});
+  Correction correction = placed();
+  FactorReport lost;
+  lost.from = 2;
+  lost.to = 3;
+  lost.weight = 1e-6;
+  correction.factors.push_back(lost);
+  const VisitUncertainty found = uncertainty_of(graph, {elsewhere}, correction, {});
+  ASSERT_TRUE(found.typical_m && believed.typical_m);
+  EXPECT_LT(*found.typical_m, 0.5 * *believed.typical_m);
+}
+
 TEST(VisitUncertainty, IsNotClaimedForAMissionThatWasCorrectedAsAWhole) {
   Correction correction = placed();
   correction.model = "trajectory";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -60,7 +61,10 @@ struct SonarTrajectory {
 /// Buildings without a common direction keep odometry's heading. What a mission does not revisit
 /// is as good as odometry with the heading corrected. Deterministic; readings in file order, their
 /// times need not ascend. An empty mission gives an empty trajectory; lasers are not used.
-[[nodiscard]] SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
-                                                       const SonarTrajectoryOptions& options);
+/// @param before_attempt called before each batch, of which there are up to thirty; to give up, it
+///   throws
+[[nodiscard]] SonarTrajectory correct_sonar_trajectory(
+    std::span<const RangeReading> readings, const SonarTrajectoryOptions& options,
+    const std::function<void()>& before_attempt = {});
 
 }  // namespace roomatlas
