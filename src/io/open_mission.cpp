@@ -4,6 +4,7 @@
 
 #include "roomatlas/io/as_sonar.hpp"
 #include "roomatlas/io/formats.hpp"
+#include "roomatlas/io/odometry_jumps.hpp"
 #include "roomatlas/io/one_sensor_kind.hpp"
 
 #include <system_error>
@@ -27,7 +28,7 @@ std::unique_ptr<MissionSource> open_mission(const Path& file, const MissionOptio
   if (options.as_sonar.enabled) {
     mission = as_sonar(std::move(mission), options.as_sonar, options.sonar_max_range_m);
   }
-  return one_sensor_kind(std::move(mission));
+  return without_odometry_jumps(one_sensor_kind(std::move(mission)));
 }
 
 }  // namespace roomatlas

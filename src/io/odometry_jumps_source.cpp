@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/io/odometry_jumps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace roomatlas {
+namespace {
+
+class WithoutJumps : public MissionSource {
+ public:
+  explicit WithoutJumps(std::unique_ptr<MissionSource> mission) : mission_(std::move(mission)) {}
+
+  [[nodiscard]] std::optional<MissionEvent> next() override {
+    auto event = mission_->next();
+    if (event) {
+      if (auto* reading = std::get_if<RangeReading>(&*event)) join(*reading);
+    }
+    return event;
+  }
+
+  [[nodiscard]] const MissionInfo& info() const override {
+    info_ = mission_->info();
+    if (jumps_ == 0) return info_;
+    info_.path_length_m -= jumped_m_;
+    info_.issues.insert(
+        info_.issues.begin(),
+        {Severity::warning, info_.file, 0, "odometry",
+         "jumps " + std::to_string(jumps_) + " times, the first time by " +
+             std::to_string(std::llround(first_m_)) + " m at " + std::to_string(first_s_) +
+             " s: no robot drives so fast; the jumps are taken for standing"});
+    return info_;
+  }
+
+  [[nodiscard]] double progress() const override { return mission_->progress(); }
+
+ private:
+  /// Puts a reading where odometry would be without the jumps so far.
+  void join(RangeReading& reading) {
+    const Pose2 reported = reading.odom_from_robot;
+    if (last_) {
+      const double step_m = (reported.position() - last_->position()).norm();
+      if (is_jump(step_m, std::abs(reading.timestamp_s - last_s_))) {
+        if (jumps_++ == 0) {
+          first_m_ = step_m;
+          first_s_ = reading.timestamp_s;
+        }
+        jumped_m_ += step_m;
+        moved_ += last_->position() - reported.position();
+      }
+    }
+    last_ = reported;
+    last_s_ = reading.timestamp_s;
+    if (jumps_ == 0) return;
+    reading.odom_from_robot.x_m += moved_.x();
+    reading.odom_from_robot.y_m += moved_.y();
+  }
+
+  static bool is_jump(double step_m, double took_s) {
+    constexpr double kFarM = 5.0;
+    constexpr double kFastMPerS = 20.0;
+    return step_m > kFarM && step_m > kFastMPerS * took_s;
+  }
+
+  std::unique_ptr<MissionSource> mission_;
+  std::optional<Pose2> last_;  ///< as reported
+  double last_s_ = 0.0;
+  Point2 moved_ = Point2::Zero();  ///< what takes the jumps out
+  int jumps_ = 0;
+  double first_m_ = 0.0;
+  double first_s_ = 0.0;
+  double jumped_m_ = 0.0;
+  mutable MissionInfo info_;
+};
+
+}  // namespace
+
+std::unique_ptr<MissionSource> without_odometry_jumps(std::unique_ptr<MissionSource> mission) {
+  return std::make_unique<WithoutJumps>(std::move(mission));
+}
+
+}  // namespace roomatlas
