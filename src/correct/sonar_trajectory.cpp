@@ -14,6 +14,21 @@
 namespace roomatlas {
 namespace {
 
+/// A change of odometry's habits. Where little is heard, the batch ends elsewhere from each.
+struct Change {
+  const char* name;
+  double bias_deg_per_m;
+  double turn_gain;
+};
+constexpr Change kChanges[] = {
+    {"bias +0.25 deg/m, gain -0.01", 0.25, -0.01},
+    {"bias -0.25 deg/m, gain +0.01", -0.25, 0.01},
+    {"bias +0.25 deg/m, gain -0.03", 0.25, -0.03},
+    {"bias -0.25 deg/m, gain +0.03", -0.25, 0.03},
+    {"gain -0.03", 0.0, -0.03},
+    {"gain +0.03", 0.0, 0.03},
+};
+
 /// Whether the walls make one heading clearly more likely than walls that lie anyhow would: in a
 /// round hall they do not.
 bool walls_follow_directions(const HeadingProblem& problem,
@@ -98,6 +113,12 @@ std::string name_of(const std::vector<double>& walls_rad) {
   return "walls in " + std::to_string(walls_rad.size()) + " directions";
 }
 
+void consider(const SonarMission& mission, Idea idea, std::string name, Choice& choice,
+              SonarTrajectory& result) {
+  idea.attempt = solve(mission, idea, std::move(name), idea.chain.correction_rad);
+  choice.offer(std::move(idea), result);
+}
+
 /// Headings by the building's walls, where these follow directions, and odometry's own.
 Choice choose_heading(const SonarMission& mission, const Calibration& likely,
                       SonarTrajectory& result) {
@@ -106,22 +127,29 @@ Choice choose_heading(const SonarMission& mission, const Calibration& likely,
   const HeadingChainOptions chain = likely.doubting({});
   const std::vector<double> walls_rad = building_directions(problem, chain);
   Choice choice;
-  const auto consider = [&](Idea idea, std::string name) {
-    idea.attempt = solve(mission, idea, std::move(name), idea.chain.correction_rad);
-    choice.offer(std::move(idea), result);
-  };
   if (walls_follow_directions(problem, walls_rad, chain)) {
     // all of them first: wings at an angle are believed
     if (walls_rad.size() > 1) {
-      consider(idea_of(mission, likely, walls_rad), name_of(walls_rad));
+      consider(mission, idea_of(mission, likely, walls_rad), name_of(walls_rad), choice, result);
     }
-    consider(idea_of(mission, likely, {0.0}), name_of({0.0}));
+    consider(mission, idea_of(mission, likely, {0.0}), name_of({0.0}), choice, result);
   }
   Idea odometry = idea_of(mission, {}, {0.0});
   std::fill(odometry.chain.correction_rad.begin(), odometry.chain.correction_rad.end(), 0.0);
   odometry.is_odometry = true;
-  consider(std::move(odometry), "odometry's own heading");
+  consider(mission, std::move(odometry), "odometry's own heading", choice, result);
   return choice;
+}
+
+void consider_other_habits(const SonarMission& mission, const Calibration& likely, Choice& choice,
+                           SonarTrajectory& result) {
+  const std::vector<double> walls_rad = choice.best->directions_rad;
+  for (const Change& change : kChanges) {
+    Calibration changed = likely;
+    changed.habits.bias_rad_per_m += radians(change.bias_deg_per_m);
+    changed.habits.turn_gain += change.turn_gain;
+    consider(mission, idea_of(mission, changed, walls_rad), change.name, choice, result);
+  }
 }
 
 SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
@@ -136,6 +164,10 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
   if (options.calibrate) likely = calibrate_odometry(readings, directions, options.segments, {});
   const SonarMission mission{readings, directions, options, before_attempt};
   Choice choice = choose_heading(mission, likely, result);
+  if (options.calibrate && !choice.best->is_odometry &&
+      !is_verified(*choice.best, choice.others, options)) {
+    consider_other_habits(mission, likely, choice, result);
+  }
   Idea& best = *choice.best;
   if (options.repair_slips && !best.is_odometry) {
     repair_slips(mission, best, choice.others, result);
