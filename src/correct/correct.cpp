@@ -91,17 +91,6 @@ const char* to_string(FactorKind kind) {
   return "unknown";
 }
 
-Correction uncorrected(const std::vector<Asr>& asrs) {
-  std::map<AsrId, Pose2> pose_of;
-  for (const Asr& asr : asrs) pose_of[asr.id] = asr.odom_from_asr;
-  Correction correction;
-  correction.converged = true;
-  correction.model = "none";
-  for (const auto& [id, pose] : pose_of)
-    correction.asrs.push_back({id, 0, pose, pose, 0.0, 0.0, 0.0, 0.0});
-  return correction;
-}
-
 Correction correct(const std::vector<Asr>& asrs, const RoomGraph& graph,
                    const CorrectOptions& options, const Placement& known) {
   Correction correction;

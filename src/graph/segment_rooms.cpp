@@ -14,7 +14,7 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kCutBeyondM = 0.2;    // the same for cells
+constexpr double kCutBeyondM = 0.2;    // on either side of an opening that cuts the floor
 constexpr double kHalfPassageM = 0.3;  // what is seen through narrower gaps is not the room's
 constexpr double kOneJambM = 0.5;      // jambs this near are one
 constexpr int kMostRounds = 50;

@@ -28,8 +28,7 @@ Pose2 step_between(const RangeReading& from, const RangeReading& to) {
 
 Pose2 reversed(const Pose2& step) { return {-step.x_m, -step.y_m, step.theta_rad}; }
 
-/// The beam that looks nearest to a point, and how far away it is along it; nothing when the
-/// point lies outside of every beam.
+/// How a point is seen.
 struct Sighting {
   std::size_t beam = 0;
   double range_m = 0.0;
@@ -42,6 +41,8 @@ std::vector<Point2> directions_of(const RangeSensor& sensor) {
   return directions;
 }
 
+/// The beam that looks nearest to a point, and how far away it is along it; nothing when the
+/// point lies outside of every beam.
 std::optional<Sighting> sighting_of(const RangeSensor& sensor, std::span<const Point2> directions,
                                     const Point2& point_robot) {
   constexpr double kMaxOffRad = radians(2.0);

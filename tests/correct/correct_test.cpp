@@ -186,18 +186,6 @@ TEST_P(BothModels, OneAsrAloneStaysAndIsOnlyTurnedIntoItsWalls) {
   }
 }
 
-TEST(Uncorrected, IsOdometrysPlacementInTheOrderOfTheIds) {
-  auto asrs = chain_mission(round_the_block(3.0));
-  std::swap(asrs[0], asrs[4]);
-  const Correction correction = uncorrected(asrs);
-  ASSERT_EQ(correction.asrs.size(), 6u);
-  for (std::size_t i = 0; i < 6; ++i) {
-    EXPECT_EQ(correction.asrs[i].asr, static_cast<AsrId>(i + 1));
-    EXPECT_EQ(correction.asrs[i].moved_m, 0.0);
-  }
-  EXPECT_EQ(correction.asrs[4].building_from_asr, asrs[0].odom_from_asr);
-}
-
 TEST(Correction, StartsInAStateThatCannotPassForSuccess) {
   const Correction correction;
   EXPECT_FALSE(correction.converged);

@@ -39,7 +39,9 @@ inline LargestError largest_error(const Placement& placement, const Placement& t
 }
 
 inline Placement odometry_placement(const std::vector<Asr>& asrs) {
-  return placement_of(uncorrected(asrs));
+  Placement placement;
+  for (const Asr& asr : asrs) placement[asr.id] = asr.odom_from_asr;
+  return placement;
 }
 
 }  // namespace roomatlas::test

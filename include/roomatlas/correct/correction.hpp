@@ -57,7 +57,7 @@ struct HeadingBias {
 /// for success.
 struct Correction {
   bool converged = false;
-  std::string model;    ///< "se2" or "rotation_only"
+  std::string model;    ///< "se2", "rotation_only", or "trajectory" (a mission of sonars)
   std::string message;  ///< why the solver stopped
   double initial_cost = -1.0;
   double final_cost = -1.0;
@@ -66,9 +66,5 @@ struct Correction {
   std::vector<AsrCorrection> asrs;    ///< ascending by ASR
   std::vector<FactorReport> factors;  ///< in the order in which they were added
 };
-
-/// The placement that odometry alone gives: nothing corrected.
-/// @param asrs any order; the result ascends by id
-[[nodiscard]] Correction uncorrected(const std::vector<Asr>& asrs);
 
 }  // namespace roomatlas
