@@ -3,6 +3,7 @@
 
 #include "roomatlas/core/pose2.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -54,8 +55,9 @@ struct CarmenMessage {
   int trailing_fields = 0;  ///< timestamp, host, logger time: how many of them the line has
   Pose2 pose;               ///< ODOM: of the robot in odometry; TRUEPOS: the true one
   CarmenScan scan;
-  std::string_view name;   ///< PARAM
-  std::string_view value;  ///< PARAM; empty where the line has none
+  std::string name;       ///< PARAM
+  std::string value;      ///< PARAM; empty where the line has none
+  std::int64_t line = 0;  ///< its number in the file, from 1
 };
 
 /// Why a line could not be taken apart.

@@ -2,7 +2,10 @@
 #include "carmen_parser.hpp"
 
 #include "field_reader.hpp"
+#include "numbers.hpp"
+#include "plausible.hpp"
 
+#include <cmath>
 #include <string>
 
 namespace roomatlas::io {
@@ -30,6 +33,13 @@ void read_scan_poses(FieldReader& fields, CarmenScan& scan) {
   if (!scan.has_poses) return;
   scan.odom_from_laser = fields.pose("laser x", "laser y", "laser theta");
   scan.odom_from_robot = fields.pose("robot x", "robot y", "robot theta");
+  const double apart_m = (scan.odom_from_laser.position() - scan.odom_from_robot.position()).norm();
+  if (apart_m > kFarthestMount_m) {
+    fields.fail("laser and robot pose",
+                "expected the laser at most 10 m from the robot's centre, "
+                "found it " +
+                    shown(apart_m) + " m away");
+  }
 }
 
 /// FLASER and RLASER say nothing about directions: the scanners of that time swept 180 degrees from
@@ -101,7 +111,7 @@ void read_sonar(FieldReader& fields, CarmenScan& scan) {
   }
   scan.robot_from_sonar.clear();
   for (std::size_t i = 0; i < scan.ranges_m.size() && !fields.problem(); ++i) {
-    scan.robot_from_sonar.push_back(fields.pose("offset x", "offset y", "offset theta"));
+    scan.robot_from_sonar.push_back(fields.mount("offset x", "offset y", "offset theta"));
   }
 }
 

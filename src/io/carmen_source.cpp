@@ -2,6 +2,7 @@
 #include "carmen_source.hpp"
 
 #include "carmen_parser.hpp"
+#include "numbers.hpp"
 #include "tokens.hpp"
 
 #include <algorithm>
@@ -23,6 +24,14 @@ bool looks_like_tag(std::string_view text) {
   };
   return !text.empty() && text.size() <= 32 && is_letter(text.front()) &&
          std::all_of(text.begin(), text.end(), fits);
+}
+
+/// The robot's pose on the line, where it has one.
+std::optional<StampedPose> robot_pose(const CarmenMessage& message) {
+  const double timestamp_s = message.timestamp_s.value_or(0.0);
+  if (message.tag->kind == CarmenKind::odometry) return StampedPose{timestamp_s, message.pose};
+  if (message.tag->kind != CarmenKind::laser || !message.scan.has_poses) return std::nullopt;
+  return StampedPose{timestamp_s, message.scan.odom_from_robot};
 }
 
 }  // namespace
@@ -59,6 +68,8 @@ void CarmenSource::read_first_message(const std::string& name) {
 std::optional<MissionEvent> CarmenSource::next() {
   while (!queue_.ready()) {
     if (read_line()) continue;
+    spikes_.finish();
+    if (use_decided()) continue;
     if (queue_.empty()) return std::nullopt;
     break;
   }
@@ -68,6 +79,7 @@ std::optional<MissionEvent> CarmenSource::next() {
 /// Reads one line, whatever is in it. False at the end.
 bool CarmenSource::read_line() {
   const std::optional<std::string_view> line = reader_.next();
+  line_ = reader_.line_number();
   if (!line) {
     if (reader_.end() != LineReader::End::complete) report_cut();
     return false;
@@ -90,10 +102,33 @@ bool CarmenSource::read_line() {
 }
 
 void CarmenSource::read_message(const CarmenTag& tag, std::string_view line) {
+  line_ = reader_.line_number();
   std::optional<CarmenProblem> problem = parse_carmen_line(tag, line, message_);
   if (is_cut_off(tag, problem.has_value())) return report_cut();
   if (problem) return add_malformed(*problem);
-  use_message();
+  message_.line = line_;
+  const std::optional<StampedPose> pose = robot_pose(message_);
+  spikes_.push(tag.name, pose, std::move(message_));
+  (void)use_decided();
+}
+
+bool CarmenSource::use_decided() {
+  bool any = false;
+  while (auto decided = spikes_.take()) {
+    any = true;
+    message_ = std::move(decided->message);
+    line_ = message_.line;
+    if (decided->jump_m == 0.0) {
+      use_message();
+    } else {
+      add_malformed({std::string(message_.tag->name) + " position",
+                     "jumps " + shown(decided->jump_m) +
+                         " m away from the line before it and does not stay there: expected "
+                         "what a robot can drive in that time"});
+    }
+  }
+  line_ = reader_.line_number();
+  return any;
 }
 
 /// A last line without its end is whole only if nothing is missing that the lines before it had.
@@ -135,8 +170,7 @@ void CarmenSource::add_malformed(const CarmenProblem& problem) {
 
 /// Adds what concerns the log as a whole, of which there are a few at most, whatever the limit.
 void CarmenSource::add_issue(Severity severity, std::string field, std::string message) {
-  info_.issues.push_back(
-      {severity, info_.file, reader_.line_number(), std::move(field), std::move(message)});
+  info_.issues.push_back({severity, info_.file, line_, std::move(field), std::move(message)});
 }
 
 }  // namespace roomatlas::io

@@ -7,6 +7,7 @@
 #include "line_reader.hpp"
 #include "odometry_track.hpp"
 #include "sensor_catalog.hpp"
+#include "spike_filter.hpp"
 
 #include "roomatlas/mission/mission.hpp"
 
@@ -27,6 +28,8 @@ namespace roomatlas::io {
 /// - everything else (SONAR, RAWLASER, empty slots) is interpolated between the ODOM lines around
 ///   it in the file, or between the poses of scans in a log without ODOM lines; beyond the last
 ///   one its pose stays. With no odometry in reach the pose is the origin, and an issue says so.
+///
+/// A pose that jumps away and back with the next one of its tag is left out with its line.
 ///
 /// The first message decides whether a log has times. In one without, a reading's timestamp is its
 /// number, from 0, and a true pose has the number of the readings before it. Timestamps stay as
@@ -58,6 +61,8 @@ class CarmenSource : public MissionSource {
   void report_cut();
   [[nodiscard]] bool is_cut_off(const CarmenTag& tag, bool malformed) const;
 
+  /// Uses the messages that need not wait any longer. False where there is none.
+  bool use_decided();
   void use_message();
   void use_odometry(double timestamp_s);
   void use_scan(double timestamp_s);
@@ -77,7 +82,9 @@ class CarmenSource : public MissionSource {
   LineReader reader_;
   SensorCatalog catalog_;
   CarmenParameters parameters_;
-  CarmenMessage message_;
+  CarmenMessage message_;  ///< the one at work
+  std::int64_t line_ = 0;  ///< at work, for issues
+  SpikeFilter<CarmenMessage> spikes_;
   OdometryTrack track_;
   EventQueue queue_;
   std::map<const CarmenTag*, TagState> tags_;

@@ -58,7 +58,7 @@ void CarmenSource::use_parameter() {
   if (!parameters_.set(message_.name, message_.value)) {
     const std::string field = "PARAM " + std::string(message_.name);
     const std::string found =
-        message_.value.empty() ? "the end of the line" : quoted(message_.value);
+        message_.value.empty() ? "the end of the line" : io::quoted(message_.value);
     return add_malformed({field, "expected a length in metres, found " + found});
   }
   ++info_.line_counts["PARAM"];

@@ -2,6 +2,7 @@
 #include "field_reader.hpp"
 
 #include "numbers.hpp"
+#include "plausible.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -30,10 +31,28 @@ double FieldReader::number(const char* field) {
   return 0.0;
 }
 
+double FieldReader::coordinate(const char* field, double farthest_m, const char* expected) {
+  const std::string_view token = Tokens(fields_).next();
+  const double value_m = number(field);
+  if (std::abs(value_m) <= farthest_m) return value_m;
+  fail(field, std::string("expected ") + expected + ", found " + quoted(token));
+  return 0.0;
+}
+
 Pose2 FieldReader::pose(const char* x_field, const char* y_field, const char* theta_field) {
+  constexpr const char* kExpected = "metres, at most 9990 km from the origin";
   Pose2 pose;
-  pose.x_m = number(x_field);
-  pose.y_m = number(y_field);
+  pose.x_m = coordinate(x_field, kFarthest_m, kExpected);
+  pose.y_m = coordinate(y_field, kFarthest_m, kExpected);
+  pose.theta_rad = wrap_angle(number(theta_field));
+  return pose;
+}
+
+Pose2 FieldReader::mount(const char* x_field, const char* y_field, const char* theta_field) {
+  constexpr const char* kExpected = "metres, at most 10 m from the robot's centre";
+  Pose2 pose;
+  pose.x_m = coordinate(x_field, kFarthestMount_m, kExpected);
+  pose.y_m = coordinate(y_field, kFarthestMount_m, kExpected);
   pose.theta_rad = wrap_angle(number(theta_field));
   return pose;
 }

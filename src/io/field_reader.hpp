@@ -21,8 +21,11 @@ class FieldReader {
 
   /// A finite number.
   double number(const char* field);
-  /// Three finite numbers; the heading is wrapped.
+  /// A place in the plane, by three finite numbers; the heading is wrapped. None of its coordinates
+  /// is beyond `kFarthest_m`.
   Pose2 pose(const char* x_field, const char* y_field, const char* theta_field);
+  /// A sensor's place on the robot: none of its coordinates is beyond `kFarthestMount_m`.
+  Pose2 mount(const char* x_field, const char* y_field, const char* theta_field);
   /// A count and as many ranges.
   void ranges(std::vector<float>& ranges_m);
   /// A count and as many numbers, all of them dropped.
@@ -38,6 +41,7 @@ class FieldReader {
 
  private:
   std::size_t count(const char* field);
+  double coordinate(const char* field, double farthest_m, const char* expected);
 
   std::string_view tag_;
   Tokens fields_;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <charconv>
+#include <cstdio>
 #include <limits>
 #include <system_error>
 
@@ -39,6 +40,12 @@ std::optional<float> parse_range(std::string_view token) {
   if (error == std::errc::result_out_of_range) return std::numeric_limits<float>::infinity();
   if (error != std::errc()) return std::nullopt;
   return value;
+}
+
+std::string shown(double value) {
+  std::array<char, 32> text{};
+  (void)std::snprintf(text.data(), text.size(), "%g", value);
+  return text.data();
 }
 
 void append_number(std::string& text, double value) { append_shortest(text, value); }

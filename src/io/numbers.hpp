@@ -15,6 +15,9 @@ namespace roomatlas::io {
 /// measurement". Nothing when it is not a number.
 [[nodiscard]] std::optional<float> parse_range(std::string_view token);
 
+/// The number as a message shows it: six digits, with an exponent where it is long.
+[[nodiscard]] std::string shown(double value);
+
 /// Appends the shortest decimal text without exponent that reads back to the same value.
 void append_number(std::string& text, double value);
 void append_number(std::string& text, float value);

@@ -2,6 +2,7 @@
 #include "text_source.hpp"
 
 #include "numbers.hpp"
+#include "plausible.hpp"
 
 #include "roomatlas/core/issue.hpp"
 
@@ -31,7 +32,7 @@ void TextSource::set_laser(std::shared_ptr<const RangeSensor> laser) {
 
 void TextSource::warn(std::string field, std::string message) {
   info_.issues.push_back(
-      {Severity::warning, info_.file, reader_.line_number(), std::move(field), std::move(message)});
+      {Severity::warning, info_.file, line_, std::move(field), std::move(message)});
 }
 
 void TextSource::leave_out(const std::string& problem) {
@@ -50,21 +51,44 @@ void TextSource::note_end() {
 }
 
 std::optional<MissionEvent> TextSource::next() {
-  while (const std::optional<std::string_view> line = reader_.next()) {
-    if (reader_.line_is_too_long()) {
-      leave_out("the line is too long");
-      continue;
-    }
-    const Tokens fields(*line);
-    if (fields.at_end() || Tokens(fields).next().front() == '#') continue;
-    const LineContent content = read(fields);
-    if (!content.problem.empty()) {
-      leave_out(content.problem);
-    } else if (auto reading = use(content)) {
-      return std::move(*reading);
-    }
+  while (true) {
+    if (auto reading = use_decided()) return std::move(*reading);
+    const std::optional<std::string_view> line = reader_.next();
+    line_ = reader_.line_number();
+    if (!line) break;
+    take_line(*line);
   }
   note_end();
+  spikes_.finish();
+  if (auto reading = use_decided()) return std::move(*reading);
+  return std::nullopt;
+}
+
+void TextSource::take_line(std::string_view line) {
+  if (reader_.line_is_too_long()) return leave_out("the line is too long");
+  const Tokens fields(line);
+  if (fields.at_end() || Tokens(fields).next().front() == '#') return;
+  LineContent content = read(fields);
+  if (!content.problem.empty()) return leave_out(content.problem);
+  content.line = line_;
+  std::optional<StampedPose> pose;
+  if (content.odom_from_robot) pose = {content.timestamp_s.value_or(0.0), *content.odom_from_robot};
+  const std::string source = content.tag;
+  spikes_.push(source, pose, std::move(content));
+}
+
+/// The next reading among the lines that need not wait any longer.
+std::optional<RangeReading> TextSource::use_decided() {
+  while (const auto decided = spikes_.take()) {
+    line_ = decided->message.line;
+    if (decided->jump_m > 0.0) {
+      leave_out("the position jumps " + shown(decided->jump_m) +
+                " m away from the line before it and does not stay there: expected what a robot "
+                "can drive in that time");
+    } else if (auto reading = use(decided->message)) {
+      return reading;
+    }
+  }
   return std::nullopt;
 }
 
@@ -118,9 +142,13 @@ double NumberFields::number(const char* field) {
 }
 
 Pose2 NumberFields::pose(double metres_per_unit) {
-  const double x = number("x");
-  const double y = number("y");
-  return {x * metres_per_unit, y * metres_per_unit, wrap_angle(number("theta"))};
+  const double x_m = number("x") * metres_per_unit;
+  const double y_m = number("y") * metres_per_unit;
+  if (problem_.empty() && !(std::abs(x_m) <= kFarthest_m && std::abs(y_m) <= kFarthest_m)) {
+    problem_ = "x, y: expected at most 9990 km from the origin, found " + shown(x_m) + " m, " +
+               shown(y_m) + " m";
+  }
+  return {x_m, y_m, wrap_angle(number("theta"))};
 }
 
 std::vector<float> NumberFields::ranges(int count, double metres_per_unit) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "line_reader.hpp"
+#include "spike_filter.hpp"
 #include "tokens.hpp"
 
 #include "roomatlas/mission/mission.hpp"
@@ -22,6 +23,7 @@ struct LineContent {
   std::optional<Pose2> odom_from_robot;  ///< odometry, for the path's length
   std::optional<double> timestamp_s;
   std::vector<float> ranges_m;  ///< empty: no reading
+  std::int64_t line = 0;        ///< its number; `read` need not set it
 };
 
 /// A log of one laser with one message a line, streaming: the part that small formats share. What
@@ -45,12 +47,16 @@ class TextSource : public MissionSource {
   void warn(std::string field, std::string message);
 
  private:
+  void take_line(std::string_view line);
+  [[nodiscard]] std::optional<RangeReading> use_decided();
   [[nodiscard]] std::optional<RangeReading> use(const LineContent& content);
   void note_time(double timestamp_s);
   void leave_out(const std::string& problem);
   void note_end();
 
   LineReader reader_;
+  std::int64_t line_ = 0;  ///< at work, for issues
+  SpikeFilter<LineContent> spikes_;
   MissionInfo info_;
   std::shared_ptr<const RangeSensor> laser_;
   std::optional<Pose2> odom_from_robot_;

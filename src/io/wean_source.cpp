@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "numbers.hpp"
+#include "plausible.hpp"
 #include "small_logs.hpp"
 #include "text_source.hpp"
 
@@ -44,7 +46,14 @@ class WeanSource : public TextSource {
     content.problem = numbers.problem();
     if (!is_scan || !content.problem.empty()) return content;  // O lines lie between the scans'
     content.odom_from_robot = odom_from_robot;
-    mount(inverse(odom_from_robot) * odom_from_laser);
+    const Pose2 robot_from_laser = inverse(odom_from_robot) * odom_from_laser;
+    const double apart_m = robot_from_laser.position().norm();
+    if (apart_m > kFarthestMount_m) {
+      content.problem = "expected the laser at most 10 m from the robot's centre, found it " +
+                        shown(apart_m) + " m away";
+      return content;
+    }
+    mount(robot_from_laser);
     return content;
   }
 

@@ -63,7 +63,7 @@ TEST(TrajectoryFile, WithoutVerticesSaysSo) {
 
 TEST(TrajectoryFile, OfALogHasOdometryOrWhereTruthIsMeantItsTruePoses) {
   const std::string log =
-      "FLASER 1 3.5 9 9 0 1 2 0.5 100.5 host 0.5\n"
+      "FLASER 1 3.5 9 2 0 1 2 0.5 100.5 host 0.5\n"
       "TRUEPOS 7 8 0.1 1 2 0.5 100.5 host 0.5\n";
   const TrajectoryFile recorded = read(log);
   ASSERT_EQ(recorded.poses.size(), 1U);
