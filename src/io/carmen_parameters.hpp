@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace roomatlas::io {
@@ -17,9 +18,9 @@ struct CarmenParameters {
   std::optional<double> rear_laser_max_range_m;   ///< robot_rear_laser_max
   std::optional<double> sonar_max_range_m;        ///< robot_max_sonar
 
-  /// @return false when the name is one of these but the value is not usable (not a finite number,
-  ///   or a size that is not positive); the former value then stays.
-  [[nodiscard]] bool set(std::string_view name, std::string_view value);
+  /// @return empty, or what was expected and found, when the name is one of these but the value is
+  ///   not usable: no number, or beyond what a robot or a sensor has; the former value then stays.
+  [[nodiscard]] std::string set(std::string_view name, std::string_view value);
 };
 
 }  // namespace roomatlas::io

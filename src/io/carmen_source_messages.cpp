@@ -2,8 +2,6 @@
 // What a CARMEN source does with a message that was read.
 #include "carmen_source.hpp"
 
-#include "tokens.hpp"
-
 #include <utility>
 #include <variant>
 
@@ -55,11 +53,8 @@ void CarmenSource::note_state(double timestamp_s) {
 }
 
 void CarmenSource::use_parameter() {
-  if (!parameters_.set(message_.name, message_.value)) {
-    const std::string field = "PARAM " + std::string(message_.name);
-    const std::string found =
-        message_.value.empty() ? "the end of the line" : io::quoted(message_.value);
-    return add_malformed({field, "expected a length in metres, found " + found});
+  if (std::string problem = parameters_.set(message_.name, message_.value); !problem.empty()) {
+    return add_malformed({"PARAM " + message_.name, std::move(problem)});
   }
   ++info_.line_counts["PARAM"];
   info_.footprint.length_m = parameters_.robot_length_m.value_or(info_.footprint.length_m);

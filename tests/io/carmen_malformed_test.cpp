@@ -55,8 +55,9 @@ TEST(MalformedLine, WhatIsNotANumberIsNamedWithItsField) {
   EXPECT_THAT(issue_of("ODOM 1 2 3 0 0 0 9 h 0 0 0"), HasSubstr("ODOM has 2 fields too many"));
   EXPECT_THAT(issue_of("ROBOTLASER1 0 0 0 0 9 0 0 2 1 1 0 9 h 0"), HasSubstr("ROBOTLASER1 step"));
   EXPECT_THAT(issue_of("ROBOTLASER1 0 0 1"), HasSubstr("ROBOTLASER1 step"));
-  EXPECT_THAT(issue_of("PARAM robot_width wide 0 h 0"),
-              HasSubstr("PARAM robot_width: expected a length in metres, found 'wide'"));
+  EXPECT_THAT(
+      issue_of("PARAM robot_width wide 0 h 0"),
+      HasSubstr("PARAM robot_width: expected a length in metres from 0.05 to 5, found 'wide'"));
   EXPECT_THAT(issue_of("PARAM"), HasSubstr("PARAM name: expected a name"));
 }
 

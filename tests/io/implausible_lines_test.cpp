@@ -61,6 +61,37 @@ TEST(ImplausibleMount, OfASonarIsLeftOutWithItsLine) {
             "found '1e6'; the line is left out: correct it or delete it");
 }
 
+TEST(ImplausibleMount, InAParameterIsLeftOut) {
+  EXPECT_THAT(
+      issue_of("PARAM robot_frontlaser_offset 250\nODOM 1 2 3\n"),
+      HasSubstr("PARAM robot_frontlaser_offset: expected a length in metres from -10 to 10, "
+                "found '250', which looks like millimetres or centimetres; the line is"));
+}
+
+TEST(ImplausibleSize, OfTheRobotIsLeftOutSoThatTheOptionHolds) {
+  for (const char* length : {"450", "45", "5.1", "0.04", "-0.5", "nan", "1e999"}) {
+    const ReadLog log =
+        read_text("PARAM robot_length " + std::string(length) + "\n" + odom("0", 1));
+    EXPECT_EQ(log.info.footprint.length_m, RobotFootprint{}.length_m) << length;
+    EXPECT_EQ(log.info.malformed_lines, 1) << length;
+  }
+  EXPECT_EQ(issue_of("PARAM robot_width 450\n" + odom("0", 1)),
+            "mission.clf:1: PARAM robot_width: expected a length in metres from 0.05 to 5, found "
+            "'450', which looks like millimetres or centimetres; the line is left out: correct it "
+            "or delete it");
+}
+
+TEST(ImplausibleRange, InAParameterIsLeftOutSoThatTheOptionHolds) {
+  for (const char* max : {"8191", "0.1", "0", "-30"}) {
+    const ReadLog log =
+        read_text("PARAM robot_front_laser_max " + std::string(max) + "\n" + scan("0", "0", 1));
+    EXPECT_EQ(log.readings.at(0).sensor->max_range_m, 50.0) << max;
+    EXPECT_EQ(log.info.malformed_lines, 1) << max;
+  }
+  EXPECT_THAT(issue_of("PARAM robot_max_sonar 5000\n" + odom("0", 1)),
+              HasSubstr("from 0.5 to 100, found '5000', which looks like millimetres"));
+}
+
 TEST(ImplausibleMount, OfAWeanLogsLaserIsLeftOutWithItsLine) {
   const std::string line = "L 0 0 0 1e8 0 0" + times(180, "66") + " 0.5\n";
   EXPECT_THAT(issue_of(line), HasSubstr("found it 1e+06 m away"));
