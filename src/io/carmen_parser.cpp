@@ -5,6 +5,7 @@
 #include "numbers.hpp"
 #include "plausible.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -59,16 +60,32 @@ void set_directions_by_count(CarmenScan& scan) {
   }
 }
 
-/// FLASER n r1..rn [x y theta odom_x odom_y odom_theta [timestamp [host [logger_time]]]]
+/// FLASER n r1..rn [x y theta odom_x odom_y odom_theta] [timestamp [host [logger_time]]]
 void read_old_laser(FieldReader& fields, CarmenMessage& message) {
   CarmenScan& scan = message.scan;
   fields.ranges(scan.ranges_m);
   const std::size_t left = fields.fields_left();
-  const bool fits = left == 0 || (left >= kPoseFields && left <= kPoseFields + kTrailerFields);
-  if (!fits) fields.fail_announced();
+  const bool has_poses = left >= kPoseFields && left <= kPoseFields + kTrailerFields;
+  if (left != 0 && !has_poses && !fields.is_trailer()) fields.fail_announced();
   read_scan_poses(fields, scan);
   set_directions_by_count(scan);
   scan.max_range_m = 0.0;
+}
+
+/// Angles in degrees would spread the readings over many turns.
+void check_directions(FieldReader& fields, const CarmenScan& scan) {
+  constexpr double kMost_rad = 2.2 * kPi;  // a turn, and what a scanner sees twice of it
+  if (std::abs(scan.start_rad) > kMost_rad) {
+    fields.fail("start_angle", "expected radians, found " + shown(scan.start_rad) +
+                                   ", more than a turn, which looks like degrees");
+  }
+  const std::size_t gaps = std::max<std::size_t>(scan.ranges_m.size(), 1) - 1;
+  const double covered_rad = std::abs(scan.step_rad) * static_cast<double>(gaps);
+  if (covered_rad > kMost_rad) {
+    fields.fail("fov, step", "expected radians, found " + std::to_string(gaps + 1) + " readings " +
+                                 shown(scan.step_rad) +
+                                 " apart, more than a turn, which looks like degrees");
+  }
 }
 
 /// type start_angle fov step max_range accuracy remission_mode n r1..rn [m remission1..m]
@@ -88,6 +105,7 @@ void read_laser_body(FieldReader& fields, CarmenScan& scan) {
     scan.step_rad = fov_rad / static_cast<double>(count - 1);
     if (fov_rad == 0.0) fields.fail("step", "expected an angle between beams, found 0");
   }
+  check_directions(fields, scan);
 }
 
 /// ... laser_x .. robot_theta tv rv forward_safety side_safety turn_axis timestamp host logger_time

@@ -2,6 +2,8 @@
 // What a CARMEN source does with a message that was read.
 #include "carmen_source.hpp"
 
+#include "numbers.hpp"
+
 #include <utility>
 #include <variant>
 
@@ -119,10 +121,12 @@ void CarmenSource::note_odd_scan() {
                   " readings instead of 180, 181, 360 or 361: taken as spread evenly from -90 to "
                   "+90 degrees");
   }
-  if (sonar && scan.cone_rad >= kPi && !std::exchange(cone_reported_, true)) {
+  const bool odd_cone = scan.cone_rad < 0.0 || scan.cone_rad >= kPi;
+  if (sonar && odd_cone && !std::exchange(cone_reported_, true)) {
+    const bool is_degrees = scan.cone_rad > 0.0 && scan.cone_rad < 180.0;
     add_issue(Severity::note, "SONAR cone_angle",
-              "expected radians below pi, found " + std::to_string(scan.cone_rad) +
-                  ": taken as degrees, or as the default where that does not fit either");
+              "expected radians from 0 to pi, found " + shown(scan.cone_rad) + ": " +
+                  (is_degrees ? "taken as degrees" : "--sonar-cone holds instead"));
   }
 }
 

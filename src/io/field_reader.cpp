@@ -87,6 +87,14 @@ void FieldReader::ranges(std::vector<float>& ranges_m) {
   }
 }
 
+bool FieldReader::is_trailer() const {
+  Tokens ahead = fields_;
+  const std::string_view timestamp = ahead.next();
+  const std::string_view host = ahead.next();
+  (void)ahead.next();
+  return ahead.at_end() && parse_number(timestamp) && !parse_number(host);
+}
+
 void FieldReader::skip_counted(const char* field) {
   const std::size_t announced = count(field);
   for (std::size_t i = 0; i < announced && !problem_; ++i) (void)number(field);

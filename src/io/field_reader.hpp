@@ -34,6 +34,10 @@ class FieldReader {
   [[nodiscard]] bool at_end() const { return fields_.at_end(); }
   [[nodiscard]] std::size_t fields_left() const { return problem_ ? 0 : fields_.count(); }
 
+  /// True when what is left can only be `timestamp [host [logger_timestamp]]`: three numbers could
+  /// be a pose.
+  [[nodiscard]] bool is_trailer() const;
+
   void fail(std::string field, std::string message);
   /// The number of readings, as announced, does not fit the line.
   void fail_announced();

@@ -149,6 +149,27 @@ TEST(CarmenLayout, ASonarsOpeningAngleOfPiOrMoreIsReadAsDegreesAndNoted) {
               ElementsAre(HasSubstr("mission.clf:2: SONAR cone_angle: expected radians")));
 }
 
+TEST(CarmenLayout, ASonarsNegativeOpeningAngleMeansTheOptionAndIsNoted) {
+  const ReadLog log = read_text("ODOM 0 0 0 0 0 0 1 h 0\nSONAR -0.5 1 1 0 0 0 1 h 0\n");
+  EXPECT_NEAR(log.readings.at(0).sensor->half_cone_rad, radians(15.0), 1e-12);
+  EXPECT_THAT(test::texts(log.info.issues),
+              ElementsAre("mission.clf:2: SONAR cone_angle: expected radians from 0 to pi, found "
+                          "-0.5: --sonar-cone holds instead"));
+}
+
+TEST(CarmenLayout, AFrontLasersPosesMayBeMissingWithOrWithoutWhatFollowsThem) {
+  for (const char* end : {"", " 1", " 1 h", " 1 h 1"}) {
+    const std::string scan = "FLASER 3 1.0 2.0 1.5" + std::string(end) + "\n";
+    const bool has_time = std::string(end) != "";
+    const ReadLog log = read_text((has_time ? "ODOM 7 0 0 0 0 0 1 h 0\n" : "ODOM 7 0 0\n") + scan);
+    ASSERT_EQ(log.readings.size(), 1U) << scan;
+    EXPECT_THAT(log.readings[0].ranges_m, ElementsAre(1.0F, 2.0F, 1.5F));
+    EXPECT_EQ(log.readings[0].timestamp_s, has_time ? 1.0 : 0.0);
+    EXPECT_EQ(log.readings[0].odom_from_robot, (Pose2{7, 0, 0})) << scan;
+    EXPECT_EQ(log.info.malformed_lines, 0);
+  }
+}
+
 TEST(CarmenLayout, ATruePoseComesInFileOrderAndIsTheFirstTriple) {
   const ReadLog log = read_text("TRUEPOS 1 2 3 4 5 6 99.5 h 0\n");
   ASSERT_EQ(log.true_poses.size(), 1U);

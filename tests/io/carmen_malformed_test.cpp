@@ -40,6 +40,32 @@ TEST(MalformedLine, AnAnnouncedNumberOfReadingsThatTheLineDoesNotHaveIsNamed) {
   EXPECT_THAT(issue_of("FLASER 18446744073709551615 1 2"), HasSubstr("but the line has 2 numbers"));
 }
 
+TEST(MalformedLine, NumbersBehindTheReadingsThatMayBeAPoseOrATimeAreNotGuessed) {
+  EXPECT_THAT(issue_of("FLASER 2 7 8 1 2 3"), HasSubstr("FLASER announces 2 readings"));
+  EXPECT_THAT(issue_of("FLASER 2 7 8 1 2"), HasSubstr("FLASER announces 2 readings"));
+}
+
+TEST(MalformedLine, AnglesInDegreesAreNamedWithTheUnitThatIsExpected) {
+  const std::string end = "50 0.01 0 181" + times(181, "1") + " 0 1 2 3 1 2 3 0 0 0 0 0 9 h 0";
+  EXPECT_THAT(issue_of("ROBOTLASER1 0 -90 180 1 " + end),
+              HasSubstr("ROBOTLASER1 start_angle: expected radians, found -90, more than a turn, "
+                        "which looks like degrees; the line is left out"));
+  EXPECT_THAT(issue_of("ROBOTLASER1 0 -1.5708 3.1416 1 " + end),
+              HasSubstr("ROBOTLASER1 fov, step: expected radians, found 181 readings 1 apart, more "
+                        "than a turn, which looks like degrees; the line is left out"));
+  EXPECT_THAT(issue_of("ROBOTLASER1 0 -1.5708 3.1416 1e6 " + end), HasSubstr("1e+06 apart"));
+  EXPECT_THAT(issue_of("ROBOTLASER1 0 0 180 0 " + end), HasSubstr("181 readings 1 apart"));
+}
+
+TEST(MalformedLine, AWholeTurnOfReadingsIsNot) {
+  const ReadLog log = read_text(
+      "ODOM 0 0 0 0 0 0 1 h 0\nRAWLASER1 0 3.14159265 0 -0.0174532925 "
+      "50 0.01 0 361" +
+      times(361, "1") + " 0 1 h 0\n");
+  EXPECT_EQ(log.readings.size(), 1U);
+  EXPECT_THAT(log.info.issues, IsEmpty());
+}
+
 TEST(MalformedLine, WhatIsNotANumberIsNamedWithItsField) {
   EXPECT_THAT(issue_of("FLASER 3 1 2.x 3 1 2 3 1 2 3 9 h 0"),
               StartsWith("mission.clf:2: FLASER reading 2: expected a number, found '2.x'"));
