@@ -132,7 +132,8 @@ void optimize(const Settings& settings, const OptimizeArguments& arguments) {
   const Issues warnings = warnings_of(result.issues);
   show(warnings, 0, 10);
   if (settings.json) {
-    fmt::print("{}\n", as_json(arguments.graph, input, result, elapsed.count()).dump(2));
+    const auto json = as_json(arguments.graph, input, result, elapsed.count());
+    fmt::print("{}\n", json.dump(2, ' ', false, decltype(json)::error_handler_t::replace));
   } else {
     fmt::print("{} nodes, {} edges, {} of them loops, {} component{}\n", input.graph.ids.size(),
                input.graph.edges.size(), count_loops(input.graph), result.fixed.size(),

@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
 #include "roomatlas/io/room_names.hpp"
+#include "roomatlas/io/utf8.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -35,8 +36,8 @@ const PlanRoom& find_room(const Path& store, const FloorPlan& plan, const std::s
 void check_name(const std::string& name) {
   const bool is_printable =
       std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < 32 || c == 127; });
-  if (name.find_first_not_of(' ') == std::string::npos || !is_printable) {
-    throw UsageError("a room's name must be one line of text that is not empty");
+  if (name.find_first_not_of(' ') == std::string::npos || !is_printable || as_utf8(name) != name) {
+    throw UsageError("a room's name must be one line of UTF-8 text that is not empty");
   }
 }
 

@@ -164,7 +164,10 @@ Json json_of(const MissionInfo& info) {
           {"issues_not_listed", info.issues_not_listed}};
 }
 
-std::string text_of(const Json& json) { return json.dump(2) + "\n"; }
+/// Names of files may be no UTF-8: U+FFFD stands for such bytes.
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 }  // namespace
 

@@ -35,6 +35,7 @@ TEST_F(Rename, AnUnknownRoomOrAnEmptyNameIsAUsageError) {
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_THAT(unknown.err, HasSubstr("its rooms are 1, 2"));
   EXPECT_EQ(run("-q rename " + store_ + " 3 ' '").exit_code, 2);
+  EXPECT_EQ(run("-q rename " + store_ + " 3 'caf\xE9'").exit_code, 2);
 }
 
 TEST_F(Rename, IsKeptWhenTheStoreIsAssembledAgain) {
