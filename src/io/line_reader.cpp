@@ -51,6 +51,17 @@ gzFile open_or_throw(const std::filesystem::path& file) {
 
 }  // namespace
 
+void require_regular_file(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status) || std::filesystem::is_directory(status) ||
+      std::filesystem::is_regular_file(status)) {
+    return;
+  }
+  throw InputError(file.string() +
+                   ": is not a regular file, and is read more than once: save it to a file first");
+}
+
 LineReader::LineReader(const std::filesystem::path& file)
     : file_(new GzFile{open_or_throw(file)}), buffer_(kLongestLine) {
   std::error_code error;
@@ -58,6 +69,7 @@ LineReader::LineReader(const std::filesystem::path& file)
   file_bytes_ = error ? 0 : bytes;
   fill();
   check_first_block(file.string());
+  find_line_end();
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (std::string_view(buffer_.data(), filled_).starts_with(kByteOrderMark)) {
     begin_ = kByteOrderMark.size();
@@ -79,6 +91,15 @@ void LineReader::check_first_block(const std::string& name) const {
   }
 }
 
+/// Old tools on old systems ended lines with "\r" alone. One at the very end may belong to "\r\n".
+void LineReader::find_line_end() {
+  const std::string_view block(buffer_.data(), filled_);
+  const std::size_t carriage_return = block.find('\r');
+  if (block.find('\n') == std::string_view::npos && carriage_return < filled_ - 1) {
+    line_end_ = '\r';
+  }
+}
+
 /// Moves what is left to the front and reads one more block behind it.
 void LineReader::fill() {
   if (begin_ > 0) {
@@ -93,8 +114,9 @@ void LineReader::fill() {
     return;
   }
   int error = Z_OK;
-  gzerror(file_->handle, &error);
+  const std::string_view message = gzerror(file_->handle, &error);
   end_ = error == Z_BUF_ERROR ? End::cut_short : got < 0 ? End::damaged : End::complete;
+  if (end_ == End::damaged && message.ends_with("check")) end_ = End::wrong_checksum;
 }
 
 std::optional<std::string_view> LineReader::next() {
@@ -102,7 +124,7 @@ std::optional<std::string_view> LineReader::next() {
   while (true) {
     const char* const start = buffer_.data() + begin_;
     const std::size_t available = filled_ - begin_;
-    const void* const found = std::memchr(start + searched, '\n', available - searched);
+    const void* const found = std::memchr(start + searched, line_end_, available - searched);
     if (found != nullptr) {
       return take(static_cast<std::size_t>(static_cast<const char*>(found) - start), true);
     }
@@ -132,7 +154,7 @@ std::string_view LineReader::skip_long_line() {
   begin_ = filled_;
   while (end_ == End::not_reached) {
     fill();
-    const void* const found = std::memchr(buffer_.data(), '\n', filled_);
+    const void* const found = std::memchr(buffer_.data(), line_end_, filled_);
     if (found != nullptr) {
       begin_ = static_cast<std::size_t>(static_cast<const char*>(found) - buffer_.data()) + 1;
       break;

@@ -11,14 +11,20 @@
 
 namespace roomatlas::io {
 
-/// Reads a text file line by line, plain or gzip (told by content). Memory is constant.
+/// Throws InputError for what gives its content once only, such as a pipe. Not for a missing file
+/// or a folder: a reader has better words for these.
+void require_regular_file(const std::filesystem::path& file);
+
+/// Reads a text file line by line, plain or gzip (told by content). Memory is constant. Lines end
+/// with "\n", "\r\n", or, in a file whose first block has no "\n", with "\r".
 class LineReader {
  public:
   enum class End {
     not_reached,
     complete,
-    cut_short,  ///< gzip data that stops in the middle
-    damaged,    ///< gzip data that does not decode
+    cut_short,       ///< gzip data that stops in the middle
+    damaged,         ///< gzip data that does not decode
+    wrong_checksum,  ///< gzip data that decodes, but not to what was packed
   };
 
   static constexpr std::size_t kLongestLine = std::size_t{1} << 20;  ///< in bytes
@@ -27,7 +33,7 @@ class LineReader {
   /// text (its first block has NUL or many control characters).
   explicit LineReader(const std::filesystem::path& file);
 
-  /// The next line without its end ("\n" or "\r\n"), valid until the next call; nothing at the end.
+  /// The next line without its end, valid until the next call; nothing at the end.
   [[nodiscard]] std::optional<std::string_view> next();
   /// 1-based number of the line that `next` returned last.
   [[nodiscard]] std::int64_t line_number() const { return line_number_; }
@@ -46,6 +52,7 @@ class LineReader {
   };
 
   void fill();
+  void find_line_end();
   void check_first_block(const std::string& name) const;
   std::string_view take(std::size_t length, bool terminated);
   std::string_view skip_long_line();
@@ -54,6 +61,7 @@ class LineReader {
   std::vector<char> buffer_;
   std::size_t begin_ = 0;  ///< of what has not been handed out
   std::size_t filled_ = 0;
+  char line_end_ = '\n';
   std::uintmax_t file_bytes_ = 0;
   std::int64_t line_number_ = 0;
   bool line_is_terminated_ = true;

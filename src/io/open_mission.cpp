@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "carmen_source.hpp"
+#include "line_reader.hpp"
 #include "small_logs.hpp"
 
 #include "roomatlas/io/as_sonar.hpp"
@@ -7,17 +8,14 @@
 #include "roomatlas/io/odometry_jumps.hpp"
 #include "roomatlas/io/one_sensor_kind.hpp"
 
-#include <system_error>
 #include <utility>
 
 namespace roomatlas {
 namespace {
 
 std::unique_ptr<MissionSource> open_log(const Path& file, const MissionOptions& options) {
-  std::error_code ignored;
-  if (std::filesystem::is_regular_file(file, ignored)) {  // a pipe can be read once only
-    if (const io::OpenLog open = io::find_small_log(file)) return open(file, options);
-  }
+  io::require_regular_file(file);
+  if (const io::OpenLog open = io::find_small_log(file)) return open(file, options);
   return std::make_unique<io::CarmenSource>(file, options);
 }
 

@@ -77,6 +77,7 @@ std::optional<ClockReading> clocks_on(io::Tokens fields) {
 
 TrajectoryFile read_trajectory(const Path& file, const MissionOptions& options,
                                LogPoses log_poses) {
+  io::require_regular_file(file);
   switch (kind_of(file)) {
     case Kind::tum:
       return {"TUM", PoseClock::timestamps, read_tum(file), {}};
