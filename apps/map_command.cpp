@@ -83,6 +83,9 @@ void map(const Settings& settings, const Path& log, const Path& store_file) {
     void put(const TruePose&) override {}
   };
   if (mission->info().readings == 0 || mission->info().odometry == "none") {
+    while (peeked.next()) {
+    }
+    require_lines_that_could_be_read(mission->info());  // says what is wrong, else
     NoSink nowhere;
     (void)map_mission(peeked, nowhere, settings.map);  // says what is missing
   }

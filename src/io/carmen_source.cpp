@@ -5,6 +5,8 @@
 #include "numbers.hpp"
 #include "tokens.hpp"
 
+#include "roomatlas/io/utf8.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -38,7 +40,7 @@ std::optional<StampedPose> robot_pose(const CarmenMessage& message) {
 
 CarmenSource::CarmenSource(const std::filesystem::path& file, const MissionOptions& options)
     : reader_(file), catalog_(options, info_.sensors) {
-  info_.file = file.filename().string();
+  info_.file = as_utf8(file.filename().string());
   info_.format = "CARMEN";
   info_.odometry = "none";
   info_.footprint = options.footprint;
@@ -70,7 +72,10 @@ std::optional<MissionEvent> CarmenSource::next() {
     if (read_line()) continue;
     spikes_.finish();
     if (use_decided()) continue;
-    if (queue_.empty()) return std::nullopt;
+    if (queue_.empty()) {
+      if (!std::exchange(ended_, true)) left_out_.explain(info_);
+      return std::nullopt;
+    }
     break;
   }
   return hand_out(queue_.take());
@@ -86,7 +91,7 @@ bool CarmenSource::read_line() {
   }
   if (reader_.line_is_too_long()) {
     add_malformed(
-        {"", "the line is longer than " + std::to_string(LineReader::kLongestLine) + " bytes"});
+        "", {"", "the line is longer than " + std::to_string(LineReader::kLongestLine) + " bytes"});
     return true;
   }
   const std::string_view word = Tokens(*line).next();
@@ -105,7 +110,7 @@ void CarmenSource::read_message(const CarmenTag& tag, std::string_view line) {
   line_ = reader_.line_number();
   std::optional<CarmenProblem> problem = parse_carmen_line(tag, line, message_);
   if (is_cut_off(tag, problem.has_value())) return report_cut();
-  if (problem) return add_malformed(*problem);
+  if (problem) return add_malformed(tag.name, *problem);
   message_.line = line_;
   const std::optional<StampedPose> pose = robot_pose(message_);
   spikes_.push(tag.name, pose, std::move(message_));
@@ -121,7 +126,8 @@ bool CarmenSource::use_decided() {
     if (decided->jump_m == 0.0) {
       use_message();
     } else {
-      add_malformed({std::string(message_.tag->name) + " position",
+      add_malformed(message_.tag->name,
+                    {std::string(message_.tag->name) + " position",
                      "jumps " + shown(decided->jump_m) +
                          " m away from the line before it and does not stay there: expected "
                          "what a robot can drive in that time"});
@@ -144,10 +150,18 @@ bool CarmenSource::is_cut_off(const CarmenTag& tag, bool malformed) const {
 void CarmenSource::report_cut() {
   if (std::exchange(cut_reported_, true)) return;
   const bool damaged = reader_.end() == LineReader::End::damaged;
-  add_issue(Severity::warning, "",
-            std::string("the log is cut short in or after this line") +
-                (damaged ? " because its gzip data is damaged" : "") +
-                "; mapped up to the cut. Copy the file again to have the rest");
+  if (reader_.end() == LineReader::End::wrong_checksum) {
+    add_issue(
+        Severity::warning, "",
+        "its gzip data is damaged, nobody knows where: its checksum does not fit, so that any "
+        "line may be wrong. Copy the file again");
+  } else {
+    add_issue(Severity::warning, "",
+              std::string("the log is cut short in or after this line") +
+                  (damaged ? " because its gzip data is damaged" : "") +
+                  "; mapped up to the cut. Copy the file again to have the rest");
+  }
+  std::rotate(info_.issues.begin(), info_.issues.end() - 1, info_.issues.end());  // explains others
 }
 
 void CarmenSource::count_ignored(std::string_view tag) {
@@ -159,7 +173,10 @@ void CarmenSource::count_ignored(std::string_view tag) {
   ++info_.ignored_line_counts[key];
 }
 
-void CarmenSource::add_malformed(const CarmenProblem& problem) {
+/// @param tag empty where it is not known
+void CarmenSource::add_malformed(std::string_view tag, const CarmenProblem& problem) {
+  left_out_.add(std::string(tag), line_,
+                (problem.field.empty() ? "" : problem.field + ": ") + problem.message);
   if (++info_.malformed_lines > kMostMalformedListed) {
     ++info_.issues_not_listed;
     return;

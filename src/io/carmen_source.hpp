@@ -4,6 +4,7 @@
 #include "carmen_message.hpp"
 #include "carmen_parameters.hpp"
 #include "event_queue.hpp"
+#include "left_out_lines.hpp"
 #include "line_reader.hpp"
 #include "odometry_track.hpp"
 #include "sensor_catalog.hpp"
@@ -75,7 +76,7 @@ class CarmenSource : public MissionSource {
   [[nodiscard]] MissionEvent hand_out(EventQueue::Taken taken);
 
   void count_ignored(std::string_view tag);
-  void add_malformed(const CarmenProblem& problem);
+  void add_malformed(std::string_view tag, const CarmenProblem& problem);
   void add_issue(Severity severity, std::string field, std::string message);
 
   MissionInfo info_;
@@ -85,10 +86,12 @@ class CarmenSource : public MissionSource {
   CarmenMessage message_;  ///< the one at work
   std::int64_t line_ = 0;  ///< at work, for issues
   SpikeFilter<CarmenMessage> spikes_;
+  LeftOutLines left_out_;
   OdometryTrack track_;
   EventQueue queue_;
   std::map<const CarmenTag*, TagState> tags_;
 
+  bool ended_ = false;
   bool cut_reported_ = false;
   std::optional<bool> has_times_;  ///< decided by the first message
   bool scans_have_poses_ = false;  ///< some scan had a pose other than zero

@@ -23,7 +23,7 @@ void CarmenSource::use_message() {
   const std::optional<double> timestamp_s = timestamp_of_message();
   if (!timestamp_s) {
     const std::string field = std::string(tag.name) + " timestamp";
-    return add_malformed({field, "expected a number, found the end of the line"});
+    return add_malformed(tag.name, {field, "expected a number, found the end of the line"});
   }
   ++info_.line_counts[std::string(tag.name)];
   note_state(*timestamp_s);
@@ -56,7 +56,7 @@ void CarmenSource::note_state(double timestamp_s) {
 
 void CarmenSource::use_parameter() {
   if (std::string problem = parameters_.set(message_.name, message_.value); !problem.empty()) {
-    return add_malformed({"PARAM " + message_.name, std::move(problem)});
+    return add_malformed("PARAM", {"PARAM " + message_.name, std::move(problem)});
   }
   ++info_.line_counts["PARAM"];
   info_.footprint.length_m = parameters_.robot_length_m.value_or(info_.footprint.length_m);

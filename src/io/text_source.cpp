@@ -5,7 +5,9 @@
 #include "plausible.hpp"
 
 #include "roomatlas/core/issue.hpp"
+#include "roomatlas/io/utf8.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -19,7 +21,7 @@ constexpr std::int64_t kMostListed = 100;
 TextSource::TextSource(const std::filesystem::path& file, const MissionOptions& options,
                        const char* format)
     : reader_(file) {
-  info_.file = file.filename().string();
+  info_.file = as_utf8(file.filename().string());
   info_.format = format;
   info_.odometry = "none";
   info_.footprint = options.footprint;
@@ -35,7 +37,9 @@ void TextSource::warn(std::string field, std::string message) {
       {Severity::warning, info_.file, line_, std::move(field), std::move(message)});
 }
 
-void TextSource::leave_out(const std::string& problem) {
+/// @param tag empty where it is not known; may be any word
+void TextSource::leave_out(const std::string& tag, const std::string& problem) {
+  left_out_.add(tag, line_, problem);
   if (++info_.malformed_lines > kMostListed) {
     ++info_.issues_not_listed;
     return;
@@ -44,10 +48,16 @@ void TextSource::leave_out(const std::string& problem) {
 }
 
 void TextSource::note_end() {
-  if (reader_.end() == LineReader::End::complete || std::exchange(end_noted_, true)) return;
-  warn("",
-       "the log is cut short after this line because its gzip data ends; mapped up to the cut. "
-       "Copy the file again to have the rest");
+  left_out_.explain(info_);
+  if (reader_.end() == LineReader::End::complete) return;
+  warn(
+      "",
+      reader_.end() == LineReader::End::wrong_checksum
+          ? "its gzip data is damaged, nobody knows where: its checksum does not fit, so that any "
+            "line may be wrong. Copy the file again"
+          : "the log is cut short after this line because its gzip data ends or is damaged; mapped "
+            "up to the cut. Copy the file again to have the rest");
+  std::rotate(info_.issues.begin(), info_.issues.end() - 1, info_.issues.end());  // explains others
 }
 
 std::optional<MissionEvent> TextSource::next() {
@@ -58,18 +68,19 @@ std::optional<MissionEvent> TextSource::next() {
     if (!line) break;
     take_line(*line);
   }
-  note_end();
   spikes_.finish();
   if (auto reading = use_decided()) return std::move(*reading);
+  line_ = reader_.line_number();
+  if (!std::exchange(ended_, true)) note_end();
   return std::nullopt;
 }
 
 void TextSource::take_line(std::string_view line) {
-  if (reader_.line_is_too_long()) return leave_out("the line is too long");
+  if (reader_.line_is_too_long()) return leave_out("", "the line is too long");
   const Tokens fields(line);
   if (fields.at_end() || Tokens(fields).next().front() == '#') return;
   LineContent content = read(fields);
-  if (!content.problem.empty()) return leave_out(content.problem);
+  if (!content.problem.empty()) return leave_out(content.tag, content.problem);
   content.line = line_;
   std::optional<StampedPose> pose;
   if (content.odom_from_robot) pose = {content.timestamp_s.value_or(0.0), *content.odom_from_robot};
@@ -82,9 +93,11 @@ std::optional<RangeReading> TextSource::use_decided() {
   while (const auto decided = spikes_.take()) {
     line_ = decided->message.line;
     if (decided->jump_m > 0.0) {
-      leave_out("the position jumps " + shown(decided->jump_m) +
-                " m away from the line before it and does not stay there: expected what a robot "
-                "can drive in that time");
+      leave_out(
+          decided->message.tag,
+          "the position jumps " + shown(decided->jump_m) +
+              " m away from the line before it and does not stay there: expected what a robot "
+              "can drive in that time");
     } else if (auto reading = use(decided->message)) {
       return reading;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "left_out_lines.hpp"
 #include "line_reader.hpp"
 #include "spike_filter.hpp"
 #include "tokens.hpp"
@@ -51,16 +52,17 @@ class TextSource : public MissionSource {
   [[nodiscard]] std::optional<RangeReading> use_decided();
   [[nodiscard]] std::optional<RangeReading> use(const LineContent& content);
   void note_time(double timestamp_s);
-  void leave_out(const std::string& problem);
+  void leave_out(const std::string& tag, const std::string& problem);
   void note_end();
 
   LineReader reader_;
   std::int64_t line_ = 0;  ///< at work, for issues
   SpikeFilter<LineContent> spikes_;
+  LeftOutLines left_out_;
   MissionInfo info_;
   std::shared_ptr<const RangeSensor> laser_;
   std::optional<Pose2> odom_from_robot_;
-  bool end_noted_ = false;
+  bool ended_ = false;
 };
 
 /// A laser in the plane: beams counter-clockwise from `start_rad`, `step_rad` apart.

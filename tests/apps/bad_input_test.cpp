@@ -65,6 +65,23 @@ TEST(BadInput, ALogWithoutOdometryIsNotEnough) {
   expect_one_line(build_from(log), 4, "no odometry");
 }
 
+TEST(BadInput, ALogWhoseRangesAreAllLeftOutSaysWhyTheFirstOfThemIs) {
+  std::string log;
+  for (int i = 0; i < 50; ++i) {
+    log += "ODOM " + std::to_string(0.1 * i) + " 0 0 0.1 0 0 " + std::to_string(i) + " host 0\n";
+    log += "SONAR 0.5 0 " + std::to_string(i) + " host 0\n";
+  }
+  expect_one_line(build_from(log), 4, "50 SONAR lines, all left out; the first: line 2: SONAR");
+}
+
+TEST(BadInput, APipeIsRefusedBecauseALogIsReadMoreThanOnce) {
+  const Folder folder;
+  const std::string pipe = (folder / "pipe.clf").string();
+  ASSERT_EQ(std::system(("mkfifo " + pipe).c_str()), 0);
+  expect_one_line(run("build " + pipe + " -q -o " + (folder / "out").string()), 3,
+                  "is not a regular file");
+}
+
 TEST(BadInput, AMissionThatSawNoWallIsNotEnough) {
   std::string log;
   for (int i = 0; i < 50; ++i) log += scan(0.1 * i, i, 81.91);

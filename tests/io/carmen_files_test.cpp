@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mission_log.hpp"
 
+#include "roomatlas/io/summary.hpp"
+#include "roomatlas/io/trajectory_file.hpp"
+
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 namespace roomatlas {
 namespace {
@@ -80,6 +84,51 @@ TEST(MissionFile, GzipDataThatIsDamagedGivesWhatCameBeforeAndAWarning) {
   EXPECT_GT(log.readings.size(), 100U);
   EXPECT_LT(log.readings.size(), 3000U);
   EXPECT_THAT(texts(log.info.issues), Contains(HasSubstr("its gzip data is damaged")));
+}
+
+TEST(MissionFile, DamageOfGzipDataIsToldBeforeTheLinesThatItMadeWrong) {
+  const TemporaryFolder folder;
+  std::string packed = gzipped(folder, "ODOM x\n" + scans(3000));
+  const std::string whole = packed;
+  for (std::size_t i = 0; i < 64; ++i) packed[packed.size() / 2 + i] = '\xFF';
+  const ReadLog hurt = read_log(folder.write("hurt.clf.gz", packed));
+  EXPECT_THAT(to_string(hurt.info.issues.at(0)), HasSubstr("its gzip data is damaged; mapped up"));
+  EXPECT_THAT(to_string(hurt.info.issues.at(1)), HasSubstr("hurt.clf.gz:1: ODOM x"));
+
+  packed = whole;
+  packed[packed.size() - 8] ^= '\x01';  // of the checksum
+  const ReadLog wrong = read_log(folder.write("wrong.clf.gz", packed));
+  EXPECT_THAT(to_string(wrong.info.issues.at(0)),
+              HasSubstr("any line may be wrong. Copy the file"));
+}
+
+TEST(MissionFile, MayHaveLinesThatEndWithACarriageReturnAlone) {
+  const TemporaryFolder folder;
+  std::string text = scans(300);
+  for (char& c : text) c = c == '\n' ? '\r' : c;
+  const ReadLog log = read_log(folder.write("old.clf", text));
+  EXPECT_EQ(log.readings.size(), 300U);
+  EXPECT_EQ(log.readings.back().timestamp_s, 399.0);
+  EXPECT_THAT(log.info.issues, IsEmpty());
+}
+
+TEST(MissionFile, ThatIsAPipeIsRefusedBecauseItCanBeReadOnce) {
+  const TemporaryFolder folder;
+  const std::string pipe = folder / "pipe.clf";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THAT(refusal(pipe), HasSubstr("is not a regular file"));
+  EXPECT_THAT(refusal(pipe), HasSubstr("save it to a file first"));
+  EXPECT_THROW((void)read_trajectory(pipe, {}, LogPoses::recorded), InputError);
+}
+
+TEST(MissionFile, MayHaveANameThatIsNotUtf8) {
+  const TemporaryFolder folder;
+  const ReadLog log = read_log(folder.write("caf\xE9.clf", "ODOM x\n" + scans(2)));
+  EXPECT_EQ(log.info.file, "caf\uFFFD.clf");
+  EXPECT_THAT(to_json(log.info), HasSubstr("caf\uFFFD.clf:1: ODOM x"));
+  MissionInfo info;
+  info.file = "\xE9";
+  EXPECT_THAT(to_json(info), HasSubstr("\uFFFD"));
 }
 
 TEST(MissionFile, ThatCannotBeALogIsRefusedWithOneLineThatNamesItAndTheReason) {
