@@ -22,8 +22,8 @@ using Path = std::filesystem::path;
 [[nodiscard]] std::unique_ptr<MissionSource> open_mission(const Path& file,
                                                           const MissionOptions& options);
 
-/// For a mission that was read to its end. Throws NotEnoughError when it has no range reading, or no
-/// odometry, because every line that should hold one was left out, which is an error among its
+/// For a mission that was read to its end. Throws NotEnoughError when it has no range reading, or
+/// no odometry, because every line that should hold one was left out, which is an error among its
 /// issues: says how many there are and why the first of them was left out.
 void require_lines_that_could_be_read(const MissionInfo& info);
 
