@@ -93,8 +93,10 @@ TEST(ImplausibleRange, InAParameterIsLeftOutSoThatTheOptionHolds) {
 }
 
 TEST(ImplausibleMount, OfAWeanLogsLaserIsLeftOutWithItsLine) {
-  const std::string line = "L 0 0 0 1e8 0 0" + times(180, "66") + " 0.5\n";
-  EXPECT_THAT(issue_of(line), HasSubstr("found it 1e+06 m away"));
+  const auto line = [](const std::string& laser_x) {
+    return "L 0 0 0 " + laser_x + " 0 0" + times(180, "66") + " 0.5\n";
+  };
+  EXPECT_THAT(issue_of(line("20") + line("1e8")), HasSubstr("found it 1e+06 m away"));
 }
 
 TEST(ImplausiblePosition, BeyondWhatAPlanHoldsIsLeftOutWithItsLine) {

@@ -39,9 +39,10 @@ TEST(WeanLog, IsReadInMetresWithTheLasersPlaceOnTheRobot) {
 TEST(WeanLog, LeavesLinesOutThatAreNotRightAndSaysSo) {
   const auto read = read_text("O 1 2 0 0.1\nL 1 2 0 1 2 0 5 5 5\nO 1 x 0 0.2\nZ 3\n");
   EXPECT_EQ(read.info.malformed_lines, 3);
-  EXPECT_THAT(to_string(read.info.issues.at(0)),
+  EXPECT_THAT(to_string(read.info.issues.at(0)), HasSubstr("no range readings: 1 L lines"));
+  EXPECT_THAT(to_string(read.info.issues.at(1)),
               HasSubstr("mission.clf:2: range: expected a finite"));
-  EXPECT_THAT(to_string(read.info.issues.at(1)), HasSubstr("mission.clf:3: y: expected a finite"));
+  EXPECT_THAT(to_string(read.info.issues.at(2)), HasSubstr("mission.clf:3: y: expected a finite"));
 }
 
 TEST(DukeLog, HasNoTimesSoThatReadingsAreNumbered) {
