@@ -76,7 +76,7 @@ Recorded record_in_place(const Settings& settings, MissionSource& mission,
 }  // namespace
 
 void map(const Settings& settings, const Path& log, const Path& store_file) {
-  const auto mission = open_mission(log, settings.mission);
+  const auto mission = open_mission_to_map(log, settings.mission);
   PeekedMission peeked(*mission);
   struct NoSink : AsrSink {
     void put(const Asr&) override {}
@@ -101,7 +101,7 @@ void map(const Settings& settings, const Path& log, const Path& store_file) {
 }
 
 void info(const Settings& settings, const Path& log) {
-  const auto mission = open_mission(log, settings.mission);
+  const auto mission = open_mission_to_map(log, settings.mission);
   while (mission->next()) {
   }
   const MissionInfo& info = mission->info();

@@ -26,7 +26,12 @@ std::unique_ptr<MissionSource> open_mission(const Path& file, const MissionOptio
   if (options.as_sonar.enabled) {
     mission = as_sonar(std::move(mission), options.as_sonar, options.sonar_max_range_m);
   }
-  return without_odometry_jumps(one_sensor_kind(std::move(mission)));
+  return mission;
+}
+
+std::unique_ptr<MissionSource> open_mission_to_map(const Path& file,
+                                                   const MissionOptions& options) {
+  return without_odometry_jumps(one_sensor_kind(open_mission(file, options)));
 }
 
 }  // namespace roomatlas

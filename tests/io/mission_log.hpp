@@ -7,6 +7,7 @@
 
 #include <zlib.h>
 
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -20,9 +21,8 @@ struct ReadLog {
   MissionInfo info;
 };
 
-inline ReadLog read_log(const Path& file, const MissionOptions& options = {}) {
+inline ReadLog read_all(const std::unique_ptr<MissionSource>& source) {
   ReadLog log;
-  const auto source = open_mission(file, options);
   while (auto event = source->next()) {
     if (auto* reading = std::get_if<RangeReading>(&*event)) log.readings.push_back(*reading);
     if (auto* pose = std::get_if<TruePose>(&*event)) log.true_poses.push_back(*pose);
@@ -31,9 +31,19 @@ inline ReadLog read_log(const Path& file, const MissionOptions& options = {}) {
   return log;
 }
 
+inline ReadLog read_log(const Path& file, const MissionOptions& options = {}) {
+  return read_all(open_mission(file, options));
+}
+
 inline ReadLog read_text(const std::string& text, const MissionOptions& options = {}) {
   const TemporaryFolder folder;
   return read_log(folder.write("mission.clf", text), options);
+}
+
+/// As it is mapped.
+inline ReadLog read_text_to_map(const std::string& text) {
+  const TemporaryFolder folder;
+  return read_all(open_mission_to_map(folder.write("mission.clf", text), {}));
 }
 
 /// `value` repeated, each time with a blank before it: the readings of a scan.

@@ -26,7 +26,7 @@ test::ReadLog scans_at(const std::vector<Place>& places, double step_s = 0.1) {
             std::to_string(time_s) + "\n";
     time_s += step_s;
   }
-  return test::read_text(text);
+  return test::read_text_to_map(text);
 }
 
 bool is_told(const test::ReadLog& log) {

@@ -39,8 +39,8 @@ bool tells_of(const test::ReadLog& log, const std::string& what) {
 }
 
 TEST(OneSensorKind, TakesTheLaserAndCountsTheSonars) {
-  const auto log = test::read_text(sonars(1, 3) + "TRUEPOS 1 2 0 0 0 0 4 host 4\n" + laser_at(5) +
-                                   sonars(6, 2) + laser_at(8));
+  const auto log = test::read_text_to_map(sonars(1, 3) + "TRUEPOS 1 2 0 0 0 0 4 host 4\n" +
+                                          laser_at(5) + sonars(6, 2) + laser_at(8));
   ASSERT_EQ(log.readings.size(), 2U);
   EXPECT_TRUE(all_are(log, SensorKind::laser));
   EXPECT_EQ(log.true_poses.size(), 1U);
@@ -49,7 +49,7 @@ TEST(OneSensorKind, TakesTheLaserAndCountsTheSonars) {
 }
 
 TEST(OneSensorKind, TakesTheSonarsWhereNoLaserBegins) {
-  const auto log = test::read_text(sonars(1, 250) + laser_at(300) + sonars(301, 1));
+  const auto log = test::read_text_to_map(sonars(1, 250) + laser_at(300) + sonars(301, 1));
   ASSERT_EQ(log.readings.size(), 251U);
   EXPECT_TRUE(all_are(log, SensorKind::sonar));
   EXPECT_EQ(log.readings.front().timestamp_s, 1.0);
@@ -59,7 +59,7 @@ TEST(OneSensorKind, TakesTheSonarsWhereNoLaserBegins) {
 
 TEST(OneSensorKind, SaysNothingOfOneKindAlone) {
   for (const std::string& text : {sonars(1, 30), laser_at(1) + laser_at(2)}) {
-    const auto log = test::read_text(text);
+    const auto log = test::read_text_to_map(text);
     EXPECT_FALSE(tells_of(log, "readings are left out"));
     EXPECT_EQ(static_cast<std::int64_t>(log.readings.size()), log.info.readings);
   }

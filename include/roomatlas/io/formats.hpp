@@ -22,6 +22,11 @@ using Path = std::filesystem::path;
 [[nodiscard]] std::unique_ptr<MissionSource> open_mission(const Path& file,
                                                           const MissionOptions& options);
 
+/// The same with one kind of sensor (one_sensor_kind.hpp) and without jumps of odometry
+/// (odometry_jumps.hpp).
+[[nodiscard]] std::unique_ptr<MissionSource> open_mission_to_map(const Path& file,
+                                                                 const MissionOptions& options);
+
 /// For a mission that was read to its end. Throws NotEnoughError when it has no range reading, or
 /// no odometry, because every line that should hold one was left out, which is an error among its
 /// issues: says how many there are and why the first of them was left out.
