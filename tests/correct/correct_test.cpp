@@ -6,6 +6,12 @@
 #include "correct/corrected.hpp"
 
 namespace roomatlas {
+
+/// In the names of tests.
+static void PrintTo(CorrectionModel model, std::ostream* out) {
+  *out << (model == CorrectionModel::se2 ? "se2" : "rotation");
+}
+
 namespace {
 
 using test::chain_mission;

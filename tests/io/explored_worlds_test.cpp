@@ -9,6 +9,7 @@
 
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/simulate/explore.hpp"
+#include "support/print_values.hpp"
 
 namespace roomatlas {
 namespace {

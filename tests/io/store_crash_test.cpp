@@ -89,8 +89,8 @@ TEST_P(StoreAfterAKill, HoldsWholeAsrsOnlyAndCanBeContinued) {
   EXPECT_TRUE(bytes_of(file) == bytes_of(directory / "undisturbed.gpkg"));
 }
 
-std::string name_of(const testing::TestParamInfo<Moment>& moment) {
-  switch (moment.param) {
+std::string words(Moment moment) {
+  switch (moment) {
     case Moment::row_written:
       return "RowWritten";
     case Moment::before_commit:
@@ -100,6 +100,8 @@ std::string name_of(const testing::TestParamInfo<Moment>& moment) {
   }
   return "";
 }
+void PrintTo(Moment moment, std::ostream* out) { *out << words(moment); }
+std::string name_of(const testing::TestParamInfo<Moment>& moment) { return words(moment.param); }
 
 INSTANTIATE_TEST_SUITE_P(At, StoreAfterAKill,
                          testing::Values(Moment::row_written, Moment::before_commit,

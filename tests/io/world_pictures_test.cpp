@@ -273,6 +273,8 @@ struct RoomMap {
   std::size_t closed_off;  ///< rooms that no free pixel joins to the others
 };
 
+void PrintTo(const RoomMap& map, std::ostream* out) { *out << map.name; }
+
 class SharedRoomMap : public testing::TestWithParam<RoomMap> {};
 
 INSTANTIATE_TEST_SUITE_P(Rooms, SharedRoomMap,

@@ -11,6 +11,7 @@
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/merge/regular_walls.hpp"
 #include "roomatlas/simulate/explore.hpp"
+#include "support/print_values.hpp"
 
 namespace roomatlas {
 namespace {
@@ -23,6 +24,12 @@ struct Exploration {
   double largest_mean_m;  ///< of the position error
   std::uint64_t seed = 1;
 };
+
+void PrintTo(const Exploration& exploration, std::ostream* out) {
+  *out << exploration.world << ", ";
+  PrintTo(exploration.sensor, out);
+  *out << ", seed " << exploration.seed;
+}
 
 std::string name_of(const testing::TestParamInfo<Exploration>& exploration) {
   return exploration.param.world + std::string("_") + std::to_string(exploration.param.seed);
