@@ -41,6 +41,17 @@ void check_name(const std::string& name) {
   }
 }
 
+/// A name is said once in a plan, or nobody could tell the rooms apart.
+void require_unused(const Path& store, const FloorPlan& plan, const PlanRoom& chosen,
+                    const std::string& name) {
+  for (const PlanRoom& room : plan.rooms) {
+    if (room.id == chosen.id || room.name != name) continue;
+    throw UsageError(fmt::format(
+        "{}: room {} is called \"{}\" already: choose another name, or rename that room first",
+        store.string(), room.id, name));
+  }
+}
+
 }  // namespace
 
 void rename(const Settings&, const Path& store_file, const std::string& room,
@@ -48,6 +59,7 @@ void rename(const Settings&, const Path& store_file, const std::string& room,
   check_name(name);
   const FloorPlan plan = GeoPackageStore(store_file, GeoPackageStore::Mode::read).plan();
   const PlanRoom& chosen = find_room(store_file, plan, room);
+  require_unused(store_file, plan, chosen, name);
   rename_room(store_file, chosen.id, name);
   GeoPackageStore(store_file, GeoPackageStore::Mode::update).finish();
   spdlog::info("room {}: \"{}\" is now \"{}\"; `roomatlas export` draws it so", chosen.id,

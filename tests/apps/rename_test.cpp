@@ -38,6 +38,16 @@ TEST_F(Rename, AnUnknownRoomOrAnEmptyNameIsAUsageError) {
   EXPECT_EQ(run("-q rename " + store_ + " 3 'caf\xE9'").exit_code, 2);
 }
 
+TEST_F(Rename, ToANameThatAnotherRoomShowsIsRefused) {
+  const Outcome taken = run("-q rename " + store_ + " 1 2");
+  EXPECT_EQ(taken.exit_code, 2);
+  EXPECT_THAT(taken.err, HasSubstr("room 2 is called \"2\" already"));
+  ASSERT_EQ(run("-q rename " + store_ + " 2 Lab").exit_code, 0);
+  EXPECT_EQ(run("-q rename " + store_ + " 3 Lab").exit_code, 2);
+  EXPECT_EQ(run("-q rename " + store_ + " 2 Lab").exit_code, 0);
+  EXPECT_EQ(run("-q rename " + store_ + " 1 2").exit_code, 0);
+}
+
 TEST_F(Rename, IsKeptWhenTheStoreIsAssembledAgain) {
   const std::string before = csv();
   ASSERT_EQ(run("-q rename " + store_ + " 3 'Lab 315'").exit_code, 0);
