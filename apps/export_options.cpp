@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "export_options.hpp"
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <cmath>
@@ -10,14 +11,24 @@
 namespace roomatlas::apps {
 
 std::optional<GeoReference> ExportOptions::reference() const {
+namespace {
+
+/// @throws UsageError naming the value and the limits that it is out of
+void require_within(const char* name, double value_deg, double limit_deg) {
+  if (std::abs(value_deg) <= limit_deg) return;
+  throw UsageError(fmt::format(
+      "--georef: the {0} {1} is not in -{2} to {2} degrees: expected LAT,LON,HEADING, such as "
+      "48.0130,7.8335,12.5",
+      name, value_deg, limit_deg));
+}
+
+}  // namespace
+
   if (georef.empty()) return std::nullopt;
   const GeoReference reference{georef.at(0), georef.at(1), georef.at(2)};
-  const bool is_on_earth = std::abs(reference.latitude_deg) <= 85.0 &&
-                           std::abs(reference.longitude_deg) <= 180.0 &&
-                           std::abs(reference.heading_deg) <= 360.0;
-  if (!is_on_earth) {
-    throw UsageError("--georef: expected LAT,LON,HEADING in degrees, such as 48.0130,7.8335,12.5");
-  }
+  require_within("latitude", reference.latitude_deg, 85.0);
+  require_within("longitude", reference.longitude_deg, 180.0);
+  require_within("heading", reference.heading_deg, 360.0);
   return reference;
 }
 

@@ -206,11 +206,18 @@ TEST_F(Exports, NorthIsAsGivenElseAsThePlaceOnEarthSays) {
   EXPECT_EQ(arrow("--north 10"), arrow("--georef 48,7.8,30 --north 10"));
 }
 
-TEST_F(Exports, APlaceThatIsNotOnEarthIsAUsageError) {
-  const Outcome outcome =
-      run("-q export " + store_ + " -f geojson --georef 148,7,0 -o " + (folder_ / "out").string());
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("--georef"));
+TEST_F(Exports, APlaceThatIsNotOnEarthIsAUsageErrorThatNamesTheValueAndItsLimits) {
+  const auto complaint = [&](const std::string& place) {
+    const Outcome outcome = run("-q export " + store_ + " -f geojson --georef " + place + " -o " +
+                                (folder_ / "out").string());
+    EXPECT_EQ(outcome.exit_code, 2) << place;
+    return outcome.err;
+  };
+  EXPECT_THAT(complaint("89.9,0,0"), HasSubstr("latitude 89.9 is not in -85 to 85 degrees"));
+  EXPECT_THAT(complaint("nan,0,0"), HasSubstr("latitude nan is not in"));
+  EXPECT_THAT(complaint("48,181,0"), HasSubstr("longitude 181 is not in -180 to 180 degrees"));
+  EXPECT_THAT(complaint("48,11,400"), HasSubstr("heading 400 is not in -360 to 360 degrees"));
+  EXPECT_THAT(complaint("148,7,0"), HasSubstr("--georef"));
 }
 
 TEST_F(Exports, TheStoreTellsQgisHowToDrawItsLayers) {
