@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "truth_files.hpp"
 
+#include <fstream>
+#include <nlohmann/json.hpp>
+
 #include "console.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/io/label_plan.hpp"
@@ -14,6 +17,26 @@ void require_content(const Path& file) {
   std::error_code unreadable;  // the reader says what is wrong then
   if (std::filesystem::file_size(file, unreadable) == 0) {
     throw InputError(file.string() + ": is empty: is it the right file, and whole?");
+  }
+}
+
+/// True for JSON that says nothing of being a plan of this program.
+bool is_other_json(const Path& file) {
+  std::ifstream in(file, std::ios::binary);
+  const auto json = nlohmann::json::parse(in, nullptr, false);
+  return !json.is_discarded() && !(json.is_object() && json.contains("roomatlas"));
+}
+
+FloorPlan plan_in(const Path& file) {
+  try {
+    return read_plan(file);
+  } catch (const InputError&) {
+    if (!is_other_json(file)) throw;
+    throw InputError(
+        file.string() +
+        ": is no plan of this program: it lacks the property \"roomatlas\"; known are plans "
+        "(plan.local.geojson of `roomatlas export`), room labels (.pgm, .pgm.gz), spans (.csv), "
+        ".relations, and trajectories (TUM, g2o, CARMEN logs with TRUEPOS)");
   }
 }
 
@@ -38,7 +61,7 @@ void add_truth(const Path& file, const Settings& settings, Truth& truth) {
       throw InputError(file.string() + ": holds no relation: is it the right file, and whole?");
     }
   } else if (extension == ".geojson" || extension == ".json") {
-    truth.plan = read_plan(file);
+    truth.plan = plan_in(file);
     truth.plan_has_doors = true;
     require_rooms(*truth.plan, file);
   } else if (extension == ".pgm") {

@@ -168,6 +168,20 @@ TEST(Evaluate, RefusesAPlanWithoutATrueOneAndATrueOneWithoutRooms) {
   EXPECT_THAT(against_nothing.err, HasSubstr("holds no room"));
 }
 
+TEST(Evaluate, TellsWhatTruthIsWhenJsonIsOfAnotherProgram) {
+  for (const char* other :
+       {"{}", "[1]", R"({"type":"Feature"})", R"({"type":"FeatureCollection","features":[]})"}) {
+    const std::string said = failure(tum(0.1), "t.geojson", other, 3);
+    EXPECT_THAT(said, HasSubstr("t.geojson: is no plan of this program: it lacks the property "
+                                "\"roomatlas\""));
+    EXPECT_THAT(said, HasSubstr("known are plans (plan.local.geojson"));
+    EXPECT_THAT(said, HasSubstr(".relations"));
+  }
+  EXPECT_THAT(failure(tum(0.1), "t.geojson", R"({"type":"FeatureCollection","roomatlas":{}})", 3),
+              HasSubstr("roomatlas.schema: missing"));
+  EXPECT_THAT(failure(tum(0.1), "t.geojson", "{", 3), HasSubstr("not valid JSON"));
+}
+
 TEST(Evaluate, TellsWhenOnePoseOnlyIsJudged) {
   const Folder folder;
   const std::string one = folder.write("one.tum", tum(0.1, 0.0, 1.0, 1));
