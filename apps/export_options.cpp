@@ -6,11 +6,11 @@
 
 #include <cmath>
 
+#include "limits.hpp"
 #include "roomatlas/core/issue.hpp"
 
 namespace roomatlas::apps {
 
-std::optional<GeoReference> ExportOptions::reference() const {
 namespace {
 
 /// @throws UsageError naming the value and the limits that it is out of
@@ -24,6 +24,7 @@ void require_within(const char* name, double value_deg, double limit_deg) {
 
 }  // namespace
 
+std::optional<GeoReference> ExportOptions::reference() const {
   if (georef.empty()) return std::nullopt;
   const GeoReference reference{georef.at(0), georef.at(1), georef.at(2)};
   require_within("latitude", reference.latitude_deg, 85.0);
@@ -49,7 +50,7 @@ void add_export_options(CLI::App* command, ExportOptions& options) {
   command
       ->add_option("--north", options.north,
                    "deg, clockwise from up the plan: where north is; as --georef says without it")
-      ->check(CLI::Range(-360.0, 360.0))
+      ->check(within(-360.0, 360.0))
       ->configurable(false);
 }
 

@@ -9,7 +9,9 @@
 #include <map>
 
 #include "commands.hpp"
+#include "configuration_file.hpp"
 #include "console.hpp"
+#include "limits.hpp"
 
 namespace {
 
@@ -83,7 +85,7 @@ void add_simulate(CLI::App* command, apps::SimulateArguments& a) {
       ->configurable(false);
   command
       ->add_option("--resolution", a.file.resolution_m, "m a pixel, of a world that is a picture")
-      ->check(CLI::Range(0.001, 10.0))
+      ->check(apps::within(0.001, 10.0))
       ->configurable(false);
   command->add_option("--room-labels", a.file.room_labels, "picture with each pixel's room number")
       ->configurable(false);
@@ -93,6 +95,7 @@ void add_simulate(CLI::App* command, apps::SimulateArguments& a) {
       ->add_option("--start", a.start, "where the exploring robot starts: x,y in m, heading in deg")
       ->delimiter(',')
       ->expected(3)
+      ->check(apps::finite())
       ->configurable(false);
   output(command, a.out, "folder for mission.clf, truth.tum and truth.geojson");
 }
@@ -218,6 +221,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", ROOMATLAS_VERSION);
   app.set_config("--config", "", "read parameters from this file (TOML)")->configurable(false);
   app.allow_config_extras(false);
+  app.config_formatter(std::make_shared<apps::ConfigurationFile>(app));
   app.require_subcommand(1);
   app.add_flag("--json", settings.json, "one JSON object on stdout")->configurable(false);
   app.add_flag("-q,--quiet", settings.quiet, "errors alone on stderr")->configurable(false);

@@ -5,6 +5,8 @@
 
 #include <map>
 
+#include "limits.hpp"
+
 namespace roomatlas::apps {
 namespace {
 
@@ -18,7 +20,7 @@ class Stage {
                    double high) {
     return app_.add_option("--" + name, value, meaning)
         ->capture_default_str()
-        ->check(CLI::Range(low, high))
+        ->check(within(low, high))
         ->group(heading_);
   }
   void flag(const std::string& name, bool& value, const std::string& meaning) {
@@ -81,7 +83,8 @@ void add_mission(CLI::App& app, MissionOptions& mission) {
   stage.add("as-sonar-specular", as_sonar.specular_limit_deg,
             "deg; walls at a larger angle of incidence give the thinned ring no echo", 1.0, 90.0);
   stage.add("as-sonar-dropout", as_sonar.dropout_share, "share of thinned readings lost", 0.0, 1.0);
-  stage.add("as-sonar-seed", as_sonar.seed, "of noise and losses of the thinned ring", 0.0, 1e15);
+  stage.add("as-sonar-seed", as_sonar.seed, "of noise and losses of the thinned ring", 0.0,
+            kLargestSeed);
   stage.add("robot-length", mission.footprint.length_m, "m; marks the robot's path", 0.05, 5.0);
   stage.add("robot-width", mission.footprint.width_m, "m; marks the robot's path", 0.05, 5.0);
 }
@@ -248,9 +251,7 @@ void add_plan(CLI::App& app, Settings& settings) {
 void add_simulation(CLI::App& app, Settings& settings) {
   SimulationOptions& simulation = settings.simulation;
   Stage stage(app, "Simulation");
-  app.add_option("--seed", simulation.seed, "decides everything that is random")
-      ->capture_default_str()
-      ->group("Simulation");
+  stage.add("seed", simulation.seed, "decides everything that is random", 0.0, kLargestSeed);
   stage.choice("sensor", simulation.sensor, "ring of 16 sonars, or laser of 181 beams",
                std::map<std::string, SensorKind>{{"sonar", SensorKind::sonar},
                                                  {"laser", SensorKind::laser}});

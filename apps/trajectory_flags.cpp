@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "console.hpp"
+#include "limits.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -39,19 +40,23 @@ void add_times(CLI::App* command, TrajectoryFlags& flags) {
           "s; nearest: a pose farther away does not count [0.5]; interpolate: nor do neighbours "
           "farther apart [no limit]")
       ->check(CLI::NonNegativeNumber)
+      ->check(finite())
       ->group("Judging trajectories")
       ->configurable(false);
   add("--time-offset,--t-offset,--t_offset", flags.time_offset_s,
-      "s; added to the trajectory's times");
+      "s; added to the trajectory's times")
+      ->check(finite());
   add("--pose-offset", flags.pose_offset,
       "x,y,theta (m, m, rad): judge this point of the robot, in the frame of its pose")
       ->delimiter(',')
-      ->expected(3);
+      ->expected(3)
+      ->check(finite());
   add("--stamps-from", flags.stamps_from,
       "CARMEN log: poses stamped by its logger's clock (last column) get its own timestamps");
   add("--carry", flags.carry, "odometry (TUM or log) that carries poses on where there are none");
   add("--split-seconds", flags.compare.split_s,
-      "s; relations across less are local, the others loop [30]");
+      "s; relations across less are local, the others loop [30]")
+      ->check(finite());
 }
 
 void add_ape_rpe(CLI::App* command, TrajectoryFlags& flags) {
@@ -95,7 +100,7 @@ void add_ape_rpe(CLI::App* command, TrajectoryFlags& flags) {
   };
   add("--n-to-align,--n_to_align", compare.ape.poses_to_align,
       "align by this many poses from the start [-1: all]");
-  add("-d,--delta", compare.rpe.delta, "distance of the poses of a pair [1]");
+  add("-d,--delta", compare.rpe.delta, "distance of the poses of a pair [1]")->check(finite());
   add_choice<DeltaUnit>(command, "-u,--delta-unit,--delta_unit", compare.rpe.unit,
                         {{"f", DeltaUnit::frames},
                          {"m", DeltaUnit::metres},
@@ -103,7 +108,8 @@ void add_ape_rpe(CLI::App* command, TrajectoryFlags& flags) {
                          {"r", DeltaUnit::radians}},
                         "f frames, m metres of path, d degrees, r radians", "f");
   add("-t,--delta-tol,--delta_tol", compare.rpe.relative_tolerance,
-      "share of delta that a pair may miss it by, with --all-pairs [0.1]");
+      "share of delta that a pair may miss it by, with --all-pairs [0.1]")
+      ->check(finite());
   flag("--all-pairs,--all_pairs", "pairs from every pose instead of end to end",
        [&compare] { compare.rpe.all_pairs = true; });
   flag("--pairs-from-reference,--pairs_from_reference", "measure delta on the truth",
@@ -111,7 +117,8 @@ void add_ape_rpe(CLI::App* command, TrajectoryFlags& flags) {
   add("--bootstrap-resamples", compare.bootstrap.resamples,
       "draws for the confidence intervals [1000]")
       ->check(CLI::Range(1, 1000000));
-  add("--bootstrap-seed", compare.bootstrap.seed, "decides the draws [1]");
+  add("--bootstrap-seed", compare.bootstrap.seed, "decides the draws [1]")
+      ->check(within(0.0, kLargestSeed));
 }
 
 }  // namespace

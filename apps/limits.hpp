@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What numbers on the command line and in its file must be.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+namespace roomatlas::apps {
+
+inline constexpr double kLargestSeed = 1e15;  // every whole number up to here is a double
+
+/// As CLI::Range, which lets NaN pass because it is neither below nor above a limit.
+[[nodiscard]] inline CLI::Validator within(double low, double high) {
+  const auto check = [low, high](std::string& text) {
+    double value = 0.0;
+    const bool fits = CLI::detail::lexical_cast(text, value) && low <= value && value <= high;
+    std::ostringstream complaint;
+    if (!fits) complaint << "Value " << text << " not in range " << low << " to " << high;
+    return complaint.str();
+  };
+  return {check, CLI::Range(low, high).get_description()};
+}
+
+/// Any number but NaN and the infinities; the help does not mention it.
+[[nodiscard]] inline CLI::Validator finite() {
+  const auto check = [](std::string& text) {
+    double value = 0.0;
+    const bool is_finite = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+    return is_finite ? std::string() : "Value " + text + " is not a finite number";
+  };
+  return {check, ""};
+}
+
+}  // namespace roomatlas::apps
