@@ -46,7 +46,7 @@ Assembly assembly_of(const GeoPackageStore& store, const Path& store_file, const
 
 }  // namespace
 
-void assemble(const Settings& settings, const Path& store_file) {
+std::size_t assemble(const Settings& settings, const Path& store_file) {
   const std::vector<PlanRoom> former = former_rooms(store_file);
   GeoPackageStore store(store_file, GeoPackageStore::Mode::update);
   const Metadata metadata = store.metadata();
@@ -73,6 +73,16 @@ void assemble(const Settings& settings, const Path& store_file) {
                assembly.plan.rooms.size(), assembly.plan.doors.size(),
                assembly.correction.iterations, assembly.correction.initial_cost,
                assembly.correction.final_cost);
+  return assembly.plan.rooms.size();
+}
+
+void require_a_room(std::size_t rooms, const Path& store_file) {
+  if (rooms > 0) return;
+  throw NotEnoughError(
+      store_file.string() +
+      ": the plan has no room; all files are written nevertheless. The readings are too few or too "
+      "sparse to enclose one: `roomatlas info LOG` shows what was read, and mapping with a larger "
+      "--cell needs fewer");
 }
 
 }  // namespace roomatlas::apps

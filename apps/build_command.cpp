@@ -66,7 +66,7 @@ void build(const Settings& settings, const Path& log, const Path& out,
       throw;
     }
   }
-  assemble(settings, store);
+  const std::size_t rooms = assemble(settings, store);
   export_all(settings, store,
              {"svg", "pdf", "png", "geojson", "tum", "dot", "graphml", "g2o", "csv", "nav2"},
              options, out);
@@ -82,3 +82,4 @@ void build(const Settings& settings, const Path& log, const Path& out,
 }
 
 }  // namespace roomatlas::apps
+  require_a_room(rooms, store);

@@ -37,7 +37,10 @@ void build(const Settings& settings, const Path& log, const Path& out,
            const std::vector<Path>& truth, const TrajectoryFlags& flags,
            const ExportOptions& options);
 void map(const Settings& settings, const Path& log, const Path& store);
-void assemble(const Settings& settings, const Path& store);
+/// Completes the store. @returns how many rooms the plan has
+std::size_t assemble(const Settings& settings, const Path& store);
+/// Called once all is written. Throws NotEnoughError for a plan without any room.
+void require_a_room(std::size_t rooms, const Path& store);
 void export_all(const Settings& settings, const Path& store,
                 const std::vector<std::string>& formats, const ExportOptions& options,
                 const Path& out);

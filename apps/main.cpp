@@ -150,8 +150,9 @@ void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
   positional(map, "LOG", a.log, "mission log, plain or gzip");
   output(map, a.out, "store to write, such as building.gpkg");
 
-  CLI::App* assemble = command("assemble", "offline stage: graph, correction, floor plan",
-                               [&] { apps::assemble(settings, a.store); });
+  CLI::App* assemble = command("assemble", "offline stage: graph, correction, floor plan", [&] {
+    apps::require_a_room(apps::assemble(settings, a.store), a.store);
+  });
   positional(assemble, "STORE", a.store, "store to complete");
 
   CLI::App* exported = command("export", "store -> drawings and files", [&] {

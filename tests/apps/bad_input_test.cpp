@@ -110,6 +110,30 @@ TEST(BadInput, AMissionThatSawNoWallLeavesTheStoreThatWasThere) {
 }
 
 TEST(BadInput, AWrongCommandLineIsAUsageError) {
+/// A robot that turns as it drives, and hears something at half a step from it all around.
+std::string readings_that_enclose_nothing() {
+  std::string log;
+  for (int i = 0; i < 6; ++i) {
+    const std::string pose = " " + std::to_string(0.5 * i) + " 0 " + std::to_string(0.3 * i) + " ";
+    log += "FLASER 180";
+    for (int k = 0; k < 180; ++k) log += " 0.40";
+    log += pose + pose + std::to_string(i) + " host " + std::to_string(i) + "\n";
+  }
+  return log;
+}
+
+TEST(BadInput, APlanWithoutRoomsIsWrittenAndNotEnough) {
+  const Folder folder;
+  const auto log = folder.write("mission.clf", readings_that_enclose_nothing());
+  const std::string out = folder / "out";
+  expect_one_line(run("build " + log.string() + " -q --as-sonar -o " + out), 4, "no room");
+  EXPECT_NE(content_of(out + "/summary.json").find("\"rooms\""), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(out + "/plan.svg"));
+  EXPECT_TRUE(std::filesystem::exists(out + "/report.html"));
+  expect_one_line(run("-q assemble " + out + "/building.gpkg"), 4,
+                  "building.gpkg: the plan has no");
+}
+
   for (const char* arguments :
        {"", "fly", "build", "build x.clf", "build x.clf -o y --no-such-option 1",
         "build x.clf -o y --cell 7", "export x.gpkg -f gif -o y"}) {
