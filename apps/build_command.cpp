@@ -6,6 +6,7 @@
 #include "console.hpp"
 #include "evaluation_report.hpp"
 #include "new_store.hpp"
+#include "output_places.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
 #include "roomatlas/io/summary.hpp"
@@ -36,8 +37,9 @@ void write_summary(const Path& store_file, const std::optional<Evaluation>& eval
 /// The highest folder on the way to `folder` that does not exist yet; empty where all do.
 Path topmost_missing(const Path& folder) {
   Path missing;
-  for (Path at = std::filesystem::absolute(folder).lexically_normal();
-       !at.empty() && !std::filesystem::exists(at); at = at.parent_path()) {
+  std::error_code ignored;  // who makes the folder says what is wrong
+  for (Path at = std::filesystem::absolute(folder, ignored).lexically_normal();
+       !at.empty() && !std::filesystem::exists(at, ignored); at = at.parent_path()) {
     missing = at;
   }
   return missing;
@@ -51,8 +53,9 @@ void build(const Settings& settings, const Path& log, const Path& out,
   (void)options.reference();                  // wrong options and
   (void)open_mission(log, settings.mission);  // an unreadable log leaves no folder behind
   const Path new_folder = topmost_missing(out);
-  std::filesystem::create_directories(out);
+  make_folder(out);
   const Path store = out / "building.gpkg";
+  require_output_store(store, {log});
   settle_new_store(store);
   if (is_mapped_already(settings, log, store)) {
     spdlog::info("{} holds this mission already; assembling it again", store.string());
@@ -79,7 +82,7 @@ void build(const Settings& settings, const Path& log, const Path& out,
     print(evaluation);
   }
   spdlog::info("the plan is {}", (out / "plan.svg").string());
+  require_a_room(rooms, store);
 }
 
 }  // namespace roomatlas::apps
-  require_a_room(rooms, store);

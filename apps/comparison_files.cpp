@@ -3,6 +3,7 @@
 
 #include "comparison_report.hpp"
 #include "console.hpp"
+#include "output_places.hpp"
 #include "roomatlas/draw/plots.hpp"
 #include "roomatlas/evaluate/figures.hpp"
 #include "roomatlas/io/comparison_text.hpp"
@@ -102,7 +103,7 @@ void write_maps(const JudgedRun& run, const CompareOptions& options, const Path&
 }
 
 void write_plots(const Comparison& comparison, const Path& folder) {
-  std::filesystem::create_directories(folder);
+  make_folder(folder);
   const double start_s = first_time_of(comparison);
   Plotted plotted;
   for (const JudgedRun& run : comparison.runs) {

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "commands.hpp"
 #include "console.hpp"
 #include "evaluation_report.hpp"
+#include "output_places.hpp"
 #include "plan_report.hpp"
 #include "roomatlas/io/comparison_text.hpp"
 #include "roomatlas/io/formats.hpp"
@@ -20,15 +20,6 @@ namespace {
 constexpr const char* kNoTruth =
     ": nothing to judge this trajectory by: give --truth FILE with relations or a trajectory";
 constexpr const char* kOwnTruth = "TRUEPOS in the store";
-
-/// A store is an SQLite file, whatever its name.
-bool is_store(const Path& file) {
-  constexpr std::string_view kMagic = "SQLite format 3";
-  std::string head(kMagic.size(), '\0');
-  std::ifstream(file, std::ios::binary)
-      .read(head.data(), static_cast<std::streamsize>(head.size()));
-  return head == kMagic;
-}
 
 void require_assembly(const GeoPackageStore& store, const Path& file) {
   if (store.has_assembly()) return;
@@ -105,7 +96,7 @@ void add_plan(const Settings& settings, const Path& file, const std::string& nam
 
 void add_run(const Settings& settings, const Path& file, const std::string& name,
              const Truth& truth, const Preparation& prepare, Judged& judged) {
-  if (is_store(file)) return add_store(file, name, truth, prepare, judged);
+  if (is_sqlite(file)) return add_store(file, name, truth, prepare, judged);
   if (is_plan(file)) return add_plan(settings, file, name, truth, judged);
   TrajectoryFile read = read_trajectory(file, settings.mission, LogPoses::recorded);
   show(read.issues);
@@ -169,6 +160,14 @@ bool has_truth(const Judged& judged, const Truth& truth) {
   throw NotEnoughError("no figure could be computed");
 }
 
+void require_places(const ComparisonFiles& results, std::vector<Path> inputs,
+                    const std::vector<Path>& truth_files) {
+  inputs.insert(inputs.end(), truth_files.begin(), truth_files.end());
+  for (const Path& file : {results.csv, results.latex, results.archive}) {
+    if (!file.empty()) require_output_file(file, inputs);
+  }
+}
+
 void report(const Settings& settings, const Comparison& comparison,
             const std::vector<JudgedPlan>& plans, const Preparation& prepare) {
   if (settings.json) {
@@ -193,6 +192,7 @@ Evaluation evaluation_of(const Settings& settings, const Path& store_file,
 void evaluate(const Settings& settings, const std::vector<Path>& files,
               const std::vector<Path>& truth_files, const TrajectoryFlags& flags,
               const ComparisonFiles& results) {
+  require_places(results, files, truth_files);
   const Truth truth = read_truth(truth_files, settings);
   const Preparation prepare(flags, settings);
   const Judged judged = read(settings, files, truth, prepare);

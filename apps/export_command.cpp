@@ -5,6 +5,7 @@
 #include <map>
 
 #include "commands.hpp"
+#include "output_places.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
 #include "roomatlas/io/nav2_export.hpp"
@@ -188,7 +189,7 @@ void export_all(const Settings& settings, const Path& store_file,
   from.on_earth = options.reference();
   from.north_deg = options.north_deg();
   from.ogr_driver = options.ogr_driver;
-  std::filesystem::create_directories(out);
+  make_folder(out);
   for (const std::string& format : formats) exporters().at(format)(from, settings, out);
 }
 

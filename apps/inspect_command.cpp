@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include "commands.hpp"
+#include "output_places.hpp"
 #include "roomatlas/asr/map_room.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
@@ -25,7 +26,7 @@ void inspect(const Settings& settings, const Path& store_file, AsrId id, const P
   Polyline path;
   for (const PathSample& sample : asr.path) path.push_back(sample.asr_from_robot.position());
   const std::string svg = draw_room_steps(map, path, fmt::format("ASR {}, step by step", id));
-  std::filesystem::create_directories(out);
+  make_folder(out);
   const std::string name = fmt::format("asr_{}", id);
   write_file(out / (name + ".svg"), svg);
   write_png(out / (name + ".png"), svg, settings.png_dpi);

@@ -221,8 +221,8 @@ int run(int argc, char** argv) {
   std::function<void()> chosen;
   app.set_version_flag("--version", ROOMATLAS_VERSION);
   app.set_config("--config", "", "read parameters from this file (TOML)")->configurable(false);
-  app.allow_config_extras(false);
   app.config_formatter(std::make_shared<apps::ConfigurationFile>(app));
+  app.allow_config_extras(false);
   app.require_subcommand(1);
   app.add_flag("--json", settings.json, "one JSON object on stdout")->configurable(false);
   app.add_flag("-q,--quiet", settings.quiet, "errors alone on stderr")->configurable(false);
@@ -267,6 +267,8 @@ int main(int argc, char** argv) {
   } catch (const Interrupted& error) {
     fmt::print(stderr, "{}\n", error.what());
     return kInterrupted;
+  } catch (const std::filesystem::filesystem_error& error) {
+    return fail(error, kInput);
   } catch (const std::exception& error) {
     return fail(error, kInternal);
   }

@@ -6,6 +6,7 @@
 #include "console.hpp"
 #include "former_store.hpp"
 #include "new_store.hpp"
+#include "output_places.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
 #include "roomatlas/io/room_names.hpp"
@@ -76,6 +77,7 @@ Recorded record_in_place(const Settings& settings, MissionSource& mission,
 }  // namespace
 
 void map(const Settings& settings, const Path& log, const Path& store_file) {
+  require_output_store(store_file, {log});
   const auto mission = open_mission_to_map(log, settings.mission);
   PeekedMission peeked(*mission);
   struct NoSink : AsrSink {

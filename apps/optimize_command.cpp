@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "output_places.hpp"
 #include "roomatlas/correct/optimize.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/io/pose_graph_file.hpp"
@@ -116,6 +117,8 @@ std::string covariance_table(const PoseGraph& graph, const OptimizeResult& resul
 }  // namespace
 
 void optimize(const Settings& settings, const OptimizeArguments& arguments) {
+  require_output_file(arguments.out, {arguments.graph});
+  if (!arguments.covariance.empty()) require_output_file(arguments.covariance, {arguments.graph});
   const PoseGraphFile input = read_pose_graph(arguments.graph);
   OptimizeOptions options = arguments.options;
   options.covariance = !arguments.covariance.empty();

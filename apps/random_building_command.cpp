@@ -3,6 +3,7 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "output_places.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
 #include "roomatlas/simulate/random_building.hpp"
@@ -65,7 +66,8 @@ MissionInfo info_of(const RandomBuildingOptions& options, const RandomBuildingSu
 void simulate_rooms(const Settings& settings, std::int64_t rooms, const Path& out) {
   const RandomBuildingOptions options = options_of(settings, rooms);
   if (rooms < 1) throw UsageError("--random-rooms: expected 1 or more");
-  std::filesystem::create_directories(out);
+  make_folder(out);
+  require_output_store(out / "building.gpkg", {});
   GeoPackageStore store(out / "building.gpkg", GeoPackageStore::Mode::create);
   WatchedSink sink(store, settings, rooms);
   const RandomBuildingSummary summary =

@@ -3,6 +3,7 @@
 
 #include "commands.hpp"
 #include "evaluation_report.hpp"
+#include "output_places.hpp"
 #include "roomatlas/draw/report.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/io/geopackage_store.hpp"
@@ -27,6 +28,9 @@ void write_report(const Settings& settings, const Path& store_file, const Evalua
 
 void report(const Settings& settings, const Path& store, const std::vector<Path>& truth,
             const TrajectoryFlags& flags, const Path& out) {
+  std::vector<Path> inputs = truth;
+  inputs.push_back(store);
+  require_output_file(out, inputs);
   write_report(settings, store, evaluation_of(settings, store, truth, flags), out);
   spdlog::info("the report is {}: open it in a browser", out.string());
 }

@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "output_places.hpp"
 #include "roomatlas/io/formats.hpp"
 #include "roomatlas/io/summary.hpp"
 #include "roomatlas/simulate/explore.hpp"
@@ -81,7 +82,10 @@ void simulate(const Settings& settings, const SimulateArguments& arguments) {
   const FloorPlan world = sound_world(arguments);
   ExploreOptions explore_options = settings.explore;
   explore_options.world_from_start = start_of(arguments.start);
-  std::filesystem::create_directories(arguments.out);
+  make_folder(arguments.out);
+  for (const char* name : {"mission.clf", "truth.tum", "truth.geojson"}) {
+    require_output_file(arguments.out / name, {arguments.world, arguments.drive});
+  }
   MissionFiles files(settings, arguments.out);
   const auto write = [&](const SimulatedStep& step) { files.write(step); };
   if (arguments.drive.empty()) {

@@ -15,7 +15,12 @@ namespace io {
 OutputFile::OutputFile(std::filesystem::path file)
     : file_(std::move(file)), temporary_(file_.string() + ".part") {
   std::error_code error;
-  if (std::filesystem::is_directory(file_, error)) fail(EISDIR);
+  const auto status = std::filesystem::status(file_, error);
+  if (std::filesystem::is_directory(status)) fail(EISDIR);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    throw InputError(file_.string() +
+                     ": is a device or another special file, which is not replaced: give another");
+  }
   errno = 0;
   stream_.reset(std::fopen(temporary_.c_str(), "wb"));
   if (!stream_) fail(errno);

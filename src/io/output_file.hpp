@@ -10,7 +10,8 @@
 namespace roomatlas::io {
 
 /// A file that appears under its name only when it is whole: what is written goes to a temporary
-/// name beside it. Every failure throws InputError naming the file and the reason.
+/// name beside it. A device or another special file is not replaced. Every failure throws
+/// InputError naming the file and the reason.
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path file);

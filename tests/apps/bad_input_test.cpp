@@ -103,13 +103,13 @@ TEST(BadInput, AMissionThatSawNoWallLeavesTheStoreThatWasThere) {
   for (int i = 0; i < 50; ++i) log += scan(0.1 * i, i, 81.91);
   const Folder folder;
   const auto file = folder.write("mission.clf", log);
-  const auto store = folder.write("building.gpkg", "the map of an earlier mission");
+  const std::string former = "SQLite format 3: the map of an earlier mission";
+  const auto store = folder.write("building.gpkg", former);
   EXPECT_EQ(run("map " + file.string() + " -q -o " + store.string()).exit_code, 4);
-  EXPECT_EQ(content_of(store), "the map of an earlier mission");
+  EXPECT_EQ(content_of(store), former);
   EXPECT_FALSE(std::filesystem::exists(store.string() + ".new"));
 }
 
-TEST(BadInput, AWrongCommandLineIsAUsageError) {
 /// A robot that turns as it drives, and hears something at half a step from it all around.
 std::string readings_that_enclose_nothing() {
   std::string log;
@@ -134,6 +134,7 @@ TEST(BadInput, APlanWithoutRoomsIsWrittenAndNotEnough) {
                   "building.gpkg: the plan has no");
 }
 
+TEST(BadInput, AWrongCommandLineIsAUsageError) {
   for (const char* arguments :
        {"", "fly", "build", "build x.clf", "build x.clf -o y --no-such-option 1",
         "build x.clf -o y --cell 7", "export x.gpkg -f gif -o y"}) {

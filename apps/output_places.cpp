@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "output_places.hpp"
+
+#include <fstream>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "roomatlas/core/issue.hpp"
+
+namespace roomatlas::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& place, const std::string& reason) {
+  throw InputError(place.string() + ": " + reason);
+}
+
+/// Follows links; false where a file is missing or cannot be asked.
+bool are_the_same(const fs::path& one, const fs::path& other) {
+  std::error_code missing;
+  return fs::equivalent(one, other, missing);
+}
+
+void require_place_of_a_file(const fs::path& file) {
+  if (file.empty()) throw InputError("the output has no name: give a file with -o FILE");
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::status_known(status)) {
+    refuse(file, "cannot be written: " + error.message() + "; give another name with -o");
+  }
+  if (fs::is_directory(status)) {
+    refuse(file, "is a directory, expected a file name: give -o FOLDER/FILE");
+  }
+  const fs::path folder = file.parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, error)) {
+    refuse(file, "cannot be written: there is no folder " + folder.string() + ": make it first");
+  }
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    refuse(file, "is a device or another special file, which is not replaced: give a plain file");
+  }
+}
+
+/// @param endings of the names that are written on the way to the file
+void require_no_input(const fs::path& file, const std::vector<fs::path>& inputs,
+                      std::initializer_list<const char*> endings) {
+  for (const char* ending : endings) {
+    const fs::path written = file.string() + ending;
+    for (const fs::path& input : inputs) {
+      if (are_the_same(written, input)) {
+        refuse(written, "is an input of this command and would be lost: give another name with -o");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void make_folder(const fs::path& folder) {
+  if (folder.empty()) throw InputError("the output folder has no name: give it with -o FOLDER");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) {
+    refuse(folder, "cannot be made as a folder: " + error.message() +
+                       "; give another one, where no file is in the way");
+  }
+}
+
+void require_output_file(const fs::path& file, const std::vector<fs::path>& inputs) {
+  require_place_of_a_file(file);
+  require_no_input(file, inputs, {"", ".part"});
+}
+
+void require_output_store(const fs::path& file, const std::vector<fs::path>& inputs) {
+  require_place_of_a_file(file);
+  require_no_input(file, inputs, {"", ".tmp", ".new", ".new.tmp"});
+  std::error_code missing;
+  if (!fs::exists(file, missing) || fs::is_empty(file, missing) || is_sqlite(file)) return;
+  refuse(file,
+         "is there already and is no store, so it is not replaced: give another name with -o");
+}
+
+bool is_sqlite(const fs::path& file) {
+  constexpr std::string_view kMagic = "SQLite format 3";
+  std::string head(kMagic.size(), '\0');
+  std::ifstream(file, std::ios::binary)
+      .read(head.data(), static_cast<std::streamsize>(head.size()));
+  return head == kMagic;
+}
+
+}  // namespace roomatlas::apps
