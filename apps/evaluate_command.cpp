@@ -160,9 +160,11 @@ bool has_truth(const Judged& judged, const Truth& truth) {
   throw NotEnoughError("no figure could be computed");
 }
 
+/// Results replace none of the files that are read.
 void require_places(const ComparisonFiles& results, std::vector<Path> inputs,
-                    const std::vector<Path>& truth_files) {
+                    const std::vector<Path>& truth_files, const TrajectoryFlags& flags) {
   inputs.insert(inputs.end(), truth_files.begin(), truth_files.end());
+  inputs.insert(inputs.end(), {flags.stamps_from, flags.carry});
   for (const Path& file : {results.csv, results.latex, results.archive}) {
     if (!file.empty()) require_output_file(file, inputs);
   }
@@ -192,7 +194,7 @@ Evaluation evaluation_of(const Settings& settings, const Path& store_file,
 void evaluate(const Settings& settings, const std::vector<Path>& files,
               const std::vector<Path>& truth_files, const TrajectoryFlags& flags,
               const ComparisonFiles& results) {
-  require_places(results, files, truth_files);
+  require_places(results, files, truth_files, flags);
   const Truth truth = read_truth(truth_files, settings);
   const Preparation prepare(flags, settings);
   const Judged judged = read(settings, files, truth, prepare);

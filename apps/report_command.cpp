@@ -29,7 +29,7 @@ void write_report(const Settings& settings, const Path& store_file, const Evalua
 void report(const Settings& settings, const Path& store, const std::vector<Path>& truth,
             const TrajectoryFlags& flags, const Path& out) {
   std::vector<Path> inputs = truth;
-  inputs.push_back(store);
+  inputs.insert(inputs.end(), {store, flags.stamps_from, flags.carry});
   require_output_file(out, inputs);
   write_report(settings, store, evaluation_of(settings, store, truth, flags), out);
   spdlog::info("the report is {}: open it in a browser", out.string());

@@ -18,8 +18,9 @@ OutputFile::OutputFile(std::filesystem::path file)
   const auto status = std::filesystem::status(file_, error);
   if (std::filesystem::is_directory(status)) fail(EISDIR);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    throw InputError(file_.string() +
-                     ": is a device or another special file, which is not replaced: give another");
+    throw InputError(
+        file_.string() +
+        ": is a device or another special file, which is not replaced: choose another");
   }
   errno = 0;
   stream_.reset(std::fopen(temporary_.c_str(), "wb"));

@@ -73,6 +73,7 @@ TEST(OutputFile, OfAReportIsNeitherTheStoreNorTheTruth) {
   expect_refusal(report + store, "building.gpkg: is an input");
   expect_refusal(report + truth, "truth.tum: is an input");
   expect_refusal("evaluate " + store + " --truth " + truth + " --csv " + store, "is an input");
+  expect_refusal("evaluate " + store + " --carry " + truth + " --latex " + truth, "is an input");
   EXPECT_EQ(content_of(store), bytes);
   EXPECT_EQ(content_of(truth), poses);
   const std::string page = folder.write("report.html", "a former report");
