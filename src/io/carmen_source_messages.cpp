@@ -116,10 +116,11 @@ void CarmenSource::note_odd_scan() {
   const CarmenScan& scan = message_.scan;
   const bool sonar = message_.tag->kind == CarmenKind::sonar;
   if (!sonar && scan.directions_assumed && !std::exchange(directions_reported_, true)) {
-    add_issue(Severity::note, std::string(message_.tag->name) + " number of readings",
+    add_issue(Severity::warning, std::string(message_.tag->name) + " number of readings",
               std::to_string(scan.ranges_m.size()) +
                   " readings instead of 180, 181, 360 or 361: taken as spread evenly from -90 to "
-                  "+90 degrees");
+                  "+90 degrees; where the scanner sees another angle the plan is wrong: write "
+                  "ROBOTLASER1 lines, which have it");
   }
   const bool odd_cone = scan.cone_rad < 0.0 || scan.cone_rad >= kPi;
   if (sonar && odd_cone && !std::exchange(cone_reported_, true)) {

@@ -63,7 +63,7 @@ TEST(CarmenLayout, AFrontLasersDirectionsFollowFromTheNumberOfReadings) {
   }
 }
 
-TEST(CarmenLayout, AnUnusualNumberOfReadingsSpreadsOver180DegreesAndIsNotedOnce) {
+TEST(CarmenLayout, AnUnusualNumberOfReadingsSpreadsOver180DegreesAndIsWarnedOfOnce) {
   const ReadLog log = read_text(
       "FLASER 5 1 1 1 1 1 0 0 0 1 0 0 9 h 0\n"
       "FLASER 5 1 1 1 1 1 0 0 0 1 0 0 9 h 0\n");
@@ -72,7 +72,7 @@ TEST(CarmenLayout, AnUnusualNumberOfReadingsSpreadsOver180DegreesAndIsNotedOnce)
   EXPECT_NEAR(beam_deg(log.readings[0], 1), -45.0, 1e-9);
   EXPECT_NEAR(beam_deg(log.readings[0], 4), 90.0, 1e-9);
   ASSERT_EQ(log.info.issues.size(), 1U);
-  EXPECT_EQ(log.info.issues[0].severity, Severity::note);
+  EXPECT_EQ(log.info.issues[0].severity, Severity::warning);
   EXPECT_THAT(to_string(log.info.issues[0]),
               HasSubstr("mission.clf:1: FLASER number of readings: 5 readings instead of 180"));
 }
