@@ -47,9 +47,11 @@ void report(const SonarTrajectory& result, double seconds) {
   std::printf("  lag %.2f s, bias %.2f deg/m, gain %.3f, scale %.3f, evidence %.1f\n",
               result.habits.lag_s, degrees(result.habits.bias_rad_per_m), result.habits.turn_gain,
               result.habits.length_scale, result.log_evidence);
-  std::printf("  %d reversed, %.1f m undecided, %zu segments, %d slips, verified %d, %.1f s\n",
-              result.intervals_reversed, result.undecided_m, result.segments, result.slips_repaired,
-              result.loops_verified, seconds);
+  std::printf(
+      "  %d reversed, %.1f m undecided, %zu segments, %d slips, heading sure in %.0f %%, verified "
+      "%d, %.1f s\n",
+      result.intervals_reversed, result.undecided_m, result.segments, result.slips_repaired,
+      100.0 * result.sure_heading_share, result.loops_verified, seconds);
   for (const double direction : result.wall_directions_rad) {
     std::printf("  walls at %.1f deg\n", degrees(direction));
   }

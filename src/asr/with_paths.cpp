@@ -12,9 +12,7 @@ Asr WithPaths::get(AsrId id, AsrDetail detail) const {
   if (path == paths_.end() || asr.path.empty()) return asr;
   if (path->second.size() != asr.path.size()) {
     throw std::invalid_argument("ASR " + std::to_string(id) + " has " +
-                                std::to_string(asr.path.size()) +
-                                " poses, expected as many as its "
-                                "path, " +
+                                std::to_string(asr.path.size()) + " poses, its path " +
                                 std::to_string(path->second.size()));
   }
   for (std::size_t i = 0; i < asr.path.size(); ++i) asr.path[i].asr_from_robot = path->second[i];

@@ -40,7 +40,7 @@ std::string name_of(const HeadingSlip& slip, const Idea& idea) {
   const double quarter = degrees(slip.more_rad.back());
   const auto at_m = std::lround(idea.problem.nodes[slip.first_node].path_m);
   return "turned by " + std::to_string(std::lround(quarter)) + " deg from " + std::to_string(at_m) +
-         " m on";
+         " m on, log odds " + std::to_string(std::lround(slip.log_odds));
 }
 
 /// What odometry does in every step, by the poses that the walls gave.

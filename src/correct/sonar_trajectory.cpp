@@ -52,15 +52,14 @@ double share_turned(const std::vector<Pose2>& a, const std::vector<Pose2>& b) {
   return static_cast<double>(turned) / static_cast<double>(a.size());
 }
 
-/// Whether walls tell the heading nearly everywhere. Without directions to follow they cannot.
-bool is_heading_sure(const Idea& kept) {
+/// Of the readings. Without directions to follow walls cannot tell the heading: it counts as sure.
+double share_with_sure_heading(const Idea& idea) {
   constexpr double kSure = radians(5.0);
-  constexpr double kShare = 0.05;  // of the readings that may be less sure
-  if (kept.is_odometry) return true;
-  const std::vector<double> sigmas_rad = by_reading(kept.problem, kept.chain.sigma_rad);
-  const auto unsure = std::count_if(sigmas_rad.begin(), sigmas_rad.end(),
-                                    [](double sigma_rad) { return sigma_rad > kSure; });
-  return static_cast<double>(unsure) <= kShare * static_cast<double>(sigmas_rad.size());
+  if (idea.is_odometry) return 1.0;
+  const std::vector<double> sigmas_rad = by_reading(idea.problem, idea.chain.sigma_rad);
+  const auto sure = std::count_if(sigmas_rad.begin(), sigmas_rad.end(),
+                                  [](double sigma_rad) { return sigma_rad <= kSure; });
+  return static_cast<double>(sure) / static_cast<double>(sigmas_rad.size());
 }
 
 /// Whether the heading is sure, enough wall was seen by several visits, they agree about it, and no
@@ -72,7 +71,7 @@ bool is_verified(const Idea& idea, const std::vector<Attempt>& others,
   constexpr double kCost = 0.2;         // of the score, for each share of the readings
   const SonarVariant& variant = kept.variant;
   if (variant.compared_m < options.verified_m || variant.contradiction > options.verified_share ||
-      !is_heading_sure(idea)) {
+      share_with_sure_heading(idea) < options.verified_heading_share) {
     return false;
   }
   return std::none_of(others.begin(), others.end(), [&](const Attempt& other) {
@@ -87,8 +86,6 @@ double begin_at(const Pose2& first, std::vector<Pose2>& poses) {
   for (Pose2& pose : poses) pose = moved * pose;
   return moved.theta_rad;
 }
-
-}  // namespace
 
 /// What stays of several ideas, and what does not.
 struct Choice {
@@ -152,6 +149,8 @@ void consider_other_habits(const SonarMission& mission, const Calibration& likel
   }
 }
 
+}  // namespace
+
 SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
                                          const SonarTrajectoryOptions& options,
                                          const std::function<void()>& before_attempt) {
@@ -178,6 +177,7 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
   result.wall_directions_rad = best.directions_rad;
   result.log_evidence = best.chain.log_evidence;
   result.segments = best.problem.segments.size();
+  result.sure_heading_share = share_with_sure_heading(best);
   result.loops_verified = is_verified(best, choice.others, options);
   result.map_from_robot = std::move(best.attempt.map_from_robot);
   const double turn_rad = begin_at(readings.front().odom_from_robot, result.map_from_robot);

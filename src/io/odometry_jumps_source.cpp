@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/io/odometry_jumps.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
+
+#include "plausible.hpp"
 
 namespace roomatlas {
 namespace {
@@ -39,35 +40,25 @@ class WithoutJumps : public MissionSource {
  private:
   /// Puts a reading where odometry would be without the jumps so far.
   void join(RangeReading& reading) {
-    const Pose2 reported = reading.odom_from_robot;
-    if (last_) {
-      const double step_m = (reported.position() - last_->position()).norm();
-      if (is_jump(step_m, std::abs(reading.timestamp_s - last_s_))) {
-        if (jumps_++ == 0) {
-          first_m_ = step_m;
-          first_s_ = reading.timestamp_s;
-        }
-        jumped_m_ += step_m;
-        moved_ += last_->position() - reported.position();
+    const StampedPose reported{reading.timestamp_s, reading.odom_from_robot};
+    if (last_ && io::is_jump(*last_, reported)) {
+      const Point2 step = reported.pose.position() - last_->pose.position();
+      if (jumps_++ == 0) {
+        first_m_ = step.norm();
+        first_s_ = reading.timestamp_s;
       }
+      jumped_m_ += step.norm();
+      moved_ -= step;
     }
     last_ = reported;
-    last_s_ = reading.timestamp_s;
     if (jumps_ == 0) return;
     reading.odom_from_robot.x_m += moved_.x();
     reading.odom_from_robot.y_m += moved_.y();
   }
 
-  static bool is_jump(double step_m, double took_s) {
-    constexpr double kFarM = 5.0;
-    constexpr double kFastMPerS = 20.0;
-    return step_m > kFarM && step_m > kFastMPerS * took_s;
-  }
-
   std::unique_ptr<MissionSource> mission_;
-  std::optional<Pose2> last_;  ///< as reported
-  double last_s_ = 0.0;
-  Point2 moved_ = Point2::Zero();  ///< what takes the jumps out
+  std::optional<StampedPose> last_;  ///< as reported
+  Point2 moved_ = Point2::Zero();    ///< what takes the jumps out
   int jumps_ = 0;
   double first_m_ = 0.0;
   double first_s_ = 0.0;

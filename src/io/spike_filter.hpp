@@ -16,14 +16,6 @@
 
 namespace roomatlas::io {
 
-/// True when no robot drives from one to the other in the time between. Without times, or where
-/// they step back, only `kSmallJump_m` is granted.
-[[nodiscard]] inline bool is_jump(const StampedPose& from, const StampedPose& to) {
-  const double time_s = std::max(0.0, to.timestamp_s - from.timestamp_s);
-  return (to.pose.position() - from.pose.position()).norm() >
-         kSmallJump_m + kFastest_m_per_s * time_s;
-}
-
 /// Finds poses that jump away and come back with the next one of their source: a wrong number in
 /// one line. A jump that stays is odometry's own business and passes.
 ///

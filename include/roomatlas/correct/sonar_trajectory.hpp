@@ -24,6 +24,7 @@ struct SonarTrajectoryOptions {
   double verified_m = 10.0;      ///< of wall that several visits must have seen; less proves no
                                  ///< loop
   double verified_share = 0.06;  ///< contradiction above which loops count as not verified
+  double verified_heading_share = 0.95;  ///< of readings with a sure heading; fewer verify nothing
 };
 
 /// One setting of the batch that was tried.
@@ -47,10 +48,12 @@ struct SonarTrajectory {
   int intervals_reversed = 0;               ///< drives that odometry reported the wrong way round
   double undecided_m = 0.0;                 ///< of path that could have gone either way
   std::size_t segments = 0;                 ///< stretches of wall
-  std::vector<SonarVariant> variants;       ///< in the order tried
-  std::size_t chosen = 0;                   ///< place of the one kept
-  int slips_repaired = 0;                   ///< headings turned by 90 degrees from some place on
-  bool loops_verified = false;              ///< false: no loop, or walls contradict each other
+  double sure_heading_share = 0.0;  ///< of the readings: walls tell the heading to 5 degrees (one
+                                    ///< standard deviation)
+  std::vector<SonarVariant> variants;  ///< in the order tried
+  std::size_t chosen = 0;              ///< place of the one kept
+  int slips_repaired = 0;              ///< headings turned by 90 degrees from some place on
+  bool loops_verified = false;         ///< false: no loop, or walls contradict each other
 };
 
 /// Corrects a whole mission recorded with sonars in one batch: the walls that single sonars hear
