@@ -151,10 +151,7 @@ void CarmenSource::report_cut() {
   if (std::exchange(cut_reported_, true)) return;
   const bool damaged = reader_.end() == LineReader::End::damaged;
   if (reader_.end() == LineReader::End::wrong_checksum) {
-    add_issue(
-        Severity::warning, "",
-        "its gzip data is damaged, nobody knows where: its checksum does not fit, so that any "
-        "line may be wrong. Copy the file again");
+    add_issue(Severity::warning, "", LineReader::kWrongChecksumMessage);
   } else {
     add_issue(Severity::warning, "",
               std::string("the log is cut short in or after this line") +

@@ -27,6 +27,9 @@ class LineReader {
     wrong_checksum,  ///< gzip data that decodes, but not to what was packed
   };
 
+  static constexpr const char* kWrongChecksumMessage =
+      "its gzip data is damaged, nobody knows where: its checksum does not fit, so that any line "
+      "may be wrong. Copy the file again";
   static constexpr std::size_t kLongestLine = std::size_t{1} << 20;  ///< in bytes
 
   /// Throws InputError naming the file when it is missing, a directory, unreadable, empty, or not

@@ -53,8 +53,7 @@ void TextSource::note_end() {
   warn(
       "",
       reader_.end() == LineReader::End::wrong_checksum
-          ? "its gzip data is damaged, nobody knows where: its checksum does not fit, so that any "
-            "line may be wrong. Copy the file again"
+          ? LineReader::kWrongChecksumMessage
           : "the log is cut short after this line because its gzip data ends or is damaged; mapped "
             "up to the cut. Copy the file again to have the rest");
   std::rotate(info_.issues.begin(), info_.issues.end() - 1, info_.issues.end());  // explains others
