@@ -4,11 +4,12 @@
 
 #include "commands.hpp"
 #include "console.hpp"
-#include "roomatlas/io/closures_file.hpp"
-#include "roomatlas/io/geopackage_store.hpp"
-#include "roomatlas/io/room_names.hpp"
-#include "roomatlas/io/summary.hpp"
+#include "roomatlas/io/trajectories/closures_file.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
+#include "roomatlas/io/store/room_names.hpp"
+#include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/merge/carry_over.hpp"
+#include "roomatlas/pipeline/assemble.hpp"
 #include "store_metadata.hpp"
 
 namespace roomatlas::apps {
@@ -34,8 +35,10 @@ void report(const SonarTrajectory& sonars) {
 /// The call of the library; nothing is written yet.
 Assembly assembly_of(const GeoPackageStore& store, const Path& store_file, const Settings& settings,
                      const RobotFootprint& footprint) {
-  AssembleOptions options = settings.assemble;
-  if (!settings.add_closures.empty()) options.closures.given = read_closures(settings.add_closures);
+  Options options = settings;
+  if (!settings.add_closures.empty()) {
+    options.assemble.closures.given = read_closures(settings.add_closures);
+  }
   try {
     return roomatlas::assemble(store, footprint, options, console_progress(settings));
   } catch (const Interrupted& stop) {

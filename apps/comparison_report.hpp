@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "roomatlas/evaluate/compare.hpp"
-#include "roomatlas/pipeline/plan_figures.hpp"
+#include "roomatlas/evaluate/plan_figures.hpp"
 
 namespace roomatlas::apps {
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "roomatlas/core/issue.hpp"
-#include "roomatlas/match/odometry_habits.hpp"
+#include "roomatlas/odometry/habits.hpp"
+#include "roomatlas/core/progress.hpp"
 #include "settings.hpp"
 
 namespace roomatlas::apps {

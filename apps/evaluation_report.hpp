@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "roomatlas/pipeline/pipeline.hpp"
+#include "roomatlas/evaluate/evaluation.hpp"
 #include "settings.hpp"
 #include "trajectory_flags.hpp"
 

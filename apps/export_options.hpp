@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "roomatlas/io/georeference.hpp"
+#include "roomatlas/io/plans/georeference.hpp"
 
 namespace CLI {
 class App;

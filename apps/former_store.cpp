@@ -5,8 +5,8 @@
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
-#include "roomatlas/io/geopackage_store.hpp"
-#include "roomatlas/io/room_names.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
+#include "roomatlas/io/store/room_names.hpp"
 #include "roomatlas/merge/carry_over.hpp"
 
 namespace roomatlas::apps {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "roomatlas/merge/floor_plan.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
 
 namespace roomatlas::apps {
 

@@ -5,8 +5,9 @@
 #include "commands.hpp"
 #include "output_places.hpp"
 #include "roomatlas/asr/map_room.hpp"
-#include "roomatlas/io/formats.hpp"
-#include "roomatlas/io/geopackage_store.hpp"
+#include "roomatlas/io/files/files.hpp"
+#include "roomatlas/io/pictures/svg_pictures.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
 #include "stored_configuration.hpp"
 
 namespace roomatlas::apps {

@@ -12,6 +12,7 @@
 #include "configuration_file.hpp"
 #include "console.hpp"
 #include "limits.hpp"
+#include "roomatlas/core/issue.hpp"
 
 namespace {
 

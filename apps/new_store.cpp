@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "roomatlas/io/geopackage_store.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
 
 namespace roomatlas::apps {
 namespace {

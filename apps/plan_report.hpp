@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "roomatlas/pipeline/plan_figures.hpp"
+#include "roomatlas/evaluate/plan_figures.hpp"
 
 namespace roomatlas::apps {
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "commands.hpp"
-#include "roomatlas/io/geopackage_store.hpp"
-#include "roomatlas/io/room_names.hpp"
-#include "roomatlas/io/utf8.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
+#include "roomatlas/io/store/room_names.hpp"
+#include "roomatlas/io/text/utf8.hpp"
 
 namespace roomatlas::apps {
 namespace {

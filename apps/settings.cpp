@@ -300,7 +300,6 @@ void add_parameters(CLI::App& app, Settings& settings) {
 }
 
 void complete(Settings& settings, const CLI::App& app) {
-  settings.assemble.record = settings.map.record;
   settings.assemble.sonars.directions.find_reverse = settings.map.reckon.find_reverse;
   settings.simulation.footprint = settings.mission.footprint;
   settings.simulation.sonar_max_range_m = settings.mission.sonar_max_range_m;

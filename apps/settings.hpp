@@ -5,7 +5,7 @@
 #include <string>
 
 #include "roomatlas/draw/draw.hpp"
-#include "roomatlas/pipeline/pipeline.hpp"
+#include "roomatlas/pipeline/options.hpp"
 #include "roomatlas/simulate/explore.hpp"
 
 namespace CLI {
@@ -15,10 +15,7 @@ class App;
 namespace roomatlas::apps {
 
 /// Everything that can be set, with the defaults of the stages.
-struct Settings {
-  MissionOptions mission;
-  MapOptions map;
-  AssembleOptions assemble;
+struct Settings : Options {
   DrawOptions draw;
   SimulationOptions simulation;
   ExploreOptions explore;

@@ -8,7 +8,7 @@
 #include <ctime>
 #include <filesystem>
 
-#include "roomatlas/io/summary.hpp"
+#include "roomatlas/io/results/summary.hpp"
 #include "stored_configuration.hpp"
 
 namespace roomatlas::apps {

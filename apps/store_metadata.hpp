@@ -5,6 +5,7 @@
 #include <string>
 
 #include "roomatlas/mission/mission.hpp"
+#include "roomatlas/assembly/assembly.hpp"
 #include "settings.hpp"
 
 namespace roomatlas::apps {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "roomatlas/evaluate/compare.hpp"
-#include "roomatlas/io/trajectory_file.hpp"
+#include "roomatlas/io/trajectories/trajectory_file.hpp"
 #include "settings.hpp"
 
 namespace CLI {

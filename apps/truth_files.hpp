@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "roomatlas/pipeline/pipeline.hpp"
+#include "roomatlas/evaluate/evaluation.hpp"
 #include "settings.hpp"
 
 namespace roomatlas::apps {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "roomatlas/pipeline/pipeline.hpp"
+#include "roomatlas/pipeline/assemble.hpp"
 #include "roomatlas/simulate/random_building.hpp"
 
 namespace {
@@ -87,12 +87,8 @@ Row measured(std::int64_t rooms) {
     outlines.push_back(
         {asr.id, room_of_asr.at(asr.id), transformed(placement.at(asr.id), asr.outline_asr)});
   }
-  std::vector<PlacedDoor> placed;
-  for (const BuildingDoor& door : doors) {
-    placed.push_back({jambs_of(door), door.room_a, door.room_b});
-  }
   clock.lap_s();
-  const FloorPlan plan = merge(outlines, placed, options.merge);
+  const FloorPlan plan = merge(outlines, doors, options.merge);
   row.seconds.push_back(clock.lap_s());
 
   rusage usage{};

@@ -14,8 +14,9 @@
 #include <vector>
 
 #include "roomatlas/asr/recorder.hpp"
-#include "roomatlas/io/formats.hpp"
-#include "roomatlas/io/geopackage_store.hpp"
+#include "roomatlas/io/logs/drive.hpp"
+#include "roomatlas/io/plans/plan_geojson.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/simulate/simulate.hpp"
 
 namespace {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "recorded_data.hpp"
-#include "roomatlas/io/formats.hpp"
-#include "roomatlas/pipeline/pipeline.hpp"
+#include "roomatlas/io/logs/open_mission.hpp"
+#include "roomatlas/pipeline/map_mission.hpp"
 
 namespace {
 

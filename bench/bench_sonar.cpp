@@ -13,10 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "roomatlas/correct/sonar_trajectory.hpp"
+#include "roomatlas/sonar/sonar_trajectory.hpp"
 #include "roomatlas/evaluate/relations.hpp"
 #include "roomatlas/evaluate/statistics.hpp"
-#include "roomatlas/io/formats.hpp"
+#include "roomatlas/io/logs/open_mission.hpp"
+#include "roomatlas/io/plans/plan_geojson.hpp"
+#include "roomatlas/io/trajectories/relations.hpp"
 #include "roomatlas/simulate/explore.hpp"
 #include "support/shared_data.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "roomatlas/correct/optimize.hpp"
+#include "roomatlas/solve/optimize.hpp"
 #include "support/generated_pose_graph.hpp"
 
 int main(int, char** argv) {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "roomatlas/io/formats.hpp"
+#include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/simulate/explore.hpp"
 
 namespace {

@@ -17,8 +17,11 @@
 #include <vector>
 
 #include "roomatlas/asr/with_paths.hpp"
-#include "roomatlas/io/formats.hpp"
-#include "roomatlas/pipeline/pipeline.hpp"
+#include "roomatlas/io/plans/plan_geojson.hpp"
+#include "roomatlas/correct/place.hpp"
+#include "roomatlas/evaluate/evaluation.hpp"
+#include "roomatlas/pipeline/assemble.hpp"
+#include "roomatlas/pipeline/map_mission.hpp"
 #include "roomatlas/simulate/explore.hpp"
 #include "support/memory_mission.hpp"
 #include "support/memory_store.hpp"

@@ -13,8 +13,10 @@
 #include "recorded_data.hpp"
 #include "roomatlas/asr/with_paths.hpp"
 #include "roomatlas/evaluate/true_poses.hpp"
-#include "roomatlas/io/formats.hpp"
-#include "roomatlas/pipeline/pipeline.hpp"
+#include "roomatlas/io/logs/open_mission.hpp"
+#include "roomatlas/correct/place.hpp"
+#include "roomatlas/pipeline/assemble.hpp"
+#include "roomatlas/pipeline/map_mission.hpp"
 #include "support/memory_mission.hpp"
 #include "support/memory_store.hpp"
 

@@ -17,9 +17,10 @@
 
 #include "altered_odometry.hpp"
 #include "recorded_data.hpp"
-#include "roomatlas/correct/sonar_trajectory.hpp"
+#include "roomatlas/sonar/sonar_trajectory.hpp"
 #include "roomatlas/evaluate/relations.hpp"
-#include "roomatlas/io/formats.hpp"
+#include "roomatlas/io/logs/open_mission.hpp"
+#include "roomatlas/io/trajectories/relations.hpp"
 
 namespace roomatlas {
 namespace {

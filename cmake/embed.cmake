@@ -1,7 +1,7 @@
 # Text files as C++ constants.
 # As a script: cmake -DOUT=file.cpp -DFILES=a;b -P embed.cmake writes
 #   const std::map<std::string, std::string>& roomatlas::drawing::report_assets()
-# with each file's content under its name. As an include: roomatlas_embed(MODULE FILES...).
+# with each file's content under its name. As an include: roomatlas_embed(TARGET FILES...).
 
 if(CMAKE_SCRIPT_MODE_FILE)
   set(code "#include \"report_assets.hpp\"\n\nnamespace roomatlas::drawing {\n
@@ -26,14 +26,14 @@ endif()
 
 set(ROOMATLAS_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_FILE})
 
-# roomatlas_embed(MODULE FILES...): the files become part of roomatlas_MODULE, built anew when one
-# of them changes.
-function(roomatlas_embed module)
+# roomatlas_embed(TARGET FILES...): the files become part of the target, built anew when one of them
+# changes.
+function(roomatlas_embed target)
   set(out ${CMAKE_CURRENT_BINARY_DIR}/report_assets.cpp)
   add_custom_command(OUTPUT ${out}
     COMMAND ${CMAKE_COMMAND} -DOUT=${out} "-DFILES=${ARGN}" -P ${ROOMATLAS_EMBED_SCRIPT}
     DEPENDS ${ARGN} ${ROOMATLAS_EMBED_SCRIPT} VERBATIM)
   set_source_files_properties(${out} PROPERTIES COMPILE_OPTIONS -Wno-overlength-strings
-    INCLUDE_DIRECTORIES ${PROJECT_SOURCE_DIR}/src/${module})
-  target_sources(roomatlas_${module} PRIVATE ${out})
+    INCLUDE_DIRECTORIES ${PROJECT_SOURCE_DIR}/src/draw)
+  target_sources(${target} PRIVATE ${out})
 endfunction()

@@ -1,48 +1,52 @@
-# One static library per module, one test program per module. The table of modules, and who may
-# include whom, is in docs/architecture.md and is checked by tests/architecture.
+# The library is one, made of modules; tests are one program a module. The table of modules, and who
+# may include whom, is in docs/architecture.md and is checked by tests/architecture.
 
-# -Wno-restrict: g++ 12 warns falsely on "text" + std::string (its bug 105651).
+# -Wno-restrict: g++ 12 warns falsely on "text" + std::string (its bug 105651). With precompiled
+# headers the same falsehoods come under two more names, since its marks of system headers are lost.
 set(ROOMATLAS_WARNINGS -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Wno-restrict)
+if(ROOMATLAS_PRECOMPILED_HEADERS AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  list(APPEND ROOMATLAS_WARNINGS -Wno-stringop-overflow -Wno-array-bounds)
+endif()
 if(ROOMATLAS_WERROR)
   list(APPEND ROOMATLAS_WARNINGS -Werror)
 endif()
 
-# roomatlas_module(NAME [USES module...] [LIBRARIES target...])
-# LIBRARIES are outside libraries and stay private: no public header shows them.
-function(roomatlas_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "USES;LIBRARIES")
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
-  if(NOT sources)
-    return()
+# roomatlas_precompile(TARGET HEADER...): headers that nearly every file reads, parsed once.
+function(roomatlas_precompile target)
+  if(ROOMATLAS_PRECOMPILED_HEADERS)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
   endif()
-  set(target roomatlas_${name})
-  add_library(${target} STATIC ${sources})
-  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/include)
-  target_compile_options(${target} PRIVATE ${ROOMATLAS_WARNINGS})
-  list(TRANSFORM ARG_USES PREPEND roomatlas_)
-  foreach(used IN LISTS ARG_USES)
-    if(TARGET ${used})
-      target_link_libraries(${target} PUBLIC ${used})
-    endif()
-  endforeach()
-  if(name STREQUAL "core")
-    target_link_libraries(${target} PUBLIC Eigen3::Eigen)
+endfunction()
+
+# roomatlas_precompile_as(TARGET OTHER): the headers that OTHER has parsed already.
+function(roomatlas_precompile_as target other)
+  if(ROOMATLAS_PRECOMPILED_HEADERS)
+    target_precompile_headers(${target} REUSE_FROM ${other})
   endif()
-  target_link_libraries(${target} PRIVATE ${ARG_LIBRARIES})
+endfunction()
+
+# roomatlas_program(NAME SOURCE...): a program of ours on top of the library.
+function(roomatlas_program name)
+  add_executable(${name} ${ARGN})
+  target_compile_options(${name} PRIVATE ${ROOMATLAS_WARNINGS})
+  target_link_libraries(${name} PRIVATE roomatlas::roomatlas)
 endfunction()
 
 # roomatlas_test(NAME [LIBRARIES target...]): every .cpp below tests/NAME in one program.
 function(roomatlas_test name)
   cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "LIBRARIES")
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*.cpp)
   if(NOT sources)
-    return()
+    message(FATAL_ERROR "no tests below tests/${name}")
   endif()
   set(target test_${name})
-  add_executable(${target} ${sources})
+  roomatlas_program(${target} ${sources})
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-  target_compile_options(${target} PRIVATE ${ROOMATLAS_WARNINGS})
+  if(IS_DIRECTORY ${PROJECT_SOURCE_DIR}/src/${name})
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src/${name})
+  endif()
   target_compile_definitions(${target} PRIVATE ROOMATLAS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${target} PRIVATE ${ARG_LIBRARIES} GTest::gmock GTest::gtest_main)
+  roomatlas_precompile_as(${target} roomatlas_test_headers)
   gtest_discover_tests(${target} TEST_PREFIX "${name}: " DISCOVERY_TIMEOUT 60)
 endfunction()

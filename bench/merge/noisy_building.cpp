@@ -100,10 +100,9 @@ void Builder::add_door(const Pose2& building_from_door, RoomId room, std::option
   if (room == 0) return;
   const double half = kDoor_m / 2.0;
   const double reach = kWall_m / 2.0 + kDoorReach_m;
-  building_.doors.push_back({{on_grid(building_from_door * Point2(0.0, -half)),
-                              on_grid(building_from_door * Point2(0.0, half))},
-                             room,
-                             other});
+  building_.doors.push_back(door_between({on_grid(building_from_door * Point2(0.0, -half)),
+                                          on_grid(building_from_door * Point2(0.0, half))},
+                                         room, other));
   Ring opening = transformed(building_from_door, rectangle({-reach, -half}, {reach, half}));
   for (Point2& point : opening) point = on_grid(point);
   building_.openings.push_back({std::move(opening), {}});

@@ -11,7 +11,7 @@ namespace roomatlas::bench {
 /// What a correction hands to `merge`: outlines as sensors draw them, placed with small errors.
 struct NoisyBuilding {
   std::vector<PlacedOutline> outlines;
-  std::vector<PlacedDoor> doors;
+  std::vector<Door> doors;
   std::vector<Polygon> openings;  ///< parallel to `doors`: floor through the wall
 
   /// The polygons whose union is the free space: outlines and openings.

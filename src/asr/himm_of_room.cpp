@@ -12,7 +12,7 @@ constexpr double kOutsideDepthM = 1.0;  // a sensor is in the doorway's other ro
 
 /// Coordinates relative to a doorway: x outwards, y along the door line.
 Point2 relative_to(const Exit& exit, const Point2& point_asr) {
-  return inverse(exit.asr_from_pivot) * point_asr;
+  return inverse(exit.frame_from_pivot) * point_asr;
 }
 
 }  // namespace

@@ -24,13 +24,4 @@ Asr MemoryStore::get(AsrId id, AsrDetail detail) const {
   return asr;
 }
 
-std::vector<AsrId> MemoryStore::neighbors(AsrId id) const {
-  std::vector<AsrId> found;
-  for (const Exit& exit : get(id, AsrDetail::geometry).exits) {
-    if (exit.neighbor) found.push_back(*exit.neighbor);
-  }
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
 }  // namespace roomatlas

@@ -18,7 +18,7 @@ constexpr double kBeyondDepthM = 0.8;  // how far the path's footprint reaches o
 
 /// True for cells on the far side of a doorway, within reach of the robot's footprint.
 bool is_beyond(const Exit& exit, const Point2& point_asr) {
-  const Point2 relative = inverse(exit.asr_from_pivot) * point_asr;
+  const Point2 relative = inverse(exit.frame_from_pivot) * point_asr;
   return relative.x() > 0.0 && relative.x() < kBeyondDepthM &&
          std::abs(relative.y()) < exit.width_m / 2.0 + 0.3;
 }
@@ -76,8 +76,8 @@ std::vector<Point2> jambs_of(const std::vector<Exit>& exits) {
   std::vector<Point2> jambs;
   for (const Exit& exit : exits) {
     if (exit.kind != PassageKind::doorway) continue;
-    jambs.push_back(exit.jambs_asr.a);
-    jambs.push_back(exit.jambs_asr.b);
+    jambs.push_back(exit.jambs.a);
+    jambs.push_back(exit.jambs.b);
   }
   return jambs;
 }

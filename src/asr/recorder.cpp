@@ -26,16 +26,11 @@ struct DoorwayOnPath {
   double at_m = 0.0;      ///< along the path
 };
 
-Exit exit_of(const Doorway& doorway) {
-  return {PassageKind::doorway, false, doorway.grid_from_pivot, doorway.width_m, doorway.jambs,
-          std::nullopt,         0.0};
-}
-
 Exit open_passage_at(const Pose2& asr_from_robot) {
   Exit exit;
   exit.kind = PassageKind::open_passage;
-  exit.asr_from_pivot = asr_from_robot;
-  exit.jambs_asr = {asr_from_robot.position(), asr_from_robot.position()};
+  exit.frame_from_pivot = asr_from_robot;
+  exit.jambs = {asr_from_robot.position(), asr_from_robot.position()};
   return exit;
 }
 
@@ -43,10 +38,10 @@ Exit open_passage_at(const Pose2& asr_from_robot) {
 Exit entry_from(const Exit& exit, AsrId from) {
   Exit entry = exit;
   entry.is_entry = true;
-  entry.asr_from_pivot = {0.0, 0.0, wrap_angle(kPi)};
-  const Pose2 entry_from_old = inverse(exit.asr_from_pivot);
+  entry.frame_from_pivot = {0.0, 0.0, wrap_angle(kPi)};
+  const Pose2 entry_from_old = inverse(exit.frame_from_pivot);
   // looking out of the new room, left and right change places
-  entry.jambs_asr = {entry_from_old * exit.jambs_asr.b, entry_from_old * exit.jambs_asr.a};
+  entry.jambs = {entry_from_old * exit.jambs.b, entry_from_old * exit.jambs.a};
   entry.neighbor = from;
   return entry;
 }
@@ -169,7 +164,7 @@ class AsrRecorder::State {
 
   /// Splits the path where it crosses the door line.
   void leave_through(const DoorwayOnPath& found) {
-    const Pose2 pivot_from_asr = inverse(found.doorway.grid_from_pivot);
+    const Pose2 pivot_from_asr = inverse(found.doorway.frame_from_pivot);
     const auto is_beyond = [&](std::size_t i) {
       return (pivot_from_asr * path_[i].asr_from_robot.position()).x() > 0.0;
     };
@@ -177,7 +172,7 @@ class AsrRecorder::State {
     while (split > 0 && is_beyond(split - 1)) --split;
     while (split < path_.size() && !is_beyond(split)) ++split;
     if (split == 0 || split == path_.size()) return;
-    leave(exit_of(found.doorway), split);
+    leave({found.doorway, PassageKind::doorway, false, std::nullopt, 0.0}, split);
     since_doorway_m_ = 0.0;
   }
 
@@ -217,7 +212,7 @@ class AsrRecorder::State {
     readings_.resize(split);
     exit.timestamp_s = path_.back().timestamp_s;
     exit.neighbor = next_id_ + 1;
-    const Pose2 old_from_new = exit.asr_from_pivot;
+    const Pose2 old_from_new = exit.frame_from_pivot;
     const Pose2 odom_from_new = close(exit) * old_from_new;
 
     odom_from_asr_ = odom_from_new;
@@ -255,7 +250,7 @@ class AsrRecorder::State {
     asr.path = std::exchange(path_, {});
     asr.readings = std::exchange(readings_, {});
     asr.is_localized = localizer_ && std::all_of(asr.readings.begin(), asr.readings.end(),
-                                                 [](const auto& r) { return can_be_matched(r); });
+                                                 [&](const auto& r) { return localizer_->localizes(r); });
     // Where odometry puts the frame *now*: the frame itself is exact, odometry has drifted.
     const Pose2 odom_from_asr =
         asr.path.back().odom_from_robot * inverse(asr.path.back().asr_from_robot);

@@ -11,6 +11,11 @@ double wrap_angle(double angle_rad) {
   return wrapped >= kPi ? -kPi : wrapped;  // rounding may land on +pi
 }
 
+double wrap_quarter(double angle_rad) {
+  constexpr double kQuarter = kPi / 2.0;
+  return angle_rad - kQuarter * std::floor(angle_rad / kQuarter + 0.5);
+}
+
 Pose2 operator*(const Pose2& a_from_b, const Pose2& b_from_c) {
   const Point2 position = a_from_b * b_from_c.position();
   return {position.x(), position.y(), wrap_angle(a_from_b.theta_rad + b_from_c.theta_rad)};

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "models.hpp"
-#include "roomatlas/correct/pose_graph.hpp"
+#include "roomatlas/solve/pose_graph.hpp"
 
 namespace roomatlas {
 namespace {

@@ -25,7 +25,7 @@ Measurements measurements_of(const std::vector<Asr>& asrs, const RoomGraph& grap
     measurements.is_fixed.push_back(component == components);
     if (component == components) ++components;
   }
-  for (const PassageEdge& edge : edges_of(graph)) {
+  for (const PassageEdge& edge : graph.edges) {
     auto& edges = edge.source == EdgeSource::driven ? measurements.driven : measurements.recognised;
     edges.push_back({index_of.at(edge.from), index_of.at(edge.to), edge});
   }

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "ceres_model.hpp"
 #include "factors.hpp"
-#include "solve.hpp"
 
 namespace roomatlas {
 namespace {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <ceres/cost_function.h>
 #include <ceres/loss_function.h>
 
 #include <algorithm>
 #include <array>
 #include <optional>
 
+#include "ceres_model.hpp"
 #include "factors.hpp"
-#include "solve.hpp"
+#include "roomatlas/solve/relative_pose_cost.hpp"
 
 namespace roomatlas {
 namespace {
@@ -32,7 +34,8 @@ ModelResult solve_se2(const Measurements& measurements, const State& start,
   const auto add_edge = [&](const Measurements::Edge& edge, FactorKind kind,
                             std::optional<double> robust_sigmas) {
     auto* cost =
-        new RelativePoseFactor(edge.measured.from_from_to, information_of(edge.measured, options));
+        relative_pose_cost(edge.measured.from_from_to, information_of(edge.measured, options))
+            .release();
     auto* loss = robust_sigmas ? new ceres::CauchyLoss(*robust_sigmas) : nullptr;
     const auto block =
         problem.AddResidualBlock(cost, loss, poses[edge.from].data(), poses[edge.to].data());

@@ -44,11 +44,6 @@ Support support_of(const std::vector<Edge>& edges, double angle_rad, double wind
 
 }  // namespace
 
-double wrap_quarter(double angle_rad) {
-  constexpr double kQuarter = kPi / 2.0;
-  return angle_rad - kQuarter * std::floor(angle_rad / kQuarter + 0.5);
-}
-
 double settled_direction(double about_rad, const std::vector<const Asr*>& rooms,
                          const std::vector<double>& heading_rad,
                          const WallDirectionOptions& options) {

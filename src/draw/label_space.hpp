@@ -3,7 +3,7 @@
 
 #include "sheet.hpp"
 
-#include "roomatlas/merge/floor_plan.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
 
 #include <vector>
 

@@ -4,7 +4,7 @@
 #include "sheet.hpp"
 #include "text_extent.hpp"
 
-#include "roomatlas/merge/floor_plan.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "roomatlas/merge/floor_plan.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
 
 /// Colours and line widths. The tints differ in lightness as well as in hue, and use the axis
 /// blue to yellow, so that they stay apart for readers who are red-green blind and on grey prints.

@@ -30,7 +30,7 @@ std::vector<PlacedExit> doorways_of(const PlacedAll& all) {
   for (const PlacedEvidence& placed : all) {
     for (const Exit& exit : placed.evidence->exits) {
       if (exit.kind != PassageKind::doorway) continue;
-      const Pose2 pivot = placed.building_from_asr * exit.asr_from_pivot;
+      const Pose2 pivot = placed.building_from_asr * exit.frame_from_pivot;
       doorways.push_back({&placed, &exit, pivot.position(), direction(pivot.theta_rad)});
     }
   }
@@ -74,8 +74,8 @@ ConsistencyValue door_sides(const PlacedAll& all) {
   for_each_passage(all, PassageKind::doorway,
                    [&](const PlacedEvidence& from, const Exit& exit, const PlacedEvidence& to,
                        const Exit& entry) {
-                     const Segment2 out = transformed(from.building_from_asr, exit.jambs_asr);
-                     const Segment2 in = transformed(to.building_from_asr, entry.jambs_asr);
+                     const Segment2 out = transformed(from.building_from_asr, exit.jambs);
+                     const Segment2 in = transformed(to.building_from_asr, entry.jambs);
                      sum_m += ((out.a - in.b).norm() + (out.b - in.a).norm()) / 2.0;
                      ++doors;
                    });

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "roomatlas/merge/merge.hpp"
+#include "roomatlas/planar/union.hpp"
 
 namespace roomatlas {
 namespace {

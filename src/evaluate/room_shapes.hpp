@@ -2,7 +2,7 @@
 #pragma once
 
 #include "roomatlas/core/geometry.hpp"
-#include "roomatlas/merge/floor_plan.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/graph/recognise.hpp"
 
-#include "place_index.hpp"
+#include "roomatlas/core/place_index.hpp"
 
 #include <algorithm>
 #include <cmath>

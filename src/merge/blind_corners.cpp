@@ -12,19 +12,19 @@ namespace roomatlas {
 namespace {
 
 /// Whether an edge runs from jamb to jamb.
-bool is_threshold(const Point2& a, const Point2& b, const std::vector<PlacedDoor>& doors) {
+bool is_threshold(const Point2& a, const Point2& b, const std::vector<Door>& doors) {
   constexpr double kAtJambM = 0.15;
   const auto are_at = [&](const Point2& first, const Point2& second) {
     return (a - first).norm() < kAtJambM && (b - second).norm() < kAtJambM;
   };
-  return std::any_of(doors.begin(), doors.end(), [&](const PlacedDoor& door) {
+  return std::any_of(doors.begin(), doors.end(), [&](const Door& door) {
     return are_at(door.jambs.a, door.jambs.b) || are_at(door.jambs.b, door.jambs.a);
   });
 }
 
 /// Where the lines of the edges before and after an edge meet, if that is a corner cut off by it.
 std::optional<Point2> corner_cut_off(const Ring& ring, std::size_t edge,
-                                     const std::vector<PlacedDoor>& doors,
+                                     const std::vector<Door>& doors,
                                      const std::vector<double>& directions_rad,
                                      const RegularWallOptions& options) {
   const std::size_t count = ring.size();
@@ -50,7 +50,7 @@ std::optional<Point2> corner_cut_off(const Ring& ring, std::size_t edge,
 
 }  // namespace
 
-Ring with_closed_corners(const Ring& ring, const std::vector<PlacedDoor>& doors,
+Ring with_closed_corners(const Ring& ring, const std::vector<Door>& doors,
                          const std::vector<double>& directions_rad,
                          const RegularWallOptions& options) {
   if (options.blind_corner_m <= 0.0 || ring.size() < 4) return ring;

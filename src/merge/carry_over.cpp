@@ -5,6 +5,7 @@
 #include <set>
 
 #include "roomatlas/merge/merge.hpp"
+#include "roomatlas/planar/union.hpp"
 
 namespace roomatlas {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "door_opening.hpp"
 
-#include "grid.hpp"
+#include "roomatlas/planar/millimetre_grid.hpp"
 
 #include <algorithm>
 #include <cmath>

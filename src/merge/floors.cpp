@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "floors.hpp"
 
-#include "heal.hpp"
+#include "roomatlas/planar/heal.hpp"
 
 #include <algorithm>
 #include <cmath>

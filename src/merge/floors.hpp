@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "grid.hpp"
+#include "roomatlas/planar/millimetre_grid.hpp"
 #include "labels.hpp"
 
 #include "roomatlas/merge/merge.hpp"

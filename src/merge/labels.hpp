@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "planar_map.hpp"
+#include "roomatlas/planar/planar_map.hpp"
 
 #include <span>
 #include <vector>

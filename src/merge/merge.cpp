@@ -5,7 +5,7 @@
 #include "floors.hpp"
 #include "labels.hpp"
 #include "room_kind.hpp"
-#include "simplify.hpp"
+#include "roomatlas/planar/simplify.hpp"
 #include "wall_outline.hpp"
 
 #include <algorithm>
@@ -30,19 +30,19 @@ constexpr double kWallRoughness =
 constexpr double kShapeTolerance_m = 0.1;  // for judging a room's shape
 
 MillimetreGrid grid_around(const std::vector<PlacedOutline>& outlines,
-                           const std::vector<PlacedDoor>& doors) {
+                           const std::vector<Door>& doors) {
   Box2 box;
   for (const PlacedOutline& outline : outlines) planar::extend(box, outline.outline);
-  for (const PlacedDoor& door : doors) {
+  for (const Door& door : doors) {
     planar::extend(box, {{door.jambs.a, door.jambs.b}, {}});
   }
   return MillimetreGrid(box);
 }
 
 /// Usable doors in an order that does not depend on that of the input.
-std::vector<PlacedDoor> sorted_doors(const std::vector<PlacedDoor>& doors, Issues& issues) {
-  std::vector<PlacedDoor> sorted;
-  for (const PlacedDoor& door : doors) {
+std::vector<Door> sorted_doors(const std::vector<Door>& doors, Issues& issues) {
+  std::vector<Door> sorted;
+  for (const Door& door : doors) {
     const bool is_plausible =
         planar::is_plausible(door.jambs.a) && planar::is_plausible(door.jambs.b);
     if (!is_plausible || (door.jambs.b - door.jambs.a).norm() < kMinDoorWidth_m) {
@@ -52,13 +52,13 @@ std::vector<PlacedDoor> sorted_doors(const std::vector<PlacedDoor>& doors, Issue
       sorted.push_back(door);
     }
   }
-  const auto key = [](const PlacedDoor& door) {
+  const auto key = [](const Door& door) {
     const Segment2& jambs = door.jambs;
     return std::tuple(jambs.a.x() + jambs.b.x(), jambs.a.y() + jambs.b.y(), jambs.a.x(),
                       jambs.a.y(), door.room_a, door.room_b);
   };
   std::sort(sorted.begin(), sorted.end(),
-            [&](const PlacedDoor& a, const PlacedDoor& b) { return key(a) < key(b); });
+            [&](const Door& a, const Door& b) { return key(a) < key(b); });
   return sorted;
 }
 
@@ -81,7 +81,7 @@ std::map<RoomId, int> positions_of(const Outlines& outlines) {
   return position_of;
 }
 
-std::vector<PlanDoor> doors_of(const std::vector<PlacedDoor>& doors, const MillimetreGrid& grid,
+std::vector<PlanDoor> doors_of(const std::vector<Door>& doors, const MillimetreGrid& grid,
                                const Outlines& outlines, double wall_thickness_mm,
                                std::vector<Polygon>& openings_mm) {
   const planar::ShapeIndex index(outlines.shapes_mm);
@@ -92,7 +92,7 @@ std::vector<PlanDoor> doors_of(const std::vector<PlacedDoor>& doors, const Milli
     return at == position_of.end() ? -1 : at->second;
   };
   std::vector<PlanDoor> placed;
-  for (const PlacedDoor& door : doors) {
+  for (const Door& door : doors) {
     const int first = index_of(door.room_a);
     const int second = index_of(door.room_b);
     const Segment2 jambs_mm{grid.to_grid(door.jambs.a), grid.to_grid(door.jambs.b)};
@@ -192,7 +192,7 @@ PlanRoom room_of(const planar::RoomEntry& entry, std::vector<Polygon> parts) {
 }  // namespace
 
 FloorPlan merge(const std::vector<PlacedOutline>& placed_outlines,
-                const std::vector<PlacedDoor>& doors, const MergeOptions& options) {
+                const std::vector<Door>& doors, const MergeOptions& options) {
   FloorPlan plan;
   const MillimetreGrid grid = grid_around(placed_outlines, doors);
   const Outlines outlines = planar::outlines_of(placed_outlines, grid, plan.issues);

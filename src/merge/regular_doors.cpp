@@ -12,7 +12,7 @@ namespace roomatlas {
 namespace {
 
 /// The rings of the rooms on both sides of a door.
-std::vector<Ring*> rings_beside(const PlacedDoor& door, const RingsOfRooms& rings) {
+std::vector<Ring*> rings_beside(const Door& door, const RingsOfRooms& rings) {
   std::vector<Ring*> beside;
   for (const auto& room : {door.room_a, door.room_b}) {
     const auto found = room ? rings.find(*room) : rings.end();
@@ -24,7 +24,7 @@ std::vector<Ring*> rings_beside(const PlacedDoor& door, const RingsOfRooms& ring
 }
 
 /// The direction of the walls beside a door, along the door: that of most of their length.
-std::optional<Point2> wall_direction_at(const PlacedDoor& door, const std::vector<Ring*>& beside,
+std::optional<Point2> wall_direction_at(const Door& door, const std::vector<Ring*>& beside,
                                         const std::vector<double>& directions_rad,
                                         const RegularWallOptions& options) {
   constexpr double kReach_m = 0.5;  // of walls beside the door
@@ -61,7 +61,7 @@ RingsOfRooms rings_of(std::vector<PlacedOutline>& outlines) {
   return rings;
 }
 
-void turn_into_wall(PlacedDoor& door, const RingsOfRooms& rings,
+void turn_into_wall(Door& door, const RingsOfRooms& rings,
                     const std::vector<double>& directions_rad, const RegularWallOptions& options) {
   constexpr double kSame_m = 1e-3;
   const std::vector<Ring*> beside = rings_beside(door, rings);
@@ -70,7 +70,7 @@ void turn_into_wall(PlacedDoor& door, const RingsOfRooms& rings,
   const Segment2 before = door.jambs;
   const Point2 middle = (before.a + before.b) / 2.0;
   const Point2 half = *along * (before.b - before.a).norm() / 2.0;
-  door.jambs = {middle - half, middle + half};
+  static_cast<Doorway&>(door) = doorway_between({middle - half, middle + half});
   for (Ring* ring : beside) {
     for (Point2& vertex : *ring) {
       if ((vertex - before.a).norm() < kSame_m) {

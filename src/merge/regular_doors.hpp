@@ -14,7 +14,7 @@ using RingsOfRooms = std::map<RoomId, std::vector<Ring*>>;
 
 /// Turns a door about its middle into the wall beside it, where one follows a direction of the
 /// building; vertices of the rooms' rings that are its jambs go with it.
-void turn_into_wall(PlacedDoor& door, const RingsOfRooms& rings,
+void turn_into_wall(Door& door, const RingsOfRooms& rings,
                     const std::vector<double>& directions_rad, const RegularWallOptions& options);
 
 }  // namespace roomatlas

@@ -2,11 +2,12 @@
 #include "roomatlas/merge/regular_walls.hpp"
 
 #include "blind_corners.hpp"
-#include "heal.hpp"
+#include "roomatlas/planar/heal.hpp"
 #include "regular_doors.hpp"
 #include "ring_edges.hpp"
-#include "simplify.hpp"
+#include "roomatlas/planar/simplify.hpp"
 #include "wall_lines.hpp"
+#include "roomatlas/planar/union.hpp"
 
 #include <cmath>
 #include <utility>
@@ -147,14 +148,14 @@ std::optional<Polygon> regular_outline(const Polygon& outline, std::vector<EdgeN
 }  // namespace
 
 RegularOutlines with_regular_walls(std::vector<PlacedOutline> outlines,
-                                   const std::vector<PlacedDoor>& doors,
+                                   const std::vector<Door>& doors,
                                    const RegularWallOptions& options) {
   RegularOutlines result;
   for (PlacedOutline& placed : outlines) placed.outline = healed(placed.outline);
   result.directions_rad = building_directions(outlines, options);
   result.doors = doors;
   const RingsOfRooms rings = rings_of(outlines);
-  for (PlacedDoor& door : result.doors) {
+  for (Door& door : result.doors) {
     turn_into_wall(door, rings, result.directions_rad, options);
   }
   for (const auto& [room, of_room] : rings) {

@@ -87,18 +87,6 @@ Width width_of(const Polygon& polygon) {
 
 }  // namespace
 
-const char* to_string(RoomKind kind) {
-  switch (kind) {
-    case RoomKind::corridor:
-      return "corridor";
-    case RoomKind::hall:
-      return "hall";
-    case RoomKind::room:
-      break;
-  }
-  return "room";
-}
-
 RoomKind kind_of(const Polygon& largest_part, double area_m2) {
   const double part_m2 = area(largest_part);
   const double length_m = long_side(largest_part.outer);

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <limits>
 
-#include "roomatlas/pipeline/pipeline.hpp"
+#include "roomatlas/pipeline/map_mission.hpp"
 
 namespace roomatlas {
 namespace {

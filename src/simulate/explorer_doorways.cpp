@@ -59,8 +59,8 @@ std::optional<Doorway> seen_doorway(const ExplorerMap& map, const Pose2& map_fro
   options.max_width_m = kMaxWidthM;
   const auto doorway = find_doorway(map.himm(), map_from_way, options);
   if (!doorway) return std::nullopt;
-  const Point2 middle = doorway->grid_from_pivot.position();
-  const Point2 ahead = direction(doorway->grid_from_pivot.theta_rad);
+  const Point2 middle = doorway->frame_from_pivot.position();
+  const Point2 ahead = direction(doorway->frame_from_pivot.theta_rad);
   const Point2 left(-ahead.y(), ahead.x());
   const bool seen = free_m(map, middle, ahead, kSeenM) >= kSeenM &&
                     free_m(map, middle, -ahead, kSeenM) >= kSeenM &&

@@ -86,7 +86,7 @@ std::optional<Explorer::Goal> Explorer::door_goal(ExplorerRooms::Door door,
 std::optional<Polyline> Explorer::way_through(ExplorerRooms::Door door, const Point2& position) {
   const Doorway& doorway = rooms_.doors()[door].doorway;
   const auto is_in_line = [&](const Point2& at) {
-    return std::abs((inverse(doorway.grid_from_pivot) * at).y()) <= doorway.width_m / 2.0;
+    return std::abs((inverse(doorway.frame_from_pivot) * at).y()) <= doorway.width_m / 2.0;
   };
   const auto closed = [&](const Cell& cell) {
     return rooms_.is_closed(cell, door) && rooms_.is_closed(cell, zone_);

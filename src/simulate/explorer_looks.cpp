@@ -71,7 +71,7 @@ bool Explorer::is_in_unused_doorway(const Cell& cell) const {
     const Pose2 through{middle.x(), middle.y(), kPi * i / kHeadings};
     if (!map_.is_between_obstacles(through)) continue;
     const auto doorway = seen_doorway(map_, through);
-    if (!doorway || (doorway->grid_from_pivot.position() - middle).norm() > kMiddleM) continue;
+    if (!doorway || (doorway->frame_from_pivot.position() - middle).norm() > kMiddleM) continue;
     return std::none_of(track_.begin(), track_.end(),
                         [&](const Point2& at) { return (at - middle).norm() <= kPassedM; });
   }

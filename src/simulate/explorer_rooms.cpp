@@ -22,12 +22,12 @@ Segment2 longer(const Segment2& segment, double by_m) {
 }  // namespace
 
 bool ExplorerRooms::add(const Doorway& doorway, const Point2& viewer) {
-  const Point2 middle = doorway.grid_from_pivot.position();
+  const Point2 middle = doorway.frame_from_pivot.position();
   for (const KnownDoor& known : doors_) {
-    if ((known.doorway.grid_from_pivot.position() - middle).norm() < kSameDoorM) return false;
+    if ((known.doorway.frame_from_pivot.position() - middle).norm() < kSameDoorM) return false;
   }
   KnownDoor door{doorway, {}, {}, 0};
-  const bool viewer_is_ahead = (inverse(doorway.grid_from_pivot) * viewer).x() > 0.0;
+  const bool viewer_is_ahead = (inverse(doorway.frame_from_pivot) * viewer).x() > 0.0;
   (viewer_is_ahead ? door.ahead : door.behind) = current_;
   const Segment2 line = longer(doorway.jambs, kJambReachM);
   const Point2 reach = Point2::Constant(kClosedM);
@@ -54,7 +54,7 @@ bool ExplorerRooms::is_closed(const Cell& cell, std::optional<Door> open) const 
 
 double ExplorerRooms::beyond_m(Door door, const Point2& point) const {
   const KnownDoor& known = doors_[door];
-  const double ahead_m = (inverse(known.doorway.grid_from_pivot) * point).x();
+  const double ahead_m = (inverse(known.doorway.frame_from_pivot) * point).x();
   return known.behind == current_ ? ahead_m : -ahead_m;
 }
 

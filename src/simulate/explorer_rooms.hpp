@@ -80,7 +80,7 @@ class ExplorerRooms {
 template <typename FindKnown>
 void ExplorerRooms::leave(Door door, const Point2& position, FindKnown find_known) {
   KnownDoor& left = doors_[door];
-  const Point2 from_pivot = inverse(left.doorway.grid_from_pivot) * position;
+  const Point2 from_pivot = inverse(left.doorway.frame_from_pivot) * position;
   std::optional<Room>& side = from_pivot.x() > 0.0 ? left.ahead : left.behind;
   if (!side) {
     side = find_known();

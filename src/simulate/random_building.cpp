@@ -29,7 +29,7 @@ void require_usable(const RandomBuildingOptions& options) {
 
 Point2 middle_of(const Box2& box) { return (box.min + box.max) / 2.0; }
 
-Point2 before(const Opening& opening) {
+Point2 before(const LaidOpening& opening) {
   return opening.world_from_pivot * Point2(-kBeforeDoorM, 0.0);
 }
 
@@ -115,7 +115,7 @@ class Tour {
     std::vector<Stop> stops;
     const int heading = Layout::heading_of(block_.strip);
     const auto add = [&](std::vector<std::size_t> spaces) {
-      const Opening* door = opening_to(block_.corridor(), block_.spaces[spaces.front()].id);
+      const LaidOpening* door = opening_to(block_.corridor(), block_.spaces[spaces.front()].id);
       stops.push_back({heading * door->world_from_pivot.x_m, std::move(spaces)});
     };
     for (const auto& chain : block_.chains) add(chain);

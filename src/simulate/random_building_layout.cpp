@@ -68,9 +68,9 @@ RoomKind kind_of(const Box2& box) {
 
 }  // namespace
 
-const Opening* opening_to(const Space& space, RoomId beyond) {
+const LaidOpening* opening_to(const Space& space, RoomId beyond) {
   const auto at = std::find_if(space.openings.begin(), space.openings.end(),
-                               [&](const Opening& opening) { return opening.beyond == beyond; });
+                               [&](const LaidOpening& opening) { return opening.beyond == beyond; });
   return at == space.openings.end() ? nullptr : &*at;
 }
 
@@ -181,7 +181,7 @@ void Layout::add_ends(Block& block) const {
     const auto beside = index_at(block.strip, block.column + side);
     if (!beside) continue;
     const double x = side < 0 ? corridor.min.x() - kWallM / 2.0 : corridor.max.x() + kWallM / 2.0;
-    const Opening opening{
+    const LaidOpening opening{
         {x, middle_y, wrap_angle(side < 0 ? kPi : 0.0)}, kPassageM, first_room(*beside)};
     block.spaces.front().openings.push_back(opening);
     if (side > 0) block.doors.push_back({block.corridor().id, opening});

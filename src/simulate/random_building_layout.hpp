@@ -3,7 +3,7 @@
 
 #include "roomatlas/asr/asr.hpp"
 #include "roomatlas/core/geometry.hpp"
-#include "roomatlas/merge/floor_plan.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -15,7 +15,7 @@ constexpr double kWallM = 0.2;      // between two spaces
 constexpr double kCorridorM = 2.2;  // wide
 
 /// A doorway as one of its two spaces sees it.
-struct Opening {
+struct LaidOpening {
   Pose2 world_from_pivot;  ///< mid-point of the door, theta out of the space
   double width_m = 0.0;
   RoomId beyond = 0;
@@ -26,16 +26,16 @@ struct Space {
   RoomId id = 0;
   RoomKind kind = RoomKind::room;
   Box2 box;
-  std::vector<Opening> openings;
+  std::vector<LaidOpening> openings;
 };
 
 /// The opening of a space that leads to a room; null where there is none.
-[[nodiscard]] const Opening* opening_to(const Space& space, RoomId beyond);
+[[nodiscard]] const LaidOpening* opening_to(const Space& space, RoomId beyond);
 
 /// A doorway, once.
-struct Door {
+struct LaidDoor {
   RoomId from = 0;
-  Opening opening;  ///< as `from` sees it
+  LaidOpening opening;  ///< as `from` sees it
 };
 
 /// A corridor with rooms on both sides.
@@ -49,7 +49,7 @@ struct Block {
   std::vector<std::vector<std::size_t>> chains;
   std::optional<std::size_t> south_link;  ///< index of the narrow room at the block's end, which
   std::optional<std::size_t> north_link;  ///< leads to the next row where there is one
-  std::vector<Door> doors;                ///< each door of the building is in one block
+  std::vector<LaidDoor> doors;                ///< each door of the building is in one block
   [[nodiscard]] const Space& corridor() const { return spaces.front(); }
 };
 

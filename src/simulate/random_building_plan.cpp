@@ -28,7 +28,7 @@ PlanRoom room_of(const Space& space) {
   return room;
 }
 
-PlanDoor door_of(const Door& door, std::int64_t id) {
+PlanDoor door_of(const LaidDoor& door, std::int64_t id) {
   const Pose2& pivot = door.opening.world_from_pivot;
   const Point2 half(0.0, door.opening.width_m / 2.0);
   const Point2 depth(kWallM / 2.0, 0.0);
@@ -48,13 +48,13 @@ struct WallLine {
   Point2 to;
 };
 
-void add_wall(const WallLine& line, const std::vector<Opening>& openings,
+void add_wall(const WallLine& line, const std::vector<LaidOpening>& openings,
               std::vector<Polygon>& walls) {
   const Point2 unit = (line.to - line.from).normalized();
   const Point2 left(-unit.y(), unit.x());
   const double length_m = (line.to - line.from).norm();
   std::vector<std::pair<double, double>> gaps;
-  for (const Opening& opening : openings) {
+  for (const LaidOpening& opening : openings) {
     const Point2 offset = opening.world_from_pivot.position() - line.from;
     const double at_m = offset.dot(unit);
     if (std::abs(offset.dot(left)) > kWallM / 2.0 || at_m < 0.0 || at_m > length_m) continue;
@@ -75,7 +75,7 @@ void add_wall(const WallLine& line, const std::vector<Opening>& openings,
 /// The walls of a block: the long ones from end to end, between them the cross walls. A wall
 /// between two blocks belongs to the southern or western one.
 std::vector<Polygon> walls_of(const Block& block, const Layout& layout) {
-  std::vector<Opening> openings;
+  std::vector<LaidOpening> openings;
   for (const Space& space : block.spaces) {
     openings.insert(openings.end(), space.openings.begin(), space.openings.end());
   }
@@ -115,7 +115,7 @@ std::vector<Polygon> walls_of(const Block& block, const Layout& layout) {
 FloorPlan plan_of(const Block& block, const Layout& layout, std::int64_t& doors) {
   FloorPlan plan;
   for (const Space& space : block.spaces) plan.rooms.push_back(room_of(space));
-  for (const Door& door : block.doors) plan.doors.push_back(door_of(door, ++doors));
+  for (const LaidDoor& door : block.doors) plan.doors.push_back(door_of(door, ++doors));
   plan.walls = walls_of(block, layout);
   return plan;
 }

@@ -11,13 +11,13 @@ constexpr double kBesideDoorM = 0.1;  // the first sample behind a door, and the
 constexpr double kCellM = 0.1;
 constexpr double kCellsOfWall = 3.0;  // raised across a wall: a hit raises its neighbours
 
-Exit passage_at(PassageKind kind, const Pose2& asr_from_pivot, double width_m) {
+Exit passage_at(PassageKind kind, const Pose2& frame_from_pivot, double width_m) {
   Exit exit;
   exit.kind = kind;
-  exit.asr_from_pivot = asr_from_pivot;
+  exit.frame_from_pivot = frame_from_pivot;
   exit.width_m = width_m;
   const Point2 half(0.0, width_m / 2.0);
-  exit.jambs_asr = {asr_from_pivot * half, asr_from_pivot * Point2(-half)};
+  exit.jambs = {frame_from_pivot * half, frame_from_pivot * Point2(-half)};
   return exit;
 }
 
@@ -115,7 +115,7 @@ Exit RandomBuildingRobot::seen_doorway(double width_m) {
   return passage_at(PassageKind::doorway, asr_from_robot() * robot_from_pivot, across.norm());
 }
 
-void RandomBuildingRobot::cross(const Opening& opening, const Space& next) {
+void RandomBuildingRobot::cross(const LaidOpening& opening, const Space& next) {
   const RoomId from = space_->id;
   const Point2 before = opening.world_from_pivot * Point2(-kBesideDoorM, 0.0);
   const Point2 way = before - position();
@@ -130,8 +130,8 @@ void RandomBuildingRobot::cross(const Opening& opening, const Space& next) {
   const bool was_entered_here = std::any_of(
       used_.begin(), used_.end(), [&](const auto& door) { return door.opening == &opening; });
   if (!was_entered_here) used_.push_back({&opening, exit});
-  leave(exit, next, world_from_robot_ * (inverse(asr_from_robot()) * exit.asr_from_pivot));
-  if (const Opening* back = opening_to(next, from)) used_.push_back({back, *entry_});
+  leave(exit, next, world_from_robot_ * (inverse(asr_from_robot()) * exit.frame_from_pivot));
+  if (const LaidOpening* back = opening_to(next, from)) used_.push_back({back, *entry_});
   forward(kBesideDoorM, false);
 }
 
@@ -142,14 +142,14 @@ void RandomBuildingRobot::leave(Exit exit, const Space& next, const Pose2& world
   exit.neighbor = from + 1;
   exit.timestamp_s = path_.back().timestamp_s;
   close(exit);
-  odom_from_asr_ = odom_from_asr_ * exit.asr_from_pivot;
+  odom_from_asr_ = odom_from_asr_ * exit.frame_from_pivot;
   world_from_asr_ = world_from_pivot;
   entry_ = exit;
   entry_->is_entry = true;
   entry_->neighbor = from;
-  entry_->asr_from_pivot = {0.0, 0.0, wrap_angle(kPi)};
-  const Pose2 entry_from_old = inverse(exit.asr_from_pivot);
-  entry_->jambs_asr = {entry_from_old * exit.jambs_asr.b, entry_from_old * exit.jambs_asr.a};
+  entry_->frame_from_pivot = {0.0, 0.0, wrap_angle(kPi)};
+  const Pose2 entry_from_old = inverse(exit.frame_from_pivot);
+  entry_->jambs = {entry_from_old * exit.jambs.b, entry_from_old * exit.jambs.a};
   space_ = &next;
 }
 

@@ -22,7 +22,7 @@ class RandomBuildingRobot {
   /// Straight to a place in the space. Long ways are cut at open passages.
   void go_to(const Point2& point);
   /// Through a door of the space into the next one, to just behind the door.
-  void cross(const Opening& opening, const Space& next);
+  void cross(const LaidOpening& opening, const Space& next);
   void finish();
 
   [[nodiscard]] Point2 position() const { return world_from_robot_.position(); }

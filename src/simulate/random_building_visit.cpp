@@ -31,7 +31,7 @@ std::array<Side, 4> sides_of(const Box2& seen, const Box2& whole) {
 }
 
 /// How far along a side an opening is; nothing where it is in another side.
-std::optional<double> along(const Side& side, const Opening& opening) {
+std::optional<double> along(const Side& side, const LaidOpening& opening) {
   if (!side.is_wall || direction(opening.world_from_pivot.theta_rad).dot(side.outward()) < 0.5) {
     return std::nullopt;
   }
@@ -43,7 +43,7 @@ std::optional<double> along(const Side& side, const Opening& opening) {
 /// Stretches of wall along a side, between its doors.
 void add_walls(const Side& side, const Space& space, std::vector<Polyline>& walls) {
   std::vector<std::pair<double, double>> gaps;
-  for (const Opening& opening : space.openings) {
+  for (const LaidOpening& opening : space.openings) {
     const auto at_m = along(side, opening);
     if (at_m) gaps.emplace_back(*at_m - opening.width_m / 2.0, *at_m + opening.width_m / 2.0);
   }
@@ -69,12 +69,12 @@ void add_walls(const Side& side, const Space& space, std::vector<Polyline>& wall
 
 /// The doorway on the way along a side: right face, right jamb, left jamb, left face.
 void add_niche(const Exit& exit, Ring& ring) {
-  const Pose2& pivot = exit.asr_from_pivot;
+  const Pose2& pivot = exit.frame_from_pivot;
   const Point2 half(0.0, exit.width_m / 2.0);
   const Point2 depth(kWallM / 2.0, 0.0);
   ring.push_back(pivot * Point2(-half - depth));
-  ring.push_back(exit.jambs_asr.b);
-  ring.push_back(exit.jambs_asr.a);
+  ring.push_back(exit.jambs.b);
+  ring.push_back(exit.jambs.a);
   ring.push_back(pivot * Point2(half - depth));
 }
 

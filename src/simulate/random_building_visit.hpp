@@ -16,7 +16,7 @@ struct VisitShape {
 
 /// A doorway that was driven through, and what was measured of it.
 struct UsedDoorway {
-  const Opening* opening = nullptr;
+  const LaidOpening* opening = nullptr;
   Exit exit;
 };
 

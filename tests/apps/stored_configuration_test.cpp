@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "random_store.hpp"
-#include "roomatlas/io/geopackage_store.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
 
 namespace roomatlas::test {
 namespace {

@@ -9,11 +9,11 @@ namespace roomatlas {
 namespace {
 
 /// A door of 0.9 m in the wall x = 0; the room is on the left of it (x < 0).
-Exit door_at(const Pose2& asr_from_pivot) {
+Exit door_at(const Pose2& frame_from_pivot) {
   Exit exit;
-  exit.asr_from_pivot = asr_from_pivot;
+  exit.frame_from_pivot = frame_from_pivot;
   exit.width_m = 0.9;
-  exit.jambs_asr = {asr_from_pivot * Point2(0.0, 0.45), asr_from_pivot * Point2(0.0, -0.45)};
+  exit.jambs = {frame_from_pivot * Point2(0.0, 0.45), frame_from_pivot * Point2(0.0, -0.45)};
   return exit;
 }
 

@@ -72,14 +72,14 @@ void expect_door_of_two_rooms(const Polyline& drive, const Pose2& grid_from_worl
     if (found && (!doorway || found->width_m < doorway->width_m)) doorway = found;
   }
   ASSERT_TRUE(doorway) << "turned by " << degrees(grid_from_world.theta_rad);
-  EXPECT_LT((doorway->grid_from_pivot.position() - grid_from_world * kDoor).norm(), 2.0 * kCellM);
+  EXPECT_LT((doorway->frame_from_pivot.position() - grid_from_world * kDoor).norm(), 2.0 * kCellM);
   EXPECT_NEAR(doorway->width_m, 0.9, 1.5 * kCellM);
   const double axis_rad = std::abs(wrap_angle(travel_rad)) < kPi / 2.0 ? 0.0 : kPi;
   EXPECT_LE(
-      degrees_between(doorway->grid_from_pivot.theta_rad, grid_from_world.theta_rad + axis_rad),
+      degrees_between(doorway->frame_from_pivot.theta_rad, grid_from_world.theta_rad + axis_rad),
       20.0);
-  const Point2 left = inverse(doorway->grid_from_pivot) * doorway->jambs.a;
-  const Point2 right = inverse(doorway->grid_from_pivot) * doorway->jambs.b;
+  const Point2 left = inverse(doorway->frame_from_pivot) * doorway->jambs.a;
+  const Point2 right = inverse(doorway->frame_from_pivot) * doorway->jambs.b;
   EXPECT_LT((left - Point2(0.0, doorway->width_m / 2.0)).norm(), 1e-9);
   EXPECT_LT((right + Point2(0.0, doorway->width_m / 2.0)).norm(), 1e-9);
 }
@@ -117,7 +117,7 @@ TEST(FindDoorway, LeansToNeitherSide) {
   for (double turn_deg = 0.0; turn_deg < 90.0; turn_deg += 5.0) {
     const Pose2 grid_from_world{-7.21, 3.57, radians(turn_deg)};
     for (const Doorway& doorway : doorways_along(kTwoRooms, drive, grid_from_world)) {
-      sum_deg += degrees(wrap_angle(doorway.grid_from_pivot.theta_rad - grid_from_world.theta_rad));
+      sum_deg += degrees(wrap_angle(doorway.frame_from_pivot.theta_rad - grid_from_world.theta_rad));
       ++count;
     }
   }
@@ -128,7 +128,7 @@ TEST(FindDoorway, LeansToNeitherSide) {
 TEST(FindDoorway, FindsNothingInTheMiddleOfARoom) {
   const Polyline drive = way_points_of(kTwoRooms);
   for (const Doorway& doorway : doorways_along(kTwoRooms, drive)) {
-    EXPECT_LT((doorway.grid_from_pivot.position() - kDoor).norm(), 0.5);
+    EXPECT_LT((doorway.frame_from_pivot.position() - kDoor).norm(), 0.5);
   }
 }
 

@@ -51,9 +51,9 @@ Visit visit_to_room(const Pose2& asr_from_world = {-1.37, -2.41, 0.0}, double no
   }
   Exit exit;
   const Point2 pivot = (kDoorLine.a + kDoorLine.b) / 2.0;
-  exit.asr_from_pivot = asr_from_world * Pose2{pivot.x(), pivot.y(), 0.0};
+  exit.frame_from_pivot = asr_from_world * Pose2{pivot.x(), pivot.y(), 0.0};
   exit.width_m = 0.9;
-  exit.jambs_asr = transformed(asr_from_world, kDoorLine);
+  exit.jambs = transformed(asr_from_world, kDoorLine);
   visit.exits = {exit};
   return visit;
 }
@@ -173,8 +173,8 @@ TEST(MapRoom, HasTheJambsAmongTheVerticesOfTheOutline) {
   for (const double turn_deg : {0.0, 30.0, 90.0, -137.0}) {
     const Visit visit = visit_to_room({0.51, -3.33, radians(turn_deg)});
     const RoomMap map = map_of(visit);
-    EXPECT_TRUE(has_vertex(map.outline.outer, visit.exits[0].jambs_asr.a)) << turn_deg;
-    EXPECT_TRUE(has_vertex(map.outline.outer, visit.exits[0].jambs_asr.b)) << turn_deg;
+    EXPECT_TRUE(has_vertex(map.outline.outer, visit.exits[0].jambs.a)) << turn_deg;
+    EXPECT_TRUE(has_vertex(map.outline.outer, visit.exits[0].jambs.b)) << turn_deg;
   }
 }
 

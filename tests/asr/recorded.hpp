@@ -59,10 +59,10 @@ inline void expect_joined(const std::vector<Asr>& asrs) {
     EXPECT_EQ(exit.kind, entry.kind);
     EXPECT_EQ(exit.width_m, entry.width_m);
     EXPECT_EQ(exit.timestamp_s, entry.timestamp_s);
-    expect_near(asrs[i].odom_from_asr * exit.asr_from_pivot, asrs[i + 1].odom_from_asr, 1e-9);
-    expect_near(entry.asr_from_pivot, {0.0, 0.0, wrap_angle(kPi)}, 1e-9);
-    const Segment2 left = transformed(asrs[i].odom_from_asr, exit.jambs_asr);
-    const Segment2 entered = transformed(asrs[i + 1].odom_from_asr, entry.jambs_asr);
+    expect_near(asrs[i].odom_from_asr * exit.frame_from_pivot, asrs[i + 1].odom_from_asr, 1e-9);
+    expect_near(entry.frame_from_pivot, {0.0, 0.0, wrap_angle(kPi)}, 1e-9);
+    const Segment2 left = transformed(asrs[i].odom_from_asr, exit.jambs);
+    const Segment2 entered = transformed(asrs[i + 1].odom_from_asr, entry.jambs);
     EXPECT_LT((left.a - entered.b).norm(), 1e-9) << "left on one side is right on the other";
     EXPECT_LT((left.b - entered.a).norm(), 1e-9);
   }

@@ -150,7 +150,7 @@ TEST(RecorderPieces, PlacesReadingsWhereTheLocalizerSaysAndKeepsTheFramesContinu
       ++next;
     }
     if (k + 1 < asrs.size()) {
-      start_from_asr = start_from_asr * asrs[k].exits.back().asr_from_pivot;
+      start_from_asr = start_from_asr * asrs[k].exits.back().frame_from_pivot;
     }
   }
 }
@@ -167,7 +167,7 @@ TEST(RecorderPieces, PutsAFrameWhereOdometryHasItNowWhenTheLocalizerHasCorrected
   for (std::size_t k = 1; k < asrs.size(); ++k) {
     const PathSample& last = asrs[k - 1].path.back();
     const Pose2 odom_from_former = last.odom_from_robot * inverse(last.asr_from_robot);
-    expect_near(asrs[k].odom_from_asr, odom_from_former * asrs[k - 1].exits.back().asr_from_pivot,
+    expect_near(asrs[k].odom_from_asr, odom_from_former * asrs[k - 1].exits.back().frame_from_pivot,
                 1e-9);
   }
 }
@@ -190,7 +190,7 @@ TEST(RecorderPieces, FollowsABetterOdometryThanTheLogs) {
       EXPECT_NEAR((first_from_asr * sample.asr_from_robot).x_m,
                   start_m - sample.odom_from_robot.x_m, 1e-9);
     }
-    first_from_asr = first_from_asr * asr.exits.back().asr_from_pivot;
+    first_from_asr = first_from_asr * asr.exits.back().frame_from_pivot;
   }
 }
 

@@ -70,7 +70,7 @@ TEST(Loops, WithRotationsAlonePositionsFollowFromThePivots) {
   for (std::size_t i = 0; i + 1 < asrs.size(); ++i) {
     const Pose2& here = correction.asrs[i].building_from_asr;
     const Pose2& next = correction.asrs[i + 1].building_from_asr;
-    const Point2 pivot = asrs[i].exits.back().asr_from_pivot.position();
+    const Point2 pivot = asrs[i].exits.back().frame_from_pivot.position();
     EXPECT_LT((here * pivot - next.position()).norm(), 1e-9);
     EXPECT_NEAR((next.position() - here.position()).norm(), pivot.norm(), 1e-9);
   }
@@ -84,8 +84,8 @@ TEST(Loops, ADoorwayMetFromTheOtherSideClosesALoopToo) {
                              {hall, test::pose_deg(6, 2, 0)},
                              {room, test::pose_deg(6, 2, 180)}});
   // odometry is 0.3 m off when the robot is back
-  asrs[1].exits.back().asr_from_pivot.y_m += 0.3;
-  asrs[2].odom_from_asr = asrs[1].odom_from_asr * asrs[1].exits.back().asr_from_pivot;
+  asrs[1].exits.back().frame_from_pivot.y_m += 0.3;
+  asrs[2].odom_from_asr = asrs[1].odom_from_asr * asrs[1].exits.back().frame_from_pivot;
   CorrectOptions options = without_walls(CorrectionModel::se2);
   options.doorway_position_m = 0.05;
   options.odometry_position_m = 0.2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../src/draw/label_space.hpp"
-#include "../src/draw/room_labels.hpp"
+#include "../../src/draw/label_space.hpp"
+#include "../../src/draw/room_labels.hpp"
 #include "draw/plan_fixture.hpp"
 
 #include "roomatlas/draw/report.hpp"

@@ -6,8 +6,8 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "../src/draw/label_space.hpp"
-#include "../src/draw/style.hpp"
+#include "../../src/draw/label_space.hpp"
+#include "../../src/draw/style.hpp"
 #include "draw/plan_fixture.hpp"
 
 namespace roomatlas {

@@ -8,7 +8,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "../src/draw/axis.hpp"
+#include "../../src/draw/axis.hpp"
 
 namespace roomatlas {
 namespace {

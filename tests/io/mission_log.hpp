@@ -3,7 +3,7 @@
 
 #include "support/temporary_folder.hpp"
 
-#include "roomatlas/io/formats.hpp"
+#include "roomatlas/io/logs/open_mission.hpp"
 
 #include <zlib.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "roomatlas/io/formats.hpp"
+#include "roomatlas/io/plans/plan_geojson.hpp"
 
 #include <gtest/gtest.h>
 

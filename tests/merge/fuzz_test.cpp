@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random polygons, checked by ways that share nothing with the planar map.
 #include "merge/dirty_polygons.hpp"
-#include "merge/exact_crossing.hpp"
+#include "planar/exact_crossing.hpp"
 #include "merge/shapes.hpp"
 
 #include <gtest/gtest.h>

@@ -25,7 +25,7 @@ PlacedOutline outline(AsrId asr, RoomId room, Ring ring) { return {asr, room, {r
 std::vector<PlacedOutline> two_rooms() {
   return {outline(1, 1, rectangle(0, 0, 4, 3)), outline(2, 2, rectangle(4.2, 0, 8.2, 3))};
 }
-const PlacedDoor kDoor{{{4.1, 1.95}, {4.1, 1.05}}, 2, 1};
+const Door kDoor = door_between({{4.1, 1.95}, {4.1, 1.05}}, 2, 1);
 
 bool mentions(const Issues& issues, const std::string& field, const std::string& text) {
   return std::any_of(issues.begin(), issues.end(), [&](const Issue& issue) {
@@ -105,7 +105,7 @@ TEST(Merge, ADoorIsAsDeepAsTheWallBesideItWhereFloorsRunIntoTheDoorway) {
 }
 
 TEST(Merge, ADoorWithAnUnseenSideIsOneWallThicknessDeep) {
-  const PlacedDoor out{{{0.0, 1.0}, {0.0, 2.0}}, 1, std::nullopt};
+  const Door out = door_between({{0.0, 1.0}, {0.0, 2.0}}, 1, std::nullopt);
   const FloorPlan plan = merge(two_rooms(), {out}, {.wall_thickness_m = 0.2});
   EXPECT_EQ(plan.doors[0].room_a, 1);
   EXPECT_EQ(plan.doors[0].room_b, std::nullopt);
@@ -225,7 +225,7 @@ TEST(Merge, TheOrderOfTheInputDoesNotMatter) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> noise(-0.3, 0.3);
   std::vector<PlacedOutline> outlines;
-  std::vector<PlacedDoor> doors;
+  std::vector<Door> doors;
   for (int i = 0; i < 12; ++i) {
     const double x = i % 4 * 4.0;
     const double y = i / 4 * 3.0;
@@ -234,7 +234,7 @@ TEST(Merge, TheOrderOfTheInputDoesNotMatter) {
                                 {x + 4 + noise(random), y + noise(random)},
                                 {x + 4 + noise(random), y + 3 + noise(random)},
                                 {x + noise(random), y + 3 + noise(random)}}));
-    doors.push_back({{{x, y + 1}, {x, y + 2}}, i % 9 + 1, std::nullopt});
+    doors.push_back(door_between({{x, y + 1}, {x, y + 2}}, i % 9 + 1, std::nullopt));
   }
   const std::string expected = described(merge(outlines, doors, {}));
   for (int round = 0; round < 10; ++round) {

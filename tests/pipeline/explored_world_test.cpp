@@ -8,7 +8,7 @@
 #include "pipeline/memory_mission.hpp"
 #include "roomatlas/asr/with_paths.hpp"
 #include "roomatlas/correct/wall_direction.hpp"
-#include "roomatlas/io/formats.hpp"
+#include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/merge/regular_walls.hpp"
 #include "roomatlas/simulate/explore.hpp"
 #include "support/print_values.hpp"

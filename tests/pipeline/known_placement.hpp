@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "../../src/io/line_reader.hpp"
+#include "../../src/io/text/line_reader.hpp"
 #include "roomatlas/graph/recognise.hpp"
-#include "roomatlas/pipeline/pipeline.hpp"
+#include "roomatlas/pipeline/options.hpp"
 #include "support/memory_store.hpp"
 
 namespace roomatlas::test {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "roomatlas/mission/mission.hpp"
-#include "roomatlas/pipeline/pipeline.hpp"
+#include "roomatlas/pipeline/map_mission.hpp"
 #include "roomatlas/simulate/simulate.hpp"
 #include "support/drawn_world.hpp"
 #include "support/memory_mission.hpp"

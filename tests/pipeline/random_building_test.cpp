@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "roomatlas/pipeline/pipeline.hpp"
+#include "roomatlas/pipeline/assemble.hpp"
 #include "support/memory_store.hpp"
 
 namespace roomatlas {
@@ -89,7 +89,7 @@ TEST(AssembleARandomBuilding, WithMildOdometryTheGraphIsConnectedAndMostDoorsAre
     if (!seen.insert(pair).second) ++again;
   }
   int recognised = 0;
-  for (const PassageEdge& edge : edges_of(built.assembly.graph)) {
+  for (const PassageEdge& edge : built.assembly.graph.edges) {
     if (edge.source == EdgeSource::recognised) ++recognised;
   }
   EXPECT_GE(recognised, again * 8 / 10) << "of " << again;

@@ -8,7 +8,9 @@
 #include "pipeline/known_placement.hpp"
 #include "pipeline/memory_mission.hpp"
 #include "roomatlas/evaluate/self_consistency.hpp"
-#include "roomatlas/io/formats.hpp"
+#include "roomatlas/io/logs/drive.hpp"
+#include "roomatlas/io/logs/open_mission.hpp"
+#include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/simulate/explore.hpp"
 #include "support/shared_data.hpp"
 

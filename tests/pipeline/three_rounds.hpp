@@ -6,7 +6,8 @@
 
 #include "pipeline/memory_mission.hpp"
 #include "roomatlas/evaluate/ape_rpe.hpp"
-#include "roomatlas/io/formats.hpp"
+#include "roomatlas/io/logs/drive.hpp"
+#include "roomatlas/io/plans/plan_geojson.hpp"
 
 namespace roomatlas::test {
 

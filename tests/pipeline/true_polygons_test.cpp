@@ -3,7 +3,7 @@
 // and walls that are slanted or curved are not bent.
 #include <gtest/gtest.h>
 
-#include "roomatlas/io/formats.hpp"
+#include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/merge/regular_walls.hpp"
 
 namespace roomatlas {
@@ -22,7 +22,7 @@ FloorPlan world_of(const std::string& name) {
 struct Turned {
   Pose2 turn{3.0, -7.0, radians(17.0)};
   std::vector<PlacedOutline> outlines;
-  std::vector<PlacedDoor> doors;
+  std::vector<Door> doors;
 };
 
 Turned turned(const FloorPlan& world) {
@@ -33,8 +33,8 @@ Turned turned(const FloorPlan& world) {
     }
   }
   for (const PlanDoor& door : world.doors) {
-    result.doors.push_back(
-        {{result.turn * door.jambs.a, result.turn * door.jambs.b}, door.room_a, door.room_b});
+    result.doors.push_back(door_between({result.turn * door.jambs.a, result.turn * door.jambs.b},
+                                        door.room_a, door.room_b));
   }
   return result;
 }

@@ -100,7 +100,7 @@ TEST(Pipeline, RecognisesDoorwaysWhereReadingsWereNotKept) {
   MapOptions options;
   options.record.keep_readings = false;
   const MemoryStore store = mapped(three_rounds(OdometryPreset::mild), options);
-  const auto edges = edges_of(assemble(store, {}, {}).graph);
+  const auto edges = assemble(store, {}, {}).graph.edges;
   EXPECT_GE(
       std::count_if(edges.begin(), edges.end(),
                     [](const PassageEdge& edge) { return edge.source == EdgeSource::recognised; }),

@@ -84,7 +84,7 @@ TEST_P(RandomBuildingOfAnySize, HandsOverAsrsInOrderAndInOneChain) {
     if (!is_first) {
       EXPECT_TRUE(asr.exits.front().is_entry);
       EXPECT_EQ(asr.exits.front().neighbor, id - 1);
-      EXPECT_EQ(asr.exits.front().asr_from_pivot.position(), Point2(0.0, 0.0));
+      EXPECT_EQ(asr.exits.front().frame_from_pivot.position(), Point2(0.0, 0.0));
     }
     if (!is_last) {
       EXPECT_FALSE(asr.exits.back().is_entry);
@@ -101,7 +101,7 @@ TEST_P(RandomBuildingOfAnySize, DrivesThroughEachDoorOfThePlan) {
   for (const Asr& asr : building.store.asrs) {
     for (const Exit& exit : asr.exits) {
       if (exit.kind != PassageKind::doorway) continue;
-      const Pose2 world_from_pivot = building.truth.at(asr.id).world_from_asr * exit.asr_from_pivot;
+      const Pose2 world_from_pivot = building.truth.at(asr.id).world_from_asr * exit.frame_from_pivot;
       const PlanDoor* door = door_at(plan, world_from_pivot.position(), 1e-6);
       ASSERT_NE(door, nullptr) << "ASR " << asr.id;
       crossed.insert(door->id);
@@ -147,13 +147,13 @@ TEST(RandomBuilding, ExitsOfBothSidesAreTheSameDoorwayAtTruePoses) {
     const Exit& out = asr.exits.back();
     const Asr& next = building.store.asrs.at(static_cast<std::size_t>(asr.id));
     const Exit& in = next.exits.front();
-    const Pose2 world_from_out = building.truth.at(asr.id).world_from_asr * out.asr_from_pivot;
-    const Pose2 world_from_in = building.truth.at(next.id).world_from_asr * in.asr_from_pivot;
+    const Pose2 world_from_out = building.truth.at(asr.id).world_from_asr * out.frame_from_pivot;
+    const Pose2 world_from_in = building.truth.at(next.id).world_from_asr * in.frame_from_pivot;
     EXPECT_LE((world_from_out.position() - world_from_in.position()).norm(), 1e-6);
     EXPECT_NEAR(std::abs(wrap_angle(world_from_out.theta_rad - world_from_in.theta_rad)), kPi,
                 1e-6);
-    const Point2 left = building.truth.at(asr.id).world_from_asr * out.jambs_asr.a;
-    const Point2 right = building.truth.at(next.id).world_from_asr * in.jambs_asr.b;
+    const Point2 left = building.truth.at(asr.id).world_from_asr * out.jambs.a;
+    const Point2 right = building.truth.at(next.id).world_from_asr * in.jambs.b;
     EXPECT_LE((left - right).norm(), 1e-6);
     if (out.kind != PassageKind::doorway) continue;
     const PlanDoor* door = door_at(plan, world_from_out.position(), 0.2);
@@ -215,7 +215,7 @@ TEST(RandomBuilding, OdometryDriftsByTheGivenErrorsOverThePathDriven) {
     EXPECT_NEAR(wrap_angle(turned_rad - radians(0.2 * driven_m)), 0.0, 1e-6);
     // The way to the next ASR's frame, and not only to the last sample.
     const Point2 to_exit = asr.id < building.summary.asrs
-                               ? asr.exits.back().asr_from_pivot.position()
+                               ? asr.exits.back().frame_from_pivot.position()
                                : asr.path.back().asr_from_robot.position();
     Point2 last = Point2::Zero();
     for (const PathSample& sample : asr.path) {

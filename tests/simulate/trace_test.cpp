@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "../src/simulate/steering.hpp"
+#include "../../src/simulate/steering.hpp"
 
 namespace roomatlas {
 namespace {

@@ -35,13 +35,13 @@ inline PassageKind kind_of(const Visit& entered) {
 }
 
 /// The passage that leads into `entered`, with theta out of the ASR that sees it.
-inline Exit exit_of(const Visit& entered, const Pose2& asr_from_pivot) {
+inline Exit exit_of(const Visit& entered, const Pose2& frame_from_pivot) {
   Exit exit;
   exit.kind = kind_of(entered);
-  exit.asr_from_pivot = asr_from_pivot;
+  exit.frame_from_pivot = frame_from_pivot;
   exit.width_m = entered.width_m;
   const Point2 half(0.0, entered.width_m / 2.0);
-  exit.jambs_asr = {asr_from_pivot * half, asr_from_pivot * Point2(-half)};
+  exit.jambs = {frame_from_pivot * half, frame_from_pivot * Point2(-half)};
   return exit;
 }
 

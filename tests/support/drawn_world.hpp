@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "roomatlas/core/geometry.hpp"
-#include "roomatlas/merge/floor_plan.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
 #include "roomatlas/mission/mission.hpp"
 
 namespace roomatlas::test {

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "roomatlas/correct/pose_graph.hpp"
+#include "roomatlas/solve/pose_graph.hpp"
 
 namespace roomatlas::test {
 

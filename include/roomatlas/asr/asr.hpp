@@ -3,15 +3,14 @@
 
 #include "roomatlas/core/geometry.hpp"
 #include "roomatlas/mission/mission.hpp"
+#include "roomatlas/plan/door.hpp"
+#include "roomatlas/plan/ids.hpp"
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace roomatlas {
-
-using AsrId = std::int64_t;   ///< 1, 2, 3 ... in the order in which the robot entered
-using RoomId = std::int64_t;  ///< 1, 2, 3 ...; 0 = not decided yet
 
 enum class PassageKind {
   doorway,       ///< a narrow opening with two jambs: it separates rooms
@@ -20,12 +19,10 @@ enum class PassageKind {
 
 /// Where the robot entered or left an ASR (paper section III: "exit and entry locations are
 /// stored for later use as pivot points").
-struct Exit {
+/// In the ASR's frame; the way leads out of it. An open passage has no width.
+struct Exit : Doorway {
   PassageKind kind = PassageKind::doorway;
   bool is_entry = false;          ///< the robot came in here; else it left here
-  Pose2 asr_from_pivot;           ///< mid-point of the passage; theta points out of this ASR
-  double width_m = 0.0;           ///< jamb to jamb; 0 for an open passage
-  Segment2 jambs_asr;             ///< a is left, b is right when looking out of the ASR
   std::optional<AsrId> neighbor;  ///< the ASR on the other side, where the robot was there
   double timestamp_s = 0.0;
 };

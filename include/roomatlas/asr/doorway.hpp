@@ -5,6 +5,7 @@
 
 #include "roomatlas/core/geometry.hpp"
 #include "roomatlas/grid/himm_grid.hpp"
+#include "roomatlas/plan/door.hpp"
 
 namespace roomatlas {
 
@@ -15,13 +16,6 @@ struct DoorwayOptions {
   double widening_m = 0.5;      ///< the room on both sides must be this much wider
   double occupied_value = 5.0;  ///< C from which a cell is a jamb; below epsilon, since jambs are
                                 ///< seen by few readings
-};
-
-/// An opening between two jambs that the path goes through.
-struct Doorway {
-  Pose2 grid_from_pivot;  ///< mid-point; theta is the direction of travel through it
-  double width_m = 0.0;
-  Segment2 jambs;  ///< a left, b right of the direction of travel
 };
 
 /// The doorway that the path goes through at a pose, if there is one: the narrowest chord between

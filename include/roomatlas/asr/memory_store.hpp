@@ -15,7 +15,6 @@ class MemoryStore : public AsrSink, public AsrSource {
 
   [[nodiscard]] std::vector<AsrId> ids() const override;
   [[nodiscard]] Asr get(AsrId id, AsrDetail detail) const override;
-  [[nodiscard]] std::vector<AsrId> neighbors(AsrId id) const override;
   [[nodiscard]] std::vector<TruePose> truth() const override { return true_poses; }
 
   std::vector<Asr> asrs;

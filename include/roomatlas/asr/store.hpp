@@ -27,6 +27,8 @@ enum class AsrDetail {
 /// Paths in the frames of their ASRs, one pose a reading.
 using Paths = std::map<AsrId, std::vector<Pose2>>;
 
+using Placement = std::map<AsrId, Pose2>;  ///< building_from_asr of each ASR
+
 /// Where the offline stage reads from. No call reads more of the building than it names.
 class AsrSource {
  public:
@@ -34,8 +36,6 @@ class AsrSource {
   [[nodiscard]] virtual std::vector<AsrId> ids() const = 0;
   /// Throws InputError when there is no such ASR.
   [[nodiscard]] virtual Asr get(AsrId id, AsrDetail detail) const = 0;
-  /// The ASRs that share a passage with this one, ascending; itself left out.
-  [[nodiscard]] virtual std::vector<AsrId> neighbors(AsrId id) const = 0;
   [[nodiscard]] virtual std::vector<TruePose> truth() const = 0;
 };
 

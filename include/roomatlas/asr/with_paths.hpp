@@ -12,9 +12,6 @@ class WithPaths : public AsrSource {
 
   [[nodiscard]] std::vector<AsrId> ids() const override { return source_.ids(); }
   [[nodiscard]] Asr get(AsrId id, AsrDetail detail) const override;
-  [[nodiscard]] std::vector<AsrId> neighbors(AsrId id) const override {
-    return source_.neighbors(id);
-  }
   [[nodiscard]] std::vector<TruePose> truth() const override { return source_.truth(); }
 
  private:

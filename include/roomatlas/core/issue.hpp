@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -40,10 +39,7 @@ struct NotEnoughError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Called now and then by long stages. `done` is in [0, 1], or negative where unknown.
-/// Return false to ask the stage to stop: it throws `Interrupted` at a consistent point.
-using Progress = std::function<bool(const std::string& stage, double done)>;
-
+/// A stage was asked to stop (exit code 130).
 struct Interrupted : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -34,7 +34,4 @@ struct WallDirection {
                                        const std::vector<double>& heading_rad,
                                        const WallDirectionOptions& options);
 
-/// Wraps an angle into [-pi/4, pi/4): what is left of it modulo 90 degrees.
-[[nodiscard]] double wrap_quarter(double angle_rad);
-
 }  // namespace roomatlas

@@ -3,7 +3,7 @@
 
 #include "roomatlas/asr/map_room.hpp"
 #include "roomatlas/core/geometry.hpp"
-#include "roomatlas/merge/floor_plan.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
 
 #include <optional>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include "roomatlas/core/pose2.hpp"
 #include "roomatlas/evaluate/plan_graph.hpp"
-#include "roomatlas/merge/floor_plan.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
 
 #include <cstdint>
 #include <limits>

@@ -3,7 +3,7 @@
 
 #include "roomatlas/core/issue.hpp"
 #include "roomatlas/evaluate/evaluate.hpp"
-#include "roomatlas/merge/floor_plan.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
 
 #include <limits>
 #include <string>

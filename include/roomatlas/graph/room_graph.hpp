@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <boost/graph/adjacency_list.hpp>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "roomatlas/asr/asr.hpp"
+#include "roomatlas/asr/store.hpp"
 
 namespace roomatlas {
 
@@ -23,10 +23,8 @@ enum class EdgeSource {
   matched,     ///< found offline: both ASRs saw the same walls
 };
 
-/// An edge of the room graph: a measured relative pose.
-///
-/// The graph is undirected, and Boost.Graph may swap source and target of an undirected edge, so
-/// the edge itself says which ASR its pose starts from.
+/// An edge of the room graph: a measured relative pose. The graph is undirected; the edge itself
+/// says which ASR its pose starts from.
 struct PassageEdge {
   AsrId from = 0;
   AsrId to = 0;
@@ -41,11 +39,11 @@ struct PassageEdge {
   bool is_doubtful = false;   ///< the robot was lost on the way: closures say otherwise
 };
 
-/// Paper Fig. 8: rooms as vertices, passages as edges. Vertex i is the i-th ASR, ascending by id.
-using RoomGraph =
-    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, AsrVertex, PassageEdge>;
-
-using Placement = std::map<AsrId, Pose2>;  ///< building_from_asr of each ASR
+/// Paper Fig. 8: rooms as vertices, passages as edges.
+struct RoomGraph {
+  std::vector<AsrVertex> vertices;  ///< vertex i is the i-th ASR, ascending by id
+  std::vector<PassageEdge> edges;   ///< in the order in which they were added; both ends exist
+};
 
 /// The graph of a mission: a vertex for each ASR, an edge for each passage driven through.
 /// An exit whose neighbour is missing (a store cut short) gives no edge.
@@ -60,9 +58,6 @@ void doubt_passages_into(RoomGraph& graph, const std::set<AsrId>& asrs);
 
 /// Writes the room of each ASR into its vertex.
 void set_rooms(RoomGraph& graph, const std::map<AsrId, RoomId>& room_of_asr);
-
-/// The edges in a fixed order: as added.
-[[nodiscard]] std::vector<PassageEdge> edges_of(const RoomGraph& graph);
 
 /// The component of each vertex, 0, 1, 2 ... in the order of the vertices.
 [[nodiscard]] std::vector<int> components_of(const RoomGraph& graph);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "roomatlas/match/align.hpp"
-#include "roomatlas/match/odometry_habits.hpp"
+#include "roomatlas/odometry/habits.hpp"
 
 namespace roomatlas {
 
@@ -40,6 +40,9 @@ struct LocalizeOptions {
   double insert_every_deg = 4.0;  ///< ... or turn
 };
 
+/// True for a sensor whose single sweeps can be matched.
+[[nodiscard]] bool can_be_matched(const RangeReading& reading);
+
 /// Finds the robot inside the room being mapped.
 class Localizer {
  public:
@@ -53,6 +56,8 @@ class Localizer {
   /// @param step of odometry since the reading before, in the robot's frame
   [[nodiscard]] virtual Pose2 locate(const RangeReading& reading,
                                      const Pose2& predicted_asr_from_robot, const Pose2& step) = 0;
+  /// Whether the poses that it gives for such readings fit the room's map.
+  [[nodiscard]] virtual bool localizes(const RangeReading& reading) const = 0;
   /// What it learnt of odometry by the way; none where it did not match.
   [[nodiscard]] virtual std::optional<OdometryHabits> habits() const { return std::nullopt; }
 };
@@ -70,6 +75,9 @@ class RoomLocalizer : public Localizer {
   void add(const RangeReading& reading, const Pose2& asr_from_robot) override;
   [[nodiscard]] Pose2 locate(const RangeReading& reading, const Pose2& predicted_asr_from_robot,
                              const Pose2& step) override;
+  [[nodiscard]] bool localizes(const RangeReading& reading) const override {
+    return can_be_matched(reading);
+  }
   [[nodiscard]] std::optional<OdometryHabits> habits() const override;
 
  private:
@@ -98,8 +106,5 @@ class RoomLocalizer : public Localizer {
 
 /// True when a sweep at `to` shows the room from elsewhere than one at `from`.
 [[nodiscard]] bool is_new_view(const Pose2& from, const Pose2& to, const LocalizeOptions& options);
-
-/// True for a sensor whose single sweeps can be matched.
-[[nodiscard]] bool can_be_matched(const RangeReading& reading);
 
 }  // namespace roomatlas

@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "roomatlas/merge/floor_plan.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
 
 namespace roomatlas {
 

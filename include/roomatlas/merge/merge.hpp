@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "roomatlas/merge/floor_plan.hpp"
+#include "roomatlas/plan/door.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
+#include "roomatlas/plan/placed_outline.hpp"
 
 #include <vector>
 
 namespace roomatlas {
-
-/// The outline of one ASR, placed in the building.
-struct PlacedOutline {
-  AsrId asr = 0;
-  RoomId room = 0;
-  Polygon outline;  ///< building metres; may self-intersect, repeat vertices, or be empty
-};
-
-/// A doorway, placed in the building.
-struct PlacedDoor {
-  Segment2 jambs;
-  std::optional<RoomId> room_a;
-  std::optional<RoomId> room_b;
-};
 
 struct MergeOptions {
   double wall_thickness_m = 0.15;  ///< of walls whose other side nobody saw; thicker hides gaps
@@ -34,14 +22,6 @@ struct MergeOptions {
 /// Coordinates are rounded to millimetres. Empty input gives an empty plan. Never throws on
 /// geometry; non-finite vertices are dropped and reported.
 [[nodiscard]] FloorPlan merge(const std::vector<PlacedOutline>& outlines,
-                              const std::vector<PlacedDoor>& doors, const MergeOptions& options);
-
-/// The union of polygons under the non-zero rule (each polygon on its own), as disjoint polygons
-/// with holes, outer rings counter-clockwise, largest first.
-[[nodiscard]] std::vector<Polygon> union_of(const std::vector<Polygon>& polygons);
-
-/// Area in square metres that both sets cover (each set counted as its union).
-[[nodiscard]] double overlap_area(const std::vector<Polygon>& first,
-                                  const std::vector<Polygon>& second);
+                              const std::vector<Door>& doors, const MergeOptions& options);
 
 }  // namespace roomatlas

@@ -28,7 +28,7 @@ struct RegularWallOptions {
 /// What became of the outlines.
 struct RegularOutlines {
   std::vector<PlacedOutline> outlines;  ///< parallel to the input
-  std::vector<PlacedDoor> doors;        ///< parallel to the input
+  std::vector<Door> doors;        ///< parallel to the input
   std::vector<double> directions_rad;   ///< of the building
   double wall_m = 0.0;                  ///< length of all edges
   double regular_m = 0.0;               ///< length of those that follow a direction
@@ -42,7 +42,7 @@ struct RegularOutlines {
 /// A door beside a wall that follows a direction, at most `max_door_turn_deg` off, is turned about
 /// its middle into that direction, and outlines follow where one of their vertices is a jamb.
 [[nodiscard]] RegularOutlines with_regular_walls(std::vector<PlacedOutline> outlines,
-                                                 const std::vector<PlacedDoor>& doors,
+                                                 const std::vector<Door>& doors,
                                                  const RegularWallOptions& options);
 
 }  // namespace roomatlas

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "roomatlas/merge/floor_plan.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
 
 namespace roomatlas {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "roomatlas/asr/store.hpp"
-#include "roomatlas/merge/floor_plan.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
 #include "roomatlas/simulate/simulate.hpp"
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 
 #include "roomatlas/core/geometry.hpp"
 #include "roomatlas/core/issue.hpp"
-#include "roomatlas/merge/floor_plan.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
 
 namespace roomatlas {
 

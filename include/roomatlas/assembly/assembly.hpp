@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "roomatlas/asr/store.hpp"
+#include "roomatlas/correct/correction.hpp"
+#include "roomatlas/graph/room_graph.hpp"
+#include "roomatlas/loops/closures.hpp"
+#include "roomatlas/plan/door.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
+#include "roomatlas/sonar/sonar_trajectory.hpp"
+
+namespace roomatlas {
+
+/// Everything that the offline stage finds.
+struct Assembly {
+  RoomGraph graph;
+  Correction correction;
+  std::map<AsrId, RoomId> room_of_asr;
+  std::vector<Door> doors;
+  std::optional<SonarTrajectory> sonars;  ///< how a sonar mission was corrected; poses left out
+  std::vector<Asr> mapped_again;  ///< instead of the source's ASRs, where these were recorded anew
+  Paths paths;                    ///< instead of the source's, where readings were matched again;
+                                  ///< see `WithPaths`
+  std::vector<Closure> closures;  ///< matches of rooms by their walls, accepted or not
+  FloorPlan plan;
+  std::optional<FloorPlan> measured_plan;  ///< as measured, where the walls of `plan` are regular
+};
+
+}  // namespace roomatlas

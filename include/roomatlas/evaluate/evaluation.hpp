@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "roomatlas/asr/store.hpp"
+#include "roomatlas/correct/correction.hpp"
+#include "roomatlas/evaluate/plan_alignment.hpp"
+#include "roomatlas/evaluate/plan_errors.hpp"
+#include "roomatlas/evaluate/relations.hpp"
+#include "roomatlas/evaluate/room_pose_errors.hpp"
+#include "roomatlas/evaluate/self_consistency.hpp"
+#include "roomatlas/evaluate/spans.hpp"
+#include "roomatlas/evaluate/true_poses.hpp"
+#include "roomatlas/evaluate/wall_errors.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
+
+namespace roomatlas {
+
+/// What is known of the truth; everything is optional.
+struct Truth {
+  std::vector<Relation> relations;
+  Trajectory poses;
+  std::optional<FloorPlan> plan;
+  bool plan_has_doors = true;  ///< false for a plan from a label picture
+  std::vector<Span> spans;     ///< lengths measured in the building
+};
+
+struct RelationsBeforeAfter {
+  RelationErrors before;
+  RelationErrors after;
+};
+struct TruePosesBeforeAfter {
+  TruePoseErrors before;
+  TruePoseErrors after;
+};
+
+struct RoomPosesBeforeAfter {
+  RoomPoseErrors before;
+  RoomPoseErrors after;
+};
+
+struct Evaluation {
+  std::optional<RelationsBeforeAfter> relations;
+  std::optional<TruePosesBeforeAfter> true_poses;
+  std::optional<PlanErrors> plan;
+  PlanAlignment plan_alignment;  ///< by true poses where there are some, else by the rooms
+  std::optional<WallErrors> walls;
+  std::optional<SpanErrors> spans;
+  std::optional<RoomPosesBeforeAfter> room_poses;    ///< needs true poses
+  std::optional<ConsistencyComparison> consistency;  ///< needs no truth
+  Issues issues;
+};
+
+/// Judges a correction against what is known of the truth.
+/// @param relations how relations are brought together with the trajectories
+/// @param carry odometry that fills the trajectories' gaps there; may be null
+[[nodiscard]] Evaluation evaluate(const Trajectory& odometry, const Trajectory& corrected,
+                                  const FloorPlan& plan, const Truth& truth,
+                                  const RelationOptions& relations = {},
+                                  const Trajectory* carry = nullptr);
+
+/// Judges where odometry and where the correction put the rooms: against true poses where there are
+/// some, and against themselves. Adds to `evaluation`, which `evaluate` has made of the same truth.
+void judge_placements(const AsrSource& source, const Correction& correction, const FloorPlan& plan,
+                      const Truth& truth, Evaluation& evaluation);
+
+}  // namespace roomatlas

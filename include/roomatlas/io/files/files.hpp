@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "roomatlas/io/files/path.hpp"
+
+namespace roomatlas {
+
+/// Writes to a temporary name beside `file` and renames it.
+void write_file(const Path& file, const std::string& content);
+
+/// SHA-256 of a file's bytes, in hexadecimal.
+[[nodiscard]] std::string sha256_of_file(const Path& file);
+
+}  // namespace roomatlas

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "roomatlas/io/files/path.hpp"
+#include "roomatlas/mission/mission.hpp"
+
+namespace roomatlas {
+
+/// Opens a mission log, plain or gzip; the format is told by content, not by name. Throws
+/// InputError naming the file when it is missing, empty, binary, or holds no line of a known
+/// format. Reads streaming: nothing but one look-ahead is kept.
+[[nodiscard]] std::unique_ptr<MissionSource> open_mission(const Path& file,
+                                                          const MissionOptions& options);
+
+/// The same with one kind of sensor (one_sensor_kind.hpp) and without jumps of odometry
+/// (odometry_jumps.hpp).
+[[nodiscard]] std::unique_ptr<MissionSource> open_mission_to_map(const Path& file,
+                                                                 const MissionOptions& options);
+
+/// For a mission that was read to its end. Throws NotEnoughError when it has no range reading, or
+/// no odometry, because every line that should hold one was left out, which is an error among its
+/// issues: says how many there are and why the first of them was left out.
+void require_lines_that_could_be_read(const MissionInfo& info);
+
+}  // namespace roomatlas

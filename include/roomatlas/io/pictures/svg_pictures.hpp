@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "roomatlas/io/files/path.hpp"
+
+namespace roomatlas {
+
+/// Renders an SVG document to a PNG. Throws InputError when it cannot be written.
+void write_png(const Path& file, const std::string& svg, double dots_per_inch);
+
+/// Renders an SVG document to a PDF of one page, at the size on paper that the document states;
+/// text stays text. Throws InputError when it cannot be written.
+/// @param date of the mission, YYYY-MM-DD, becomes the date of creation; empty: 1970-01-01
+void write_pdf(const std::filesystem::path& file, const std::string& svg, const std::string& title,
+               const std::string& date);
+
+}  // namespace roomatlas

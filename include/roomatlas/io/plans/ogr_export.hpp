@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "roomatlas/plan/floor_plan.hpp"
+
+namespace roomatlas {
+
+/// Whether this build has GDAL, and with it the formats below.
+[[nodiscard]] bool has_ogr();
+
+/// The plan as DXF in metres, model space, with the layer names of the U.S. National CAD Standard
+/// (AIA): A-WALL, A-DOOR, A-DOOR-IDEN (widths), A-AREA (outlines of rooms), A-AREA-IDEN (names and
+/// areas), A-FURN. Outlines are closed polylines. Throws InputError when it cannot be written,
+/// UsageError in a build without GDAL.
+void write_dxf(const std::filesystem::path& file, const FloorPlan& plan);
+
+/// The plan in a vector format of OGR, in building metres: layers rooms, doors, walls and
+/// furniture with the columns of the store. Throws UsageError for a format that this GDAL cannot
+/// write, InputError when writing fails.
+/// @param driver as `ogrinfo --formats` names it, such as "GML" or "ESRI Shapefile"
+/// @param out folder; files there are called `plan_DRIVER...`
+void write_ogr(const std::filesystem::path& out, const std::string& driver, const FloorPlan& plan);
+
+}  // namespace roomatlas

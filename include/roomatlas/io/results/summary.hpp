@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "roomatlas/evaluate/evaluation.hpp"
+#include "roomatlas/graph/room_graph.hpp"
+#include "roomatlas/mission/mission.hpp"
+#include "roomatlas/odometry/habits.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
+#include "roomatlas/simulate/explore.hpp"
+
+namespace roomatlas {
+
+/// The mission as one JSON object, without times of this run, hosts or paths: the log's file name
+/// alone.
+[[nodiscard]] std::string to_json(const MissionInfo& info);
+
+/// What had to be done about odometry, as one JSON object.
+[[nodiscard]] std::string to_json(const OdometryHabits& habits);
+
+/// All figures of an evaluation as one JSON object; statistics of nothing are null.
+[[nodiscard]] std::string to_json(const Evaluation& evaluation);
+
+/// What an exploration came to, as one JSON object.
+[[nodiscard]] std::string to_json(const ExploreSummary& summary, const FloorPlan& world);
+
+/// `summary.json`: mission, plan, graph, correction with what moved each ASR, evaluation.
+/// @param metadata of the store; `mission_json` in it becomes the object "mission"
+[[nodiscard]] std::string summary_json(const std::map<std::string, std::string>& metadata,
+                                       const Correction& correction, const FloorPlan& plan,
+                                       const RoomGraph& graph,
+                                       const std::optional<Evaluation>& evaluation);
+
+}  // namespace roomatlas

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <set>
+#include <vector>
+
+#include "roomatlas/core/progress.hpp"
+#include "roomatlas/correct/correct.hpp"
+#include "roomatlas/loops/closures.hpp"
+
+namespace roomatlas {
+
+/// Where matching rooms with each other leads.
+struct ClosedLoops {
+  std::vector<Closure> closures;  ///< all that were tried in the last round, accepted or not
+  Placement placement;
+  std::set<AsrId> lost_before;  ///< on the way into these the robot was lost, their closures say
+};
+
+/// Matches rooms by their walls, within the uncertainty between them. First in the order of the
+/// mission, so that each closure found narrows the search for the next; then all pairs that came
+/// to lie near to each other again, in rounds.
+/// @param shapes parallel to `asrs`
+/// @param driven the graph of `asrs`, vertices in this order
+/// @throws Interrupted
+[[nodiscard]] ClosedLoops close_loops(const std::vector<Asr>& asrs,
+                                      const std::vector<AsrShape>& shapes, const RoomGraph& driven,
+                                      const CorrectOptions& correct, const ClosureOptions& options,
+                                      const Progress& progress = {});
+
+}  // namespace roomatlas

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "roomatlas/assembly/assembly.hpp"
+#include "roomatlas/asr/store.hpp"
+#include "roomatlas/core/progress.hpp"
+#include "roomatlas/pipeline/options.hpp"
+
+namespace roomatlas {
+
+/// What a mission was recorded with, and with that how it is corrected. Decided once, from the ASRs.
+enum class MissionKind {
+  laser,  ///< the robot was found in its rooms: rooms are matched with each other by their walls
+  sonar,  ///< sonars alone: the mission is corrected as a whole, and its rooms recorded again
+  paper,  ///< nothing but odometry and doorways, as the paper has it; also where readings were not
+          ///< kept, and where matching or the correction of sonars is switched off
+};
+
+/// @param source not empty
+[[nodiscard]] MissionKind mission_kind(const AsrSource& source, const AssembleOptions& options);
+
+/// Offline stage: ASRs -> room graph -> correction -> rooms -> floor plan.
+/// @param options those that the ASRs were mapped with, and how they are assembled
+/// @throws NotEnoughError when the source holds no ASR, Interrupted when `progress` says so
+[[nodiscard]] Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
+                                const Options& options, const Progress& progress = {});
+
+}  // namespace roomatlas

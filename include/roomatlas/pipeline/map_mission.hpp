@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "roomatlas/asr/store.hpp"
+#include "roomatlas/core/progress.hpp"
+#include "roomatlas/mission/mission.hpp"
+#include "roomatlas/odometry/habits.hpp"
+#include "roomatlas/pipeline/options.hpp"
+
+namespace roomatlas {
+
+/// What the online stage saw.
+struct MapSummary {
+  std::int64_t asrs = 0;
+  std::int64_t wall_vertices = 0;
+  int intervals_reversed = 0;  ///< drives between stops that odometry reported the wrong way round
+  std::optional<OdometryHabits> habits;  ///< of odometry, learnt and taken out by the way (laser)
+};
+
+/// Online stage: a mission's events become ASRs in the sink, room by room.
+/// @throws NotEnoughError when there are no range readings, no odometry, or no wall was seen (what
+///   was mapped by then is in the sink), Interrupted when `progress` says so (the room being
+///   mapped has been handed over)
+[[nodiscard]] MapSummary map_mission(MissionSource& mission, AsrSink& sink,
+                                     const MapOptions& options, const Progress& progress = {});
+
+}  // namespace roomatlas

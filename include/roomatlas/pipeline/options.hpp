@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "roomatlas/asr/recorder.hpp"
+#include "roomatlas/correct/correct.hpp"
+#include "roomatlas/graph/recognise.hpp"
+#include "roomatlas/loops/closures.hpp"
+#include "roomatlas/loops/feed_back.hpp"
+#include "roomatlas/match/room_localizer.hpp"
+#include "roomatlas/merge/merge.hpp"
+#include "roomatlas/merge/regular_walls.hpp"
+#include "roomatlas/mission/mission.hpp"
+#include "roomatlas/odometry/dead_reckoner.hpp"
+#include "roomatlas/rooms/assign_rooms.hpp"
+#include "roomatlas/rooms/segment_rooms.hpp"
+#include "roomatlas/sonar/sonar_trajectory.hpp"
+
+namespace roomatlas {
+
+/// How a mission becomes ASRs. A store's ASRs hang on these and on `MissionOptions` alone; the
+/// offline stage takes the same where it maps rooms again.
+struct MapOptions {
+  DeadReckonerOptions reckon;
+  LocalizeOptions localize;
+  RecorderOptions record;
+};
+
+/// How ASRs become a floor plan.
+struct AssembleOptions {
+  bool correct_sonars = true;  ///< a mission with sonars alone is corrected as a whole first; off:
+                               ///< its rooms as odometry bent them
+  SonarTrajectoryOptions sonars;
+  bool match_rooms = true;  ///< match localized rooms by their walls; off: doorways alone
+  ClosureOptions closures;
+  RecogniseOptions recognise;
+  RoomOptions rooms;       ///< where rooms are decided by the ASRs' outlines
+  SegmentOptions segment;  ///< where they are decided by everything that the mission saw
+  CorrectOptions correct;
+  FeedBackOptions feed_back;
+  bool regular_walls = true;  ///< also draw walls along the building's directions
+  RegularWallOptions regular;
+  double sonar_corner_m = 0.8;  ///< `regular.blind_corner_m` where sonars were heard
+  MergeOptions merge;
+  bool map_again = true;   ///< cut the rooms' outlines at doors that only later visits found
+  int max_rounds = 5;      ///< of recognising doorways and correcting
+};
+
+/// All options of all stages, each once.
+struct Options {
+  MissionOptions mission;
+  MapOptions map;
+  AssembleOptions assemble;
+};
+
+}  // namespace roomatlas

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "roomatlas/core/geometry.hpp"
+#include "roomatlas/core/issue.hpp"
+#include "roomatlas/plan/ids.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace roomatlas {
+
+enum class RoomKind { room, corridor, hall };
+
+[[nodiscard]] const char* to_string(RoomKind kind);
+
+/// One place of the building. All coordinates are building metres.
+struct PlanRoom {
+  RoomId id = 0;
+  std::string name;  ///< shown on the plan; the number where nobody named it
+  RoomKind kind = RoomKind::room;
+  std::vector<Polygon> parts;  ///< disjoint, with holes; usually one, the largest first
+  double area_m2 = 0.0;
+  Point2 label_point = Point2::Zero();  ///< well inside the largest part
+  std::vector<AsrId> asrs;              ///< the visits that make it up; empty in a world
+};
+
+struct PlanDoor {
+  std::int64_t id = 0;
+  Segment2 jambs;  ///< the door line
+  double width_m = 0.0;
+  Ring opening;                  ///< the hole in the wall, four corners
+  std::optional<RoomId> room_a;  ///< the rooms on its two sides, where known; room_a < room_b
+  std::optional<RoomId> room_b;
+};
+
+/// The merged master map (paper III: "a human readable master map"). Also the description of a
+/// world for the simulator: one type, so that an assembled plan can be driven through again.
+struct FloorPlan {
+  std::string title;
+  std::vector<PlanRoom> rooms;
+  std::vector<PlanDoor> doors;
+  std::vector<Polygon> walls;       ///< wall bodies with thickness; doors are gaps in them
+  std::vector<Polygon> free_space;  ///< union of the rooms and door openings, with holes
+  std::vector<Polygon> furniture;   ///< worlds only, for now
+  Issues issues;
+};
+
+}  // namespace roomatlas

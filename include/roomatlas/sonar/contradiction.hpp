@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "roomatlas/core/pose2.hpp"
+#include "roomatlas/sonar/wall_segments.hpp"
+#include "roomatlas/mission/mission.hpp"
+
+namespace roomatlas {
+
+struct ContradictionOptions {
+  double cell_m = 0.1;
+  double sample_m = 0.1;           ///< along walls
+  double ray_step_m = 0.15;        ///< of the robot, between readings that are looked at
+  double max_range_m = 3.0;        ///< of a return whose ray frees cells
+  double short_of_return_m = 0.3;  ///< where its ray ends
+  double same_visit_m = 10.0;      ///< of way: nearer, walls and rays share their pose error
+};
+
+/// What the visits of a mission say of each other's walls.
+struct Contradiction {
+  double confirmed_m = 0.0;     ///< of wall that another visit heard too
+  double contradicted_m = 0.0;  ///< of wall that no other visit heard and at least two rays crossed
+
+  [[nodiscard]] double compared_m() const { return confirmed_m + contradicted_m; }
+  /// [0, 1]; negative where nothing could be compared.
+  [[nodiscard]] double share() const {
+    return compared_m() > 0.0 ? contradicted_m / compared_m() : -1.0;
+  }
+};
+
+/// Judges poses without truth: walls that one visit heard and others looked through. Doors,
+/// people and wide cones leave some of it however good the poses are.
+/// @param map_from_robot, path_m one a reading
+[[nodiscard]] Contradiction contradiction_of(std::span<const RangeReading> readings,
+                                             std::span<const Pose2> map_from_robot,
+                                             std::span<const double> path_m,
+                                             std::span<const WallSegment> segments,
+                                             const ContradictionOptions& options);
+
+}  // namespace roomatlas

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "roomatlas/core/pose2.hpp"
+#include "roomatlas/odometry/drive_directions.hpp"
+#include "roomatlas/odometry/habits.hpp"
+#include "roomatlas/sonar/wall_segments.hpp"
+#include "roomatlas/mission/mission.hpp"
+
+namespace roomatlas {
+
+struct SonarTrajectoryOptions {
+  DriveDirectionOptions directions;
+  WallSegmentOptions segments;
+  bool calibrate = true;         ///< off: odometry's habits are taken to be none
+  bool repair_slips = true;      ///< tries headings turned by 90 degrees where they are unsure
+  double verified_m = 10.0;      ///< of wall that several visits must have seen; less proves no
+                                 ///< loop
+  double verified_share = 0.06;  ///< contradiction above which loops count as not verified
+  double verified_heading_share = 0.95;  ///< of readings with a sure heading; fewer verify nothing
+};
+
+/// One setting of the batch that was tried.
+struct SonarVariant {
+  std::string name;
+  OdometryHabits habits;
+  std::size_t pairs = 0;        ///< of wall segments that were held to be one wall
+  double compared_m = 0.0;      ///< of wall that another visit could confirm or contradict
+  double contradiction = -1.0;  ///< share of it that others looked through, [0, 1]; negative =
+                                ///< nothing could be compared
+};
+
+/// The mission's poses, corrected by the walls that a ring of sonars heard.
+struct SonarTrajectory {
+  std::vector<Pose2> map_from_robot;  ///< one a reading; the first is odometry's first
+  OdometryHabits habits;              ///< as found
+  std::optional<double> walls_rad;    ///< first of these directions in the map's frame, [-pi/4,
+                                      ///< pi/4); none where walls follow no direction
+  std::vector<double> wall_directions_rad;  ///< of the building, modulo 90 degrees, from the first
+  double log_evidence = 0.0;                ///< of the headings, against "walls lie anyhow"
+  int intervals_reversed = 0;               ///< drives that odometry reported the wrong way round
+  double undecided_m = 0.0;                 ///< of path that could have gone either way
+  std::size_t segments = 0;                 ///< stretches of wall
+  double sure_heading_share = 0.0;  ///< of the readings: walls tell the heading to 5 degrees (one
+                                    ///< standard deviation)
+  std::vector<SonarVariant> variants;  ///< in the order tried
+  std::size_t chosen = 0;              ///< place of the one kept
+  int slips_repaired = 0;              ///< headings turned by 90 degrees from some place on
+  bool loops_verified = false;         ///< false: no loop, or walls contradict each other
+};
+
+/// Corrects a whole mission recorded with sonars in one batch: the walls that single sonars hear
+/// in consecutive readings give the heading modulo 90 degrees as a hidden Markov model over the
+/// mission, odometry's habits are those that the model finds most likely, and poses and walls
+/// are then solved together, which walls are one being decided anew while the tolerance shrinks.
+///
+/// Buildings without a common direction keep odometry's heading. What a mission does not revisit
+/// is as good as odometry with the heading corrected. Deterministic; readings in file order, their
+/// times need not ascend. An empty mission gives an empty trajectory; lasers are not used.
+/// @param before_attempt called before each batch, of which there are up to thirty; to give up, it
+///   throws
+[[nodiscard]] SonarTrajectory correct_sonar_trajectory(
+    std::span<const RangeReading> readings, const SonarTrajectoryOptions& options,
+    const std::function<void()>& before_attempt = {});
+
+}  // namespace roomatlas

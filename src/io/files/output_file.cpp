@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "output_file.hpp"
+
+#include "roomatlas/core/issue.hpp"
+#include "roomatlas/io/files/files.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+namespace roomatlas {
+namespace io {
+
+OutputFile::OutputFile(std::filesystem::path file)
+    : file_(std::move(file)), temporary_(file_.string() + ".part") {
+  std::error_code error;
+  const auto status = std::filesystem::status(file_, error);
+  if (std::filesystem::is_directory(status)) fail(EISDIR);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    throw InputError(
+        file_.string() +
+        ": is a device or another special file, which is not replaced: choose another");
+  }
+  errno = 0;
+  stream_.reset(std::fopen(temporary_.c_str(), "wb"));
+  if (!stream_) fail(errno);
+}
+
+OutputFile::~OutputFile() {
+  if (!stream_) return;
+  stream_.reset();
+  std::error_code ignored;
+  std::filesystem::remove(temporary_, ignored);
+}
+
+void OutputFile::write(std::string_view text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stream_.get()) != text.size()) fail(errno);
+}
+
+void OutputFile::commit() {
+  errno = 0;
+  if (std::fflush(stream_.get()) != 0) fail(errno);
+  std::error_code error;
+  std::filesystem::rename(temporary_, file_, error);
+  if (error) fail(error.value());
+  stream_.reset();
+}
+
+void OutputFile::fail(int error) const {
+  const std::string reason = std::strerror(error != 0 ? error : EIO);
+  throw InputError(file_.string() + ": cannot be written: " + reason +
+                   "; check the folder, its permissions and the free space");
+}
+
+}  // namespace io
+
+void write_file(const Path& file, const std::string& content) {
+  io::OutputFile output(file);
+  output.write(content);
+  output.commit();
+}
+
+}  // namespace roomatlas

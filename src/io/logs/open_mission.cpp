@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "carmen_source.hpp"
+#include "text/line_reader.hpp"
+#include "small_logs.hpp"
+
+#include "roomatlas/mission/as_sonar.hpp"
+#include "roomatlas/io/logs/open_mission.hpp"
+#include "roomatlas/mission/odometry_jumps.hpp"
+#include "roomatlas/mission/one_sensor_kind.hpp"
+
+#include <utility>
+
+namespace roomatlas {
+namespace {
+
+std::unique_ptr<MissionSource> open_log(const Path& file, const MissionOptions& options) {
+  io::require_regular_file(file);
+  if (const io::OpenLog open = io::find_small_log(file)) return open(file, options);
+  return std::make_unique<io::CarmenSource>(file, options);
+}
+
+}  // namespace
+
+std::unique_ptr<MissionSource> open_mission(const Path& file, const MissionOptions& options) {
+  auto mission = open_log(file, options);
+  if (options.as_sonar.enabled) {
+    mission = as_sonar(std::move(mission), options.as_sonar, options.sonar_max_range_m);
+  }
+  return mission;
+}
+
+std::unique_ptr<MissionSource> open_mission_to_map(const Path& file,
+                                                   const MissionOptions& options) {
+  return without_odometry_jumps(one_sensor_kind(open_mission(file, options)));
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cell_grid.hpp"
+
+#include "roomatlas/plan/floor_plan.hpp"
+
+#include <cstdint>
+
+namespace roomatlas::io {
+
+/// A plan as cells; (0, 0) is the lower left one.
+struct PlanRaster {
+  static constexpr std::uint8_t kOccupied = 0;
+  static constexpr std::uint8_t kUnknown = 205;
+  static constexpr std::uint8_t kFree = 254;
+
+  Point2 origin_m = Point2::Zero();  ///< lower left corner of cell (0, 0), building metres
+  double cell_m = 0.05;
+  CellGrid<std::uint8_t> cells;
+};
+
+/// @param margin_m of unknown space around; the origin lies on a whole number of cells
+/// Throws InputError for more than 2^28 cells.
+[[nodiscard]] PlanRaster raster_of(const FloorPlan& plan, double cell_m, double margin_m);
+
+}  // namespace roomatlas::io

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "maps/cell_grid.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace roomatlas::io {
+
+/// A grey picture as cells: row 0 is the lowest.
+struct Picture {
+  static constexpr int kTransparent = -1;
+
+  CellGrid<int> values;  ///< [0, white], or kTransparent
+  int white = 255;
+};
+
+/// A file's bytes; those of a gzip file are unpacked. Throws InputError.
+[[nodiscard]] std::string read_unpacked(const std::filesystem::path& file);
+
+/// Whether a file's (unpacked) content begins like a picture that `parse_picture` knows.
+[[nodiscard]] bool is_picture(const std::string& bytes);
+
+/// PGM (P2 and P5, 8 or 16 bits) or PNG; colours become the mean of red, green and blue, and a
+/// pixel that is less than half opaque is transparent.
+/// @param name of the file, for messages
+/// Throws InputError when it is neither, is cut short, or has more than 2^28 pixels.
+[[nodiscard]] Picture parse_picture(const std::string& bytes, const std::string& name);
+
+/// The two kinds; `parse_picture` chooses.
+[[nodiscard]] Picture parse_pgm(const std::string& bytes, const std::string& name);
+[[nodiscard]] Picture parse_png(const std::string& bytes, const std::string& name);
+
+}  // namespace roomatlas::io

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "text/json_field.hpp"
+#include "roomatlas/core/geometry.hpp"
+
+#include <string>
+#include <vector>
+
+namespace roomatlas {
+
+/// Rounds to the millimetre, the resolution of a plan file. Throws InputError where not finite.
+[[nodiscard]] double to_millimetre(double value_m);
+
+[[nodiscard]] Json to_json(const Point2& point);
+[[nodiscard]] Point2 read_position(const JsonField& position);
+
+/// GeoJSON Polygon or MultiPolygon geometry. Rings are closed and wound as RFC 7946 asks (outer
+/// rings counter-clockwise); rings that collapse when rounded to the millimetre are left out.
+/// One polygon gives a Polygon, another number a MultiPolygon.
+[[nodiscard]] Json to_geometry(const std::vector<Polygon>& polygons);
+/// The same, but null where nothing is left of the ring.
+[[nodiscard]] Json to_geometry(const Ring& ring);
+
+/// The polygons of a feature's geometry, wound as above. Throws InputError unless it is a Polygon
+/// or MultiPolygon of closed rings of at least three different points.
+[[nodiscard]] std::vector<Polygon> read_polygons(const JsonField& geometry);
+/// The same, where one Polygon is expected.
+[[nodiscard]] Polygon read_polygon(const JsonField& geometry);
+
+}  // namespace roomatlas

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geojson_geometry.hpp"
+#include "plan_schema.hpp"
+#include "roomatlas/core/issue.hpp"
+#include "roomatlas/io/plans/plan_geojson.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <utility>
+
+namespace roomatlas {
+namespace {
+
+Json parse(const Path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(file)) {
+    throw InputError(file.string() + ": cannot be opened");
+  }
+  try {
+    return Json::parse(stream);
+  } catch (const Json::exception& error) {
+    std::string what = error.what();  // "[json.exception.parse_error.101] parse error at ..."
+    what.erase(0, std::min(what.size(), what.find("] ") + 2));
+    throw InputError(file.string() + ": not valid JSON: " + what);
+  }
+}
+
+std::string read_header(const JsonField& document) {
+  const JsonField type = document.at("type");
+  if (type.text() != "FeatureCollection") type.fail("\"FeatureCollection\"");
+  const JsonField header = document.at("roomatlas");
+  const JsonField schema = header.at("schema");
+  if (schema.text() != plan_schema::kSchema) schema.fail("\"plan\"");
+  const JsonField version = header.at("version");
+  if (version.positive_integer() != plan_schema::kVersion) version.fail("version 1");
+  const JsonField units = header.at("units");
+  if (units.text() != plan_schema::kUnits) units.fail("\"m\": convert the coordinates to metres");
+  const auto title = header.find("title");
+  return title ? title->text() : std::string();
+}
+
+std::optional<RoomKind> room_kind(const std::string& word) {
+  for (const auto& entry : plan_schema::kRoomWords) {
+    if (word == entry.word) return entry.kind;
+  }
+  return std::nullopt;
+}
+
+double area_of(const std::vector<Polygon>& parts) {
+  double sum_m2 = 0.0;
+  for (const Polygon& part : parts) sum_m2 += area(part);
+  return sum_m2;
+}
+
+Point2 default_label(const std::vector<Polygon>& parts) {
+  const auto largest =
+      std::max_element(parts.begin(), parts.end(),
+                       [](const Polygon& a, const Polygon& b) { return area(a) < area(b); });
+  return largest == parts.end() ? Point2(Point2::Zero()) : interior_point(*largest);
+}
+
+PlanRoom read_room(const JsonField& properties, const JsonField& geometry, RoomKind kind) {
+  PlanRoom room;
+  room.kind = kind;
+  room.id = properties.at("id").positive_integer();
+  const auto name = properties.find("name");
+  room.name = name ? name->text() : std::to_string(room.id);
+  room.parts = read_polygons(geometry);
+  const auto area_m2 = properties.find("area_m2");
+  room.area_m2 = area_m2 ? area_m2->number_not_negative() : area_of(room.parts);
+  const auto label = properties.find("label");
+  room.label_point = label ? read_position(*label) : default_label(room.parts);
+  if (const auto asrs = properties.find("asrs")) {
+    for (std::size_t i = 0; i < asrs->size(); ++i) {
+      room.asrs.push_back(asrs->element(i).positive_integer());
+    }
+  }
+  return room;
+}
+
+void read_rooms(const JsonField& rooms, PlanDoor& door) {
+  if (rooms.size() != 2) rooms.fail("null or two room ids");
+  const auto id = [&](std::size_t side) -> std::optional<RoomId> {
+    if (rooms.element(side).is_null()) return std::nullopt;
+    return rooms.element(side).positive_integer();
+  };
+  door.room_a = id(0);
+  door.room_b = id(1);
+  if (!door.room_a || !door.room_b) return;
+  if (*door.room_a == *door.room_b) rooms.fail("two different rooms");
+  if (*door.room_a > *door.room_b) std::swap(door.room_a, door.room_b);
+}
+
+PlanDoor read_door(const JsonField& properties, const JsonField& geometry) {
+  PlanDoor door;
+  door.id = properties.at("id").positive_integer();
+  const JsonField jambs = properties.at("jambs");
+  if (jambs.size() != 2) jambs.fail("two positions");
+  door.jambs = {read_position(jambs.element(0)), read_position(jambs.element(1))};
+  const auto width_m = properties.find("width_m");
+  door.width_m = width_m ? width_m->number_not_negative() : (door.jambs.b - door.jambs.a).norm();
+  if (const auto rooms = properties.find("rooms")) read_rooms(*rooms, door);
+  if (!geometry.is_null()) door.opening = read_polygon(geometry).outer;
+  return door;
+}
+
+void read_feature(const JsonField& feature, FloorPlan& plan) {
+  const JsonField type = feature.at("type");
+  if (type.text() != "Feature") type.fail("\"Feature\"");
+  const JsonField properties = feature.at("properties");
+  const JsonField geometry = feature.at("geometry");
+  const JsonField kind = properties.at("kind");
+  const std::string word = kind.text();
+  if (const auto room = room_kind(word)) {
+    plan.rooms.push_back(read_room(properties, geometry, *room));
+  } else if (word == "door") {
+    plan.doors.push_back(read_door(properties, geometry));
+  } else if (word == "wall") {
+    plan.walls.push_back(read_polygon(geometry));
+  } else if (word == "furniture") {
+    plan.furniture.push_back(read_polygon(geometry));
+  } else {
+    kind.fail("\"room\", \"corridor\", \"hall\", \"door\", \"wall\" or \"furniture\"");
+  }
+}
+
+/// Ids are unique, and doors lead to rooms that exist.
+void check_ids(const FloorPlan& plan, const Path& file) {
+  const auto fail = [&](const std::string& what) { throw InputError(file.string() + ": " + what); };
+  std::set<RoomId> rooms;
+  for (const PlanRoom& room : plan.rooms) {
+    if (!rooms.insert(room.id).second) fail("two rooms have the id " + std::to_string(room.id));
+  }
+  std::set<std::int64_t> doors;
+  for (const PlanDoor& door : plan.doors) {
+    const std::string name = "door " + std::to_string(door.id);
+    if (!doors.insert(door.id).second) fail("two doors have the id " + std::to_string(door.id));
+    for (const auto& room : {door.room_a, door.room_b}) {
+      if (room && !rooms.contains(*room)) {
+        fail(name + " leads to room " + std::to_string(*room) + ", which is not in the file");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+FloorPlan read_plan(const Path& file) {
+  const Json json = parse(file);
+  const JsonField document(json, file.string(), "");
+  FloorPlan plan;
+  plan.title = read_header(document);
+  const JsonField features = document.at("features");
+  for (std::size_t i = 0; i < features.size(); ++i) read_feature(features.element(i), plan);
+  check_ids(plan, file);
+  return plan;
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "roomatlas/evaluate/evaluation.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace roomatlas::io {
+
+/// Adds what is known of rooms, walls and consistency to the object of an evaluation.
+void add_plan_evaluation(nlohmann::ordered_json& json, const Evaluation& evaluation);
+
+}  // namespace roomatlas::io

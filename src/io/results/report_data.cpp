@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/io/results/report_data.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "plans/geojson_geometry.hpp"
+#include "roomatlas/draw/plots.hpp"
+#include "roomatlas/io/results/summary.hpp"
+#include "roomatlas/merge/unexplored.hpp"
+#include "store/stored_names.hpp"
+
+namespace roomatlas {
+namespace {
+
+constexpr double kPathStep_m = 0.1;
+
+bool is_finite(const Polyline& line) {
+  return std::all_of(line.begin(), line.end(),
+                     [](const Point2& point) { return point.allFinite(); });
+}
+
+Json json_of(const Polyline& line) {
+  Json points = Json::array();
+  for (const Point2& point : line) points.push_back(to_json(point));
+  return points;
+}
+
+/// Rings, the outer one first.
+Json json_of(const Polygon& polygon) {
+  Json rings = Json::array({json_of(polygon.outer)});
+  for (const Ring& hole : polygon.holes) rings.push_back(json_of(hole));
+  return rings;
+}
+
+Json json_of(const std::vector<Polygon>& polygons) {
+  Json list = Json::array();
+  for (const Polygon& polygon : polygons) list.push_back(json_of(polygon));
+  return list;
+}
+
+Json json_of(const std::optional<RoomId>& id) { return id ? Json(*id) : Json(nullptr); }
+
+Json rooms_of(const FloorPlan& plan) {
+  Json rooms = Json::array();
+  for (const PlanRoom& room : plan.rooms) {
+    const auto doors = std::count_if(
+        plan.doors.begin(), plan.doors.end(),
+        [&](const PlanDoor& door) { return door.room_a == room.id || door.room_b == room.id; });
+    rooms.push_back({{"id", room.id},
+                     {"name", room.name},
+                     {"kind", to_string(room.kind)},
+                     {"area_m2", to_millimetre(room.area_m2)},
+                     {"doors", doors},
+                     {"label", to_json(room.label_point)},
+                     {"parts", json_of(room.parts)}});
+  }
+  return rooms;
+}
+
+Json doors_of(const FloorPlan& plan) {
+  Json doors = Json::array();
+  for (const PlanDoor& door : plan.doors) {
+    doors.push_back({{"id", door.id},
+                     {"width_m", to_millimetre(door.width_m)},
+                     {"a", json_of(door.room_a)},
+                     {"b", json_of(door.room_b)},
+                     {"at", to_json((door.jambs.a + door.jambs.b) / 2.0)},
+                     {"opening", json_of(door.opening)}});
+  }
+  return doors;
+}
+
+/// The ellipse that holds the place with a probability of 95 %: radii in metres, and the angle of
+/// the first, counter-clockwise from x.
+Json ellipse_of(const Eigen::Matrix2d& covariance_m2) {
+  constexpr double kQuantile95 = 2.4477;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance_m2);
+  const Eigen::Vector2d radii = kQuantile95 * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+  const Eigen::Vector2d longest = axes.eigenvectors().col(1);
+  return Json::array({to_millimetre(radii[1]), to_millimetre(radii[0]),
+                      to_millimetre(std::atan2(longest.y(), longest.x()))});
+}
+
+Json cause_of(const AsrCorrection& asr) {
+  if (!asr.cause) return nullptr;
+  return {{"kind", to_string(*asr.cause)}, {"asr", asr.cause_asr}};
+}
+
+Json visits_of(const Correction& correction, const RoomGraph& graph,
+               const VisitUncertainty& uncertainty) {
+  std::map<AsrId, Json> ellipse;
+  for (const VisitEstimate& visit : uncertainty.visits) {
+    ellipse[visit.asr] = ellipse_of(visit.covariance_m2);
+  }
+  std::map<AsrId, RoomId> room_of;
+  for (std::size_t i = 0; i < graph.vertices.size(); ++i)
+    room_of[graph.vertices[i].asr] = graph.vertices[i].room;
+  Json visits = Json::array();
+  for (const AsrCorrection& asr : correction.asrs) {
+    visits.push_back({{"asr", asr.asr},
+                      {"room", room_of[asr.asr]},
+                      {"before", to_json(asr.building_from_asr_before.position())},
+                      {"after", to_json(asr.building_from_asr.position())},
+                      {"moved_m", to_millimetre(asr.moved_m)},
+                      {"turned_deg", degrees(asr.turned_rad)},
+                      {"chi_square_before", asr.chi_square_before},
+                      {"chi_square_after", asr.chi_square_after},
+                      {"cause", cause_of(asr)},
+                      {"ellipse", ellipse[asr.asr]}});
+  }
+  return visits;
+}
+
+/// Walls and path, before and after, point for point.
+void add_mission(const PlacedMission& placed, Json& data) {
+  Json walls_before = Json::array();
+  Json walls_after = Json::array();
+  for (std::size_t i = 0; i < placed.walls_before.size(); ++i) {
+    if (!is_finite(placed.walls_before[i]) || !is_finite(placed.walls_after[i])) continue;
+    walls_before.push_back(json_of(placed.walls_before[i]));
+    walls_after.push_back(json_of(placed.walls_after[i]));
+  }
+  Polyline before;
+  Polyline after;
+  for (std::size_t i = 0; i < placed.path_before.size(); ++i) {
+    const Point2& was = placed.path_before[i];
+    const Point2 is = placed.corrected[i].pose.position();
+    if (!was.allFinite() || !is.allFinite()) continue;
+    const bool is_far = after.empty() || (is - after.back()).norm() >= kPathStep_m ||
+                        (was - before.back()).norm() >= kPathStep_m;
+    if (!is_far && i + 1 < placed.path_before.size()) continue;
+    before.push_back(was);
+    after.push_back(is);
+  }
+  data["before"] = {{"walls", walls_before}, {"path", json_of(before)}};
+  data["after"] = {{"walls", walls_after}, {"path", json_of(after)}};
+}
+
+Json issues_of(const Issues& issues) {
+  Json list = Json::array();
+  for (const Issue& issue : issues) {
+    list.push_back(
+        {{"severity", stored_name(kSeverities, issue.severity)}, {"text", to_string(issue)}});
+  }
+  return list;
+}
+
+PlotSeries series_of(const char* name, const RelationErrors& errors) {
+  PlotSeries series{name, {}, {}};
+  double first_s = std::numeric_limits<double>::infinity();
+  for (const RelationError& error : errors.errors) first_s = std::min(first_s, error.t2_s);
+  for (const RelationError& error : errors.errors) {
+    series.x.push_back(error.t2_s - first_s);
+    series.y.push_back(error.translation_m);
+  }
+  return series;
+}
+
+/// At most about two thousand of the poses: a chart is not finer.
+PlotSeries series_of(const char* name, const TruePoseErrors& errors) {
+  constexpr std::size_t kMost = 2000;
+  PlotSeries series{name, {}, {}};
+  const std::size_t stride = errors.errors.size() / kMost + 1;
+  for (std::size_t i = 0; i < errors.errors.size(); i += stride) {
+    series.x.push_back(errors.errors[i].timestamp_s - errors.errors.front().timestamp_s);
+    series.y.push_back(errors.errors[i].position_m);
+  }
+  return series;
+}
+
+/// Errors over time and how they are spread, where there is truth for single ones.
+Json charts_of(const std::optional<Evaluation>& evaluation) {
+  Json charts = Json::array();
+  const auto add = [&](const std::string& what, const std::vector<PlotSeries>& series) {
+    charts.push_back(
+        {{"title", what + " over time"},
+         {"svg", plot_over({what + " over time", "time (s)", "error (m)"}, series, false)}});
+    charts.push_back(
+        {{"title", what + ", how often"},
+         {"svg", plot_histogram({what + ", how often", "error (m)", "share (%)"}, series)}});
+  };
+  if (!evaluation) return charts;
+  if (evaluation->relations && !evaluation->relations->after.errors.empty()) {
+    add("Translation error of relations", {series_of("odometry", evaluation->relations->before),
+                                           series_of("corrected", evaluation->relations->after)});
+  }
+  if (evaluation->true_poses && !evaluation->true_poses->after.errors.empty()) {
+    add("Position error", {series_of("odometry", evaluation->true_poses->before),
+                           series_of("corrected", evaluation->true_poses->after)});
+  }
+  return charts;
+}
+
+}  // namespace
+
+std::string report_data(const std::map<std::string, std::string>& metadata, const std::string& date,
+                        const Correction& correction, const FloorPlan& plan, const RoomGraph& graph,
+                        const PlacedMission& placed, const VisitUncertainty& uncertainty,
+                        const std::optional<Evaluation>& evaluation) {
+  const auto text = [&](const char* key) {
+    const auto entry = metadata.find(key);
+    return entry == metadata.end() ? std::string() : entry->second;
+  };
+  Json data;
+  data["summary"] = Json::parse(summary_json(metadata, correction, plan, graph, evaluation));
+  data["date"] = date;
+  data["tool_version"] = text("tool_version");
+  data["configuration"] = text("configuration");
+  data["rooms"] = rooms_of(plan);
+  data["doors"] = doors_of(plan);
+  data["walls"] = json_of(plan.walls);
+  data["furniture"] = json_of(plan.furniture);
+  data["issues"] = issues_of(plan.issues);
+  data["unexplored"] = Json::array();
+  for (const Polyline& line : unexplored_boundary(plan, placed.walls_after)) {
+    data["unexplored"].push_back(json_of(line));
+  }
+  data["visits"] = visits_of(correction, graph, uncertainty);
+  data["accuracy_m"] =
+      uncertainty.typical_m ? Json(to_millimetre(*uncertainty.typical_m)) : Json(nullptr);
+  data["charts"] = charts_of(evaluation);
+  add_mission(placed, data);
+  return data.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/io/results/summary.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "text/json_number.hpp"
+#include "plan_evaluation_json.hpp"
+
+namespace roomatlas {
+namespace {
+
+using Json = nlohmann::ordered_json;  // keeps the order below, so that files can be compared
+
+using io::finite;
+
+Json json_of(const Issues& issues) {
+  Json list = Json::array();
+  for (const Issue& issue : issues) list.push_back(to_string(issue));
+  return list;
+}
+
+Json json_of(const Statistics& statistics) {
+  return {{"count", statistics.count},
+          {"mean", finite(statistics.mean)},
+          {"std", finite(statistics.standard_deviation)},
+          {"median", finite(statistics.median)},
+          {"max", finite(statistics.maximum)},
+          {"min", finite(statistics.minimum)},
+          {"rmse", finite(statistics.rmse)},
+          {"sse", finite(statistics.sse)},
+          {"squared", finite(statistics.mean_square)}};
+}
+
+Json json_of(const RelationSubset& subset) {
+  return {{"translation_m", json_of(subset.translation_m)},
+          {"rotation_deg", json_of(subset.rotation_deg)}};
+}
+
+Json json_of(const RelationErrors& errors) {
+  return {{"relations", errors.relations}, {"matched", errors.matched},
+          {"coverage", errors.coverage()}, {"poses", to_string(errors.use)},
+          {"all", json_of(errors.all)},    {"local", json_of(errors.local)},
+          {"loop", json_of(errors.loop)}};
+}
+
+Json json_of(const TruePoseErrors& errors) {
+  return {{"poses", errors.poses},
+          {"matched", errors.matched},
+          {"position_m", json_of(errors.position_m)},
+          {"fitted_position_m", json_of(errors.fitted_position_m)},
+          {"heading_deg", json_of(errors.heading_deg)}};
+}
+
+Json json_of(const Evaluation& evaluation) {
+  Json json = Json::object();
+  if (evaluation.relations) {
+    json["relations"] = {{"before", json_of(evaluation.relations->before)},
+                         {"after", json_of(evaluation.relations->after)}};
+  }
+  if (evaluation.true_poses) {
+    json["true_poses"] = {{"before", json_of(evaluation.true_poses->before)},
+                          {"after", json_of(evaluation.true_poses->after)}};
+  }
+  io::add_plan_evaluation(json, evaluation);
+  json["issues"] = json_of(evaluation.issues);
+  return json;
+}
+
+Json json_of(const FloorPlan& plan) {
+  Json rooms = Json::array();
+  double area_m2 = 0.0;
+  for (const PlanRoom& room : plan.rooms) {
+    area_m2 += room.area_m2;
+    rooms.push_back({{"id", room.id},
+                     {"name", room.name},
+                     {"kind", to_string(room.kind)},
+                     {"area_m2", room.area_m2},
+                     {"asrs", room.asrs}});
+  }
+  return {{"area_m2", area_m2},
+          {"rooms", rooms},
+          {"doors", plan.doors.size()},
+          {"issues", json_of(plan.issues)}};
+}
+
+Json json_of(const RoomGraph& graph) {
+  const std::vector<int> component = components_of(graph);
+  const std::vector<PassageEdge>& edges = graph.edges;
+  const auto recognised = std::count_if(edges.begin(), edges.end(), [](const PassageEdge& edge) {
+    return edge.source == EdgeSource::recognised;
+  });
+  const int components =
+      component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + 1;
+  return {{"asrs", component.size()},
+          {"edges", edges.size()},
+          {"recognised_doorways", recognised},
+          {"components", components},
+          {"cycles", cycle_basis(graph).size()}};
+}
+
+Json json_of(const Correction& correction) {
+  Json asrs = Json::array();
+  for (const AsrCorrection& asr : correction.asrs) {
+    asrs.push_back({{"asr", asr.asr},
+                    {"component", asr.component},
+                    {"moved_m", asr.moved_m},
+                    {"turned_deg", degrees(asr.turned_rad)},
+                    {"chi_square_before", asr.chi_square_before},
+                    {"chi_square_after", asr.chi_square_after},
+                    {"cause", asr.cause ? Json(to_string(*asr.cause)) : Json(nullptr)},
+                    {"cause_asr", asr.cause_asr}});
+  }
+  Json factors = Json::array();
+  for (const FactorReport& factor : correction.factors) {
+    factors.push_back({{"kind", to_string(factor.kind)},
+                       {"from", factor.from},
+                       {"to", factor.to},
+                       {"chi_square_before", factor.chi_square_before},
+                       {"chi_square_after", factor.chi_square_after},
+                       {"weight", factor.weight}});
+  }
+  return {{"model", correction.model},
+          {"converged", correction.converged},
+          {"message", correction.message},
+          {"initial_cost", finite(correction.initial_cost)},
+          {"final_cost", finite(correction.final_cost)},
+          {"iterations", correction.iterations},
+          {"odometry_bias",
+           {{"heading_deg_per_m", degrees(correction.odometry_bias.rad_per_m)},
+            {"heading_per_turn", correction.odometry_bias.rad_per_rad},
+            {"asrs", correction.odometry_bias.asrs}}},
+          {"asrs", asrs},
+          {"factors", factors}};
+}
+
+Json json_of(const MissionInfo& info) {
+  const auto optional = [](const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+  };
+  Json sensors = Json::array();
+  for (const auto& sensor : info.sensors) {
+    sensors.push_back({{"kind", sensor->kind == SensorKind::laser ? "laser" : "sonar"},
+                       {"beams", sensor->robot_from_beam.size()},
+                       {"max_range_m", sensor->max_range_m},
+                       {"cone_deg", degrees(2.0 * sensor->half_cone_rad)}});
+  }
+  return {{"file", std::filesystem::path(info.file).filename().string()},
+          {"format", info.format},
+          {"lines", info.line_counts},
+          {"ignored_lines", info.ignored_line_counts},
+          {"malformed_lines", info.malformed_lines},
+          {"readings", info.readings},
+          {"true_poses", info.true_poses},
+          {"odometry", info.odometry},
+          {"path_length_m", info.path_length_m},
+          {"has_times", info.has_times},
+          {"first_timestamp_s", optional(info.first_timestamp_s)},
+          {"last_timestamp_s", optional(info.last_timestamp_s)},
+          {"steps_back_in_time", info.steps_back_in_time},
+          {"robot_length_m", info.footprint.length_m},
+          {"robot_width_m", info.footprint.width_m},
+          {"sensors", sensors},
+          {"issues_not_listed", info.issues_not_listed}};
+}
+
+/// Names of files may be no UTF-8: U+FFFD stands for such bytes.
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string to_json(const MissionInfo& info) {
+  Json json = json_of(info);
+  json["issues"] = json_of(info.issues);
+  return text_of(json);
+}
+
+std::string to_json(const OdometryHabits& habits) {
+  return text_of({{"lag_s", habits.lag_s},
+                  {"bias_deg_per_m", degrees(habits.bias_rad_per_m)},
+                  {"turn_gain", habits.turn_gain},
+                  {"length_scale", habits.length_scale}});
+}
+
+std::string to_json(const Evaluation& evaluation) { return text_of(json_of(evaluation)); }
+
+std::string summary_json(const std::map<std::string, std::string>& metadata,
+                         const Correction& correction, const FloorPlan& plan,
+                         const RoomGraph& graph, const std::optional<Evaluation>& evaluation) {
+  Json json;
+  const auto mission = metadata.find("mission_json");
+  if (mission != metadata.end()) json["mission"] = Json::parse(mission->second);
+  const auto hash = metadata.find("mission_sha256");
+  if (hash != metadata.end()) json["mission"]["sha256"] = hash->second;
+  const auto habits = metadata.find("odometry_json");
+  if (habits != metadata.end()) json["odometry"] = Json::parse(habits->second);
+  json["plan"] = json_of(plan);
+  json["room_graph"] = json_of(graph);
+  json["correction"] = json_of(correction);
+  if (evaluation) json["evaluation"] = json_of(*evaluation);
+  return text_of(json);
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/io/store/geopackage_store.hpp"
+
+#include "geopackage_schema.hpp"
+#include "geopackage_store_state.hpp"
+#include "geopackage_tables.hpp"
+#include "files/sync_file.hpp"
+
+namespace roomatlas {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path beside(const fs::path& file, const char* ending) {
+  fs::path path = file;
+  return path += ending;
+}
+
+void remove_old(const fs::path& file) {
+  if (fs::is_directory(file)) {
+    throw InputError(file.string() + ": is a directory, expected a file name for the store");
+  }
+  std::error_code error;
+  fs::remove(file, error);
+  if (error) throw InputError(file.string() + ": cannot be replaced: " + error.message());
+  for (const char* ending : {"-wal", "-shm", "-journal"}) fs::remove(beside(file, ending), error);
+}
+
+std::unique_ptr<Database> create(const fs::path& file) {
+  remove_old(file);
+  auto database = std::make_unique<Database>(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  database->execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+  SQLite::Transaction all_or_nothing(database->connection());
+  create_schema(*database);
+  all_or_nothing.commit();
+  return database;
+}
+
+std::unique_ptr<Database> open(const fs::path& file, bool writable) {
+  if (!fs::is_regular_file(file)) {
+    throw InputError(file.string() +
+                     ": no such file, expected a building store: 'roomatlas map' writes one");
+  }
+  auto database =
+      std::make_unique<Database>(file, writable ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY);
+  check_schema(*database, file);
+  if (writable) database->execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+  return database;
+}
+
+void stamp_date(Database& db) {
+  std::optional<double> first_s;
+  db.for_each_row("SELECT start_s FROM asr ORDER BY id LIMIT 1",
+                  [&](Row& row) { first_s = row.real(); });
+  db.run("UPDATE gpkg_contents SET last_change = ?", last_change_of(first_s));
+}
+
+/// Takes the database out of WAL mode and writes a fresh copy of its content.
+void write_compact_copy(Database& db, const fs::path& copy) {
+  fs::remove(copy);
+  db.forget_statements();
+  db.execute("PRAGMA wal_checkpoint(TRUNCATE)");
+  std::string mode;
+  db.for_each_row("PRAGMA journal_mode = DELETE", [&](Row& row) { mode = row.text(); });
+  if (mode != "delete") {
+    throw SQLite::Exception("another program has the file open: close it and try again");
+  }
+  // VACUUM counts itself in the schema's cookie. The tables never change, so no other program can
+  // take this for another schema.
+  db.execute("PRAGMA schema_version = 1");
+  db.run("VACUUM INTO ?", copy.string());
+}
+
+}  // namespace
+
+GeoPackageStore::GeoPackageStore(const fs::path& file, Mode mode)
+    : state_(std::make_unique<State>()) {
+  state_->file = file;
+  state_->mode = mode;
+  try {
+    state_->database = mode == Mode::create ? create(file) : open(file, mode == Mode::update);
+    state_->reads_matched_path =
+        mode == Mode::read && state_->database->connection().tableExists("matched_path");
+  } catch (const SQLite::Exception& error) {
+    throw InputError(file.string() + ": cannot be opened: " + error.what());
+  }
+}
+
+GeoPackageStore::~GeoPackageStore() {
+  if (!state_->database || state_->mode == Mode::read) return;
+  state_->database->forget_statements();
+  // A WAL file on a network drive freezes QGIS; when this fails, the store is still whole.
+  state_->database->connection().tryExec("PRAGMA journal_mode = DELETE");
+}
+
+void GeoPackageStore::put_metadata(const std::map<std::string, std::string>& values) {
+  const auto version = values.find(kSchemaVersionKey);
+  if (version != values.end() && version->second != std::to_string(kSchemaVersion)) {
+    throw std::invalid_argument("the store writes its schema version itself");
+  }
+  state_->transaction([&](Database& db) {
+    for (const auto& [key, value] : values) {
+      db.run(
+          "INSERT INTO metadata (key, value) VALUES (?, ?) "
+          "ON CONFLICT (key) DO UPDATE SET value = excluded.value",
+          key, value);
+    }
+  });
+}
+
+std::map<std::string, std::string> GeoPackageStore::metadata() const {
+  return state_->reading([](Database& db) {
+    std::map<std::string, std::string> values;
+    db.for_each_row("SELECT key, value FROM metadata", [&](Row& row) {
+      std::string key = row.text();
+      values[std::move(key)] = row.text();
+    });
+    return values;
+  });
+}
+
+void GeoPackageStore::finish() {
+  state_->transaction([&](Database& db) {
+    state_->write_pending_truth(db);
+    stamp_date(db);
+  });
+  state_->pending_truth.clear();
+  const fs::path copy = beside(state_->file, ".tmp");
+  state_->writing([&](Database& db) {
+    write_compact_copy(db, copy);
+    state_->rows_of_closed_database = db.rows_fetched();
+    state_->database.reset();
+    sync_to_disk(copy);
+    fs::rename(copy, state_->file);
+    sync_to_disk(fs::absolute(state_->file).parent_path());
+  });
+}
+
+std::int64_t GeoPackageStore::rows_read() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->database ? state_->database->rows_fetched() : state_->rows_of_closed_database;
+}
+
+}  // namespace roomatlas

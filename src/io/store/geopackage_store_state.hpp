@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
+#include "sensor_table.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <mutex>
+
+namespace roomatlas {
+
+struct GeoPackageStore::State {
+  std::filesystem::path file;
+  Mode mode = Mode::read;
+  std::unique_ptr<Database> database;  ///< null once finished
+  bool reads_matched_path = false;     ///< paths as they were matched again, where they were
+  SensorTable sensors;
+  std::vector<TruePose> pending_truth;  ///< waits for the next ASR's transaction
+  std::int64_t rows_of_closed_database = 0;
+  std::mutex mutex;
+
+  /// Runs one public call: alone, on an open store, with the file's name on each error.
+  template <typename Call>
+  auto reading(Call call) {
+    const std::lock_guard lock(mutex);
+    if (!database) throw std::logic_error("the store is finished");
+    try {
+      return call(*database);
+    } catch (const SQLite::Exception& error) {
+      throw InputError(file.string() + ": " + error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
+      throw InputError(file.string() + ": " + error.code().message());
+    } catch (const DamagedData& error) {
+      throw InputError(file.string() + ": " + error.what() + "; map the log again");
+    }
+  }
+
+  /// As `reading`, for calls that change the store.
+  template <typename Call>
+  auto writing(Call call) {
+    if (mode == Mode::read) throw std::logic_error("the store is open for reading");
+    return reading(call);
+  }
+
+  /// As `writing`, all or nothing.
+  template <typename Call>
+  void transaction(Call call) {
+    writing([&](Database& db) {
+      try {
+        SQLite::Transaction all_or_nothing(db.connection(), SQLite::TransactionBehavior::IMMEDIATE);
+        call(db);
+        all_or_nothing.commit();
+      } catch (...) {
+        sensors.forget();  // it may know what was rolled back
+        throw;
+      }
+    });
+  }
+
+  void write_pending_truth(Database& db);
+};
+
+/// The rows of one ASR in `exits` and `path_samples` have the keys first to last.
+struct RowKeys {
+  std::int64_t first = 0;
+  std::int64_t last = 0;
+};
+[[nodiscard]] inline RowKeys row_keys(AsrId asr) { return {asr << 32, (asr << 32) | 0xffffffff}; }
+
+}  // namespace roomatlas

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/loops/close_loops.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <tuple>
+
+#include "placed_graph.hpp"
+#include "roomatlas/core/progress.hpp"
+#include "roomatlas/core/issue.hpp"
+#include "wider_matches.hpp"
+
+namespace roomatlas {
+namespace {
+
+SearchWindow window_of(const Uncertainty& between, const ClosureOptions& options) {
+  return {std::clamp(options.window_sigmas * between.position_m, options.min_window.reach_m,
+                     options.max_window.reach_m),
+          std::clamp(options.window_sigmas * between.heading_rad, options.min_window.reach_rad,
+                     options.max_window.reach_rad)};
+}
+
+class LoopCloser {
+ public:
+  LoopCloser(const std::vector<Asr>& asrs, const std::vector<AsrShape>& shapes,
+             const RoomGraph& driven, const CorrectOptions& correct, const ClosureOptions& options,
+             const Progress& progress)
+      : asrs_(asrs),
+        shapes_(shapes),
+        options_(options),
+        progress_(progress),
+        passage_robust_sigmas_(correct.passage_robust_sigmas),
+        placed_(options.robust_sigmas) {
+    std::map<AsrId, std::size_t> index_of;
+    for (std::size_t i = 0; i < asrs.size(); ++i) index_of[asrs[i].id] = i;
+    into_.resize(asrs.size());
+    for (const PassageEdge& edge : driven.edges) {
+      if (index_of.at(edge.from) >= index_of.at(edge.to)) continue;
+      into_[index_of.at(edge.to)] = {index_of.at(edge.from), edge.from_from_to,
+                                     information_of(edge, correct)};
+    }
+    component_ = components_of(driven);
+  }
+
+  ClosedLoops run() {
+    for (std::size_t i = 0; i < asrs_.size(); ++i) {
+      report(progress_, "match rooms", share_of(i, asrs_.size()));
+      enter(i);
+    }
+    placed_.solve();
+    for (int round = 1; round < options_.rounds; ++round) match_all_again(false);
+    mend();
+    match_all_again(true);
+    ClosedLoops result;
+    result.lost_before = lost_before_;
+    result.closures = std::move(closures_);
+    for (std::size_t i = 0; i < asrs_.size(); ++i) {
+      result.placement[asrs_[i].id] = placed_.pose(i);
+    }
+    return result;
+  }
+
+ private:
+  struct DrivenInto {
+    std::size_t from = 0;
+    Pose2 from_from_to;
+    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  };
+
+  /// Adds an ASR to the graph and matches it with the earlier ones that lie near.
+  void enter(std::size_t i) {
+    const auto& into = into_[i];
+    placed_.add_node(asrs_[i].id,
+                     into ? placed_.pose(into->from) * into->from_from_to : asrs_[i].odom_from_asr);
+    if (into) placed_.add_driven(into->from, i, into->from_from_to, into->information);
+    std::vector<Pair> pairs;
+    const double reach_m = options_.near_m + options_.max_near_growth_m;
+    for (std::size_t earlier = 0; earlier < i; ++earlier) consider(earlier, i, reach_m, pairs);
+    const std::vector<Uncertainty> uncertainties = placed_.uncertainties(pairs);
+    std::vector<std::pair<Pair, Uncertainty>> near;
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const double growth_m =
+          std::min(options_.max_near_growth_m, 2.0 * uncertainties[k].position_m);
+      if (pairs[k].apart_m <= options_.near_m + growth_m)
+        near.push_back({pairs[k], uncertainties[k]});
+    }
+    std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) {
+      return a.first.apart_m < b.first.apart_m;
+    });
+    if (near.size() > static_cast<std::size_t>(options_.max_candidates)) {
+      near.resize(static_cast<std::size_t>(options_.max_candidates));
+    }
+    bool any = false;
+    for (const auto& [pair, between] : near) {
+      const MapMatch match = SearchableMap(shapes_[pair.first].map, options_.match)
+                                 .find(shapes_[pair.second].points, placed_.first_from_second(pair),
+                                       window_of(between, options_));
+      if (verdict_on(match, options_.min_agreeing) != ClosureVerdict::accepted) continue;
+      placed_.add(pair, match);
+      any = true;
+    }
+    if (any) placed_.solve();
+  }
+
+  /// Matches every two ASRs that lie near to each other, and forgets the matches before.
+  void match_all_again(bool is_last) {
+    std::vector<Pair> pairs;
+    for (std::size_t first = 0; first < asrs_.size(); ++first) {
+      for (std::size_t second = first + 1; second < asrs_.size(); ++second) {
+        consider(first, second, options_.again_near_m, pairs);
+      }
+    }
+    std::vector<Uncertainty> uncertainties(pairs.size());
+    if (!is_last) uncertainties = placed_.uncertainties(pairs);
+    closures_.clear();
+    pairs_ = pairs;
+    std::optional<SearchableMap> map;
+    std::size_t map_of = asrs_.size();
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      report(progress_, "match rooms again", share_of(k, pairs.size()));
+      if (map_of != pairs[k].first) {
+        map.emplace(shapes_[pairs[k].first].map, options_.match);
+        map_of = pairs[k].first;
+      }
+      const MapMatch match =
+          map->find(shapes_[pairs[k].second].points, placed_.first_from_second(pairs[k]),
+                    window_of(uncertainties[k], options_));
+      closures_.push_back({asrs_[pairs[k].first].id, asrs_[pairs[k].second].id, match,
+                           verdict_on(match, options_.again_min_agreeing), false});
+    }
+    try_given();
+    if (is_last) leave_out_best();
+    placed_.remove_closures();
+    for (std::size_t k = 0; k < pairs_.size(); ++k) {
+      if (closures_[k].verdict != ClosureVerdict::accepted) continue;
+      placed_.add(pairs_[k], closures_[k].match);
+    }
+    placed_.solve();
+  }
+
+  /// Rooms that lie on each other and contradict each other: some of them lie elsewhere. They are
+  /// sought in a wider window. Those that would move alike are believed together, and kept where
+  /// all rooms, matched again from there, agree better than before; else the next of them are.
+  void mend() {
+    std::vector<WiderMatch> found = search_wider();
+    for (int tries = 0; tries < options_.max_mends && !found.empty(); ++tries) {
+      const std::vector<WiderMatch> alike = take_most_alike(found);
+      if (gain_of(alike) < options_.mend_seed * total_score()) return;  // the rest gain less
+      if (believe(alike)) found = search_wider();
+    }
+  }
+
+  /// Places all rooms with these matches believed, where that is better: with the passages as they
+  /// are, and from there with those giving way in which the robot may have been lost. Were they
+  /// doubted at once, rooms that look alike in a row would hold on to their neighbours' places.
+  bool believe(const std::vector<WiderMatch>& matches) {
+    auto best = std::tuple(placed_, closures_, pairs_);
+    double best_score = options_.mend_gain * total_score();
+    bool is_better = false;
+    for (const WiderMatch& wider : matches) placed_.add_believed(pairs_[wider.pair], wider.match);
+    for (const bool doubt_passages : {false, true}) {
+      if (doubt_passages) placed_.doubt_passages(passage_robust_sigmas_);
+      placed_.solve();
+      match_all_again(false);
+      if (total_score() <= best_score) continue;
+      best = std::tuple(placed_, closures_, pairs_);
+      best_score = total_score();
+      is_better = true;
+    }
+    std::tie(placed_, closures_, pairs_) = std::move(best);
+    if (is_better) lost_before_ = placed_.keep_doubts();
+    return is_better;
+  }
+
+  /// Of the contradicted pairs those that fit elsewhere.
+  [[nodiscard]] std::vector<WiderMatch> search_wider() const {
+    std::vector<WiderMatch> found;
+    for (std::size_t k = 0; k < pairs_.size(); ++k) {
+      if (closures_[k].verdict != ClosureVerdict::contradicted) continue;
+      const auto [first, second, apart_m] = pairs_[k];
+      const MapMatch match = SearchableMap(shapes_[first].map, options_.match)
+                                 .find(shapes_[second].points, placed_.first_from_second(pairs_[k]),
+                                       options_.max_window);
+      if (verdict_on(match, options_.min_agreeing) != ClosureVerdict::accepted) continue;
+      const Closure there{0, 0, match, ClosureVerdict::accepted, false};
+      found.push_back({k, match, there.score() - closures_[k].score(), placed_.pose(second),
+                       placed_.pose(first) * match.first_from_second});
+    }
+    return found;
+  }
+
+  /// What speaks for the places of all rooms together.
+  [[nodiscard]] double total_score() const {
+    double score = 0.0;
+    for (const Closure& closure : closures_) score += closure.score();
+    return score;
+  }
+
+  [[nodiscard]] std::size_t index_of(AsrId id) const {
+    const auto at =
+        std::find_if(asrs_.begin(), asrs_.end(), [&](const Asr& asr) { return asr.id == id; });
+    if (at == asrs_.end()) {
+      throw InputError("added closure: there is no ASR " + std::to_string(id) +
+                       "; the store has 1 to " + std::to_string(asrs_.back().id));
+    }
+    return static_cast<std::size_t>(at - asrs_.begin());
+  }
+
+  /// Measurements of the user, sought where they say.
+  void try_given() {
+    for (const GivenClosure& given : options_.given) {
+      const Pair pair{index_of(given.from), index_of(given.to), 0.0};
+      const MapMatch match =
+          SearchableMap(shapes_[pair.first].map, options_.match)
+              .find(shapes_[pair.second].points, given.from_from_to, options_.min_window);
+      pairs_.push_back(pair);
+      closures_.push_back(
+          {given.from, given.to, match, verdict_on(match, options_.again_min_agreeing), true});
+    }
+  }
+
+  void leave_out_best() {
+    std::vector<Closure*> best;
+    for (Closure& closure : closures_) {
+      if (closure.verdict == ClosureVerdict::accepted) best.push_back(&closure);
+    }
+    std::stable_sort(best.begin(), best.end(), [](const Closure* first, const Closure* second) {
+      return first->score() > second->score();
+    });
+    const auto count = static_cast<std::size_t>(std::max(0, options_.without_best));
+    for (std::size_t i = 0; i < std::min(count, best.size()); ++i) {
+      best[i]->verdict = ClosureVerdict::left_out;
+    }
+  }
+
+  void consider(std::size_t first, std::size_t second, double reach_m, std::vector<Pair>& pairs) {
+    if (component_[first] != component_[second]) return;
+    Pair pair{first, second, 0.0};
+    const Pose2 between = placed_.first_from_second(pair);
+    constexpr double kLongestPieceM = 30.0;  // a visit is cut long before
+    if (between.position().norm() > reach_m + 2.0 * kLongestPieceM) return;
+    pair.apart_m = path_distance_m(shapes_[first], shapes_[second], between);
+    if (pair.apart_m <= reach_m) pairs.push_back(pair);
+  }
+
+  [[nodiscard]] ClosureVerdict verdict_on(const MapMatch& match, int min_agreeing) const {
+    return judge(match, min_agreeing, options_.min_agreement);
+  }
+
+  const std::vector<Asr>& asrs_;
+  const std::vector<AsrShape>& shapes_;
+  const ClosureOptions& options_;
+  const Progress& progress_;
+  double passage_robust_sigmas_;
+  PlacedGraph placed_;
+  std::set<AsrId> lost_before_;
+  std::vector<std::optional<DrivenInto>> into_;
+  std::vector<int> component_;
+  std::vector<Closure> closures_;  ///< of the last round
+  std::vector<Pair> pairs_;        ///< parallel to `closures_`
+};
+
+}  // namespace
+
+ClosedLoops close_loops(const std::vector<Asr>& asrs, const std::vector<AsrShape>& shapes,
+                        const RoomGraph& driven, const CorrectOptions& correct,
+                        const ClosureOptions& options, const Progress& progress) {
+  return LoopCloser(asrs, shapes, driven, correct, options, progress).run();
+}
+
+}  // namespace roomatlas

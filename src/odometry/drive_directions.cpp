@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/odometry/drive_directions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace roomatlas {
+namespace {
+
+constexpr double kLeastRangeM = 0.2;
+constexpr double kMostRangeM = 4.0;
+constexpr double kSameThingM = 0.3;  // a return farther off under both motions tells nothing
+
+constexpr double kLeastIntervalS =
+    0.15;  // shorter steps of a fast sensor would all look like stops
+
+/// Readings of one sensor, not too close in time.
+struct Keys {
+  std::vector<const RangeReading*> readings;
+  std::vector<std::size_t> number;  ///< of each in the mission
+};
+using Readings = std::vector<const RangeReading*>;
+
+bool is_usable(double range_m, const RangeSensor& sensor) {
+  return range_m > kLeastRangeM && range_m < std::min(kMostRangeM, sensor.max_range_m);
+}
+
+Keys keys_of(std::span<const RangeReading> mission) {
+  std::map<const RangeSensor*, std::size_t> count;
+  for (const RangeReading& reading : mission) ++count[reading.sensor.get()];
+  // the sensor that is read most often; of equals, the one that comes first
+  std::size_t most = 0;
+  for (const auto& [sensor, readings] : count) most = std::max(most, readings);
+  const auto chosen = std::find_if(mission.begin(), mission.end(), [&](const auto& reading) {
+    return count[reading.sensor.get()] == most;
+  });
+  Keys keys;
+  for (std::size_t i = 0; i < mission.size(); ++i) {
+    if (mission[i].sensor != chosen->sensor) continue;
+    const bool soon =
+        !keys.readings.empty() &&
+        std::abs(mission[i].timestamp_s - keys.readings.back()->timestamp_s) < kLeastIntervalS;
+    if (soon) continue;
+    keys.readings.push_back(&mission[i]);
+    keys.number.push_back(i);
+  }
+  return keys;
+}
+
+Pose2 step_to(const Readings& readings, std::size_t i) {
+  return inverse(readings[i - 1]->odom_from_robot) * readings[i]->odom_from_robot;
+}
+
+/// By how much the range heard in the direction of a point differs from its distance; nothing
+/// where no cone with a range looks there.
+std::optional<double> excess_m(const RangeReading& reading, const Point2& point_robot) {
+  const RangeSensor& sensor = *reading.sensor;
+  std::optional<double> excess;
+  double nearest = std::max(sensor.half_cone_rad, radians(2.0));
+  for (std::size_t i = 0; i < sensor.robot_from_beam.size(); ++i) {
+    const double range_m = reading.ranges_m[i];
+    if (!(range_m > kLeastRangeM) || !std::isfinite(range_m)) continue;
+    const Pose2& beam = sensor.robot_from_beam[i];
+    const Point2 to = point_robot - beam.position();
+    const double off = std::abs(wrap_angle(std::atan2(to.y(), to.x()) - beam.theta_rad));
+    if (off > nearest) continue;
+    nearest = off;
+    excess = to.norm() - range_m;
+  }
+  return excess;
+}
+
+Pose2 negated(const Pose2& step) { return {-step.x_m, -step.y_m, step.theta_rad}; }
+
+/// Log odds of reversed against reported, of one pair of readings.
+double log_odds(const RangeReading& earlier, const RangeReading& later,
+                const std::array<Pose2, 2>& later_from_earlier,
+                const DriveDirectionOptions& options) {
+  double odds = 0.0;
+  for (std::size_t i = 0; i < earlier.ranges_m.size(); ++i) {
+    const double range_m = earlier.ranges_m[i];
+    if (!is_usable(range_m, *earlier.sensor)) continue;
+    const Point2 hit = earlier.sensor->robot_from_beam[i] * Point2(range_m, 0.0);
+    const auto reported = excess_m(later, later_from_earlier[0] * hit);
+    const auto against = excess_m(later, later_from_earlier[1] * hit);
+    if (!reported || !against) continue;
+    if (std::min(std::abs(*reported), std::abs(*against)) > kSameThingM) continue;
+    const auto log_likelihood = [&](double excess) {
+      const double sigmas = excess / options.range_sigma_m;
+      return std::log(options.other_share + std::exp(-sigmas * sigmas / 2.0));
+    };
+    odds += log_likelihood(*against) - log_likelihood(*reported);
+  }
+  return odds;
+}
+
+/// Readings [first, last] between two stops, and their poses under both motions.
+class Interval {
+ public:
+  Interval(const Readings& readings, std::size_t first, std::size_t last) : readings_(readings) {
+    path_m_.push_back(0.0);
+    for (auto& poses : poses_) poses.emplace_back();
+    for (std::size_t i = first + 1; i <= last; ++i) {
+      const Pose2 step = step_to(readings, i);
+      poses_[0].push_back(poses_[0].back() * step);
+      poses_[1].push_back(poses_[1].back() * negated(step));
+      path_m_.push_back(path_m_.back() + step.position().norm());
+    }
+    first_ = first;
+  }
+
+  [[nodiscard]] double log_odds_of_reverse(const DriveDirectionOptions& options) const {
+    double odds = 0.0;
+    for (std::size_t u = 0; u < path_m_.size(); ++u) {
+      for (std::size_t v = u + 1; v < path_m_.size(); ++v) {
+        const double apart_m = path_m_[v] - path_m_[u];
+        if (apart_m < options.min_apart_m) continue;
+        if (apart_m > options.max_apart_m) break;
+        const std::array v_from_u = {inverse(poses_[0][v]) * poses_[0][u],
+                                     inverse(poses_[1][v]) * poses_[1][u]};
+        if (std::abs(v_from_u[0].theta_rad) > options.max_turn_rad) break;
+        odds += log_odds(*readings_[first_ + u], *readings_[first_ + v], v_from_u, options);
+      }
+    }
+    return options.independence * odds;
+  }
+
+ private:
+  const Readings& readings_;
+  std::size_t first_ = 0;
+  std::array<std::vector<Pose2>, 2> poses_;  ///< in the frame of the first: reported, reversed
+  std::vector<double> path_m_;
+};
+
+bool reports_backward_steps(const Readings& readings) {
+  constexpr double kBackwardM = -0.01;
+  constexpr int kEnough = 3;  // fewer may be a jump of the encoders
+  int backward = 0;
+  for (std::size_t i = 1; i < readings.size(); ++i) {
+    if (step_to(readings, i).x_m < kBackwardM) ++backward;
+  }
+  return backward >= kEnough;
+}
+
+}  // namespace
+
+DriveDirections find_drive_directions(std::span<const RangeReading> mission,
+                                      const DriveDirectionOptions& options) {
+  DriveDirections result;
+  result.reversed.assign(mission.size(), false);
+  result.undecided_m.assign(mission.size(), 0.0);
+  if (mission.empty()) return result;
+  const Keys keys = keys_of(mission);
+  const Readings& readings = keys.readings;
+  const std::size_t count = readings.size();
+  result.odometry_is_signed = reports_backward_steps(readings);
+  if (!options.find_reverse || result.odometry_is_signed) return result;
+  const auto moves = [&](std::size_t k) {
+    return k < count && step_to(readings, k).position().norm() >= options.stop_step_m;
+  };
+  constexpr std::size_t kBefore = 3;  // readings of the stop that are compared too
+  constexpr std::size_t kBehind = 2;
+  std::vector<double> undecided_step_m(mission.size(), 0.0);
+  for (std::size_t first = 1; first < count; ++first) {
+    if (!moves(first)) continue;
+    std::size_t end = first;
+    while (moves(end)) ++end;
+    const std::size_t from = first > kBefore ? first - kBefore : 0;
+    const Interval interval(readings, from, std::min(count - 1, end + kBehind));
+    const double odds = interval.log_odds_of_reverse(options);
+    const bool reversed = odds > options.flip_log_odds;
+    const bool undecided = !reversed && odds > options.undecided_log_odds;
+    if (reversed) ++result.intervals_reversed;
+    // the steps into and out of the stop go the same way
+    const std::size_t begin = std::max<std::size_t>(2, first) - 2;
+    const std::size_t last = keys.number[std::min(count - 1, end)];
+    for (std::size_t i = keys.number[begin] + 1; i <= last; ++i) {
+      result.reversed[i] = result.reversed[i] || reversed;
+      if (!undecided) continue;
+      undecided_step_m[i] =
+          (mission[i].odom_from_robot.position() - mission[i - 1].odom_from_robot.position())
+              .norm();
+    }
+    first = end;
+  }
+  for (std::size_t i = 1; i < mission.size(); ++i) {
+    result.undecided_m[i] = result.undecided_m[i - 1] + undecided_step_m[i];
+  }
+  return result;
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "draw_up.hpp"
+
+#include <string>
+#include <utility>
+
+namespace roomatlas {
+namespace {
+
+std::vector<AsrId> asrs_of(RoomId room, const std::map<AsrId, RoomId>& room_of_asr) {
+  std::vector<AsrId> asrs;
+  for (const auto& [asr, its_room] : room_of_asr) {
+    if (its_room == room) asrs.push_back(asr);
+  }
+  return asrs;
+}
+
+}  // namespace
+
+void draw_up(MappedBuilding building, const AssembleOptions& options, Assembly& assembly) {
+  const auto plan_of = [&](const auto& outlines, const auto& placed_doors) {
+    FloorPlan plan = merge(outlines, placed_doors, options.merge);
+    for (PlanRoom& room : plan.rooms) room.asrs = asrs_of(room.id, building.room_of_asr);
+    plan.furniture = building.furniture;
+    return plan;
+  };
+  assembly.plan = plan_of(building.outlines, building.doors);
+  if (!options.regular_walls) return;
+  assembly.measured_plan = std::move(assembly.plan);
+  RegularWallOptions walls = options.regular;
+  if (building.sensor == SensorKind::sonar) walls.blind_corner_m = options.sonar_corner_m;
+  const RegularOutlines regular = with_regular_walls(std::move(building.outlines), building.doors, walls);
+  assembly.plan = plan_of(regular.outlines, regular.doors);
+  if (regular.kept > 0) {
+    assembly.plan.issues.push_back(
+        {Severity::note, "", 0, "regular walls",
+         std::to_string(regular.kept) + " of " + std::to_string(regular.outlines.size()) +
+             " outlines are drawn as measured: straightened they would cross themselves"});
+  }
+}
+
+}  // namespace roomatlas

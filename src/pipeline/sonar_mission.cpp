@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A mission with sonars alone: corrected as a whole, its rooms recorded again.
+#include <iterator>
+
+#include "roomatlas/asr/load.hpp"
+#include "roomatlas/asr/record_again.hpp"
+#include "strategies.hpp"
+
+namespace roomatlas {
+namespace {
+
+/// In the order in which they were recorded.
+std::vector<RangeReading> readings_of(const AsrSource& source) {
+  std::vector<RangeReading> readings;
+  for (const AsrId id : source.ids()) {
+    Asr asr = source.get(id, AsrDetail::readings);
+    std::move(asr.readings.begin(), asr.readings.end(), std::back_inserter(readings));
+  }
+  return readings;
+}
+
+}  // namespace
+
+CorrectedMission correct_sonar_mission(const AsrSource& source, const RobotFootprint& footprint,
+                                       const Options& options, const Progress& progress) {
+  report(progress, "correct sonars", 0.0);
+  const std::vector<RangeReading> readings = readings_of(source);
+  SonarTrajectory trajectory =
+      correct_sonar_trajectory(readings, options.assemble.sonars,
+                               [&] { report(progress, "correct sonars", 0.0); });
+  RecordedAgain again =
+      record_again(readings, trajectory.map_from_robot, footprint, options.map.record);
+  report(progress, "correct", 0.0);
+  const std::vector<Asr> asrs = load(again.asrs, AsrDetail::path);
+  CorrectedMission result;
+  result.graph = build_graph(asrs);
+  for (const PassageEdge& edge :
+       recognise_doorways(asrs, again.placement, options.assemble.recognise)) {
+    add_edge(result.graph, edge);
+  }
+  result.correction = correct_to(asrs, result.graph, again.placement, options.assemble.correct,
+                                 trajectory.walls_rad);
+  trajectory.map_from_robot.clear();
+  result.sonars = std::move(trajectory);
+  result.recorded_again = std::move(again.asrs);
+  return result;
+}
+
+}  // namespace roomatlas

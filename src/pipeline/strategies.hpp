@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The three ways of correcting a mission. Each takes the ASRs of the online stage and says where
+// they truly lie; `assemble` does the rest alike for all.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "roomatlas/asr/memory_store.hpp"
+#include "roomatlas/asr/store.hpp"
+#include "roomatlas/core/progress.hpp"
+#include "roomatlas/correct/correct.hpp"
+#include "roomatlas/loops/closures.hpp"
+#include "roomatlas/pipeline/options.hpp"
+#include "roomatlas/sonar/sonar_trajectory.hpp"
+
+namespace roomatlas {
+
+/// Where the ASRs of a mission truly lie, and how that was found.
+struct CorrectedMission {
+  RoomGraph graph;
+  Correction correction;
+  std::vector<Closure> closures;        ///< that were tried; none where rooms were not matched
+  bool are_rooms_matched = false;
+  Paths paths;                          ///< of readings that were matched again; may be empty
+  std::optional<SonarTrajectory> sonars;
+  std::optional<MemoryStore> recorded_again;  ///< ASRs instead of those of the source
+};
+
+/// Rooms are found again by their walls, and readings matched with all rooms that lie on their own.
+[[nodiscard]] CorrectedMission correct_laser_mission(const AsrSource& source,
+                                                     const Options& options,
+                                                     const Progress& progress);
+
+/// The readings of all rooms are corrected as one trajectory, and the rooms recorded anew from it.
+[[nodiscard]] CorrectedMission correct_sonar_mission(const AsrSource& source,
+                                                     const RobotFootprint& footprint,
+                                                     const Options& options,
+                                                     const Progress& progress);
+
+/// The paper's: rooms turn about their pivots, which are doorways that were seen again.
+[[nodiscard]] CorrectedMission correct_paper_mission(const std::vector<Asr>& asrs,
+                                                     const Options& options);
+
+}  // namespace roomatlas

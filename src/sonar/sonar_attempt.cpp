@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sonar_attempt.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "node_headings.hpp"
+#include "roomatlas/sonar/contradiction.hpp"
+
+namespace roomatlas {
+namespace {
+
+/// One batch from the given poses, and its score.
+Attempt solve_from(const SonarMission& mission, const Idea& idea, const std::vector<Pose2>& start,
+                   SonarBatchOptions batch_options) {
+  if (mission.before_attempt) mission.before_attempt();
+  constexpr double kContradictedCounts = 3.0;
+  Attempt attempt;
+  const DrivenPath& path = idea.problem.path;
+  SonarProblem problem = sonar_problem(mission.readings, path, mission.directions, start,
+                                       idea.directions_rad, mission.options.segments);
+  for (DrivenStep& step : problem.batch.steps) step.turn_sigma_rad *= idea.doubt;
+  if (idea.is_odometry) batch_options.heading_weight = 0.0;
+  const SonarBatchResult solved = solve_sonar_batch(problem.batch, batch_options);
+  attempt.length_scale = solved.length_scale;
+  attempt.strain = solved.strain;
+  attempt.map_from_robot = poses_of(path, problem, solved.map_from_node);
+  const auto turned = with_headings_of_returns(mission.readings, problem, attempt.map_from_robot,
+                                               solved.map_from_node, batch_options);
+  attempt.map_from_robot = poses_of(path, problem, turned);
+  const Contradiction contradiction =
+      contradiction_of(mission.readings, attempt.map_from_robot, path.path_m, problem.segments, {});
+  attempt.score_m =
+      solved.solved ? contradiction.confirmed_m - kContradictedCounts * contradiction.contradicted_m
+                    : -std::numeric_limits<double>::infinity();
+  attempt.variant.habits = idea.habits;
+  attempt.variant.pairs = solved.pairs;
+  if (solved.solved) {
+    attempt.variant.compared_m = contradiction.compared_m();
+    attempt.variant.contradiction = contradiction.share();
+  }
+  return attempt;
+}
+
+}  // namespace
+
+std::vector<double> by_reading(const HeadingProblem& problem, const std::vector<double>& by_node) {
+  std::vector<double> values;
+  const auto& nodes = problem.node_readings;
+  for (std::size_t i = 0, node = 0; i < problem.path.path_m.size(); ++i) {
+    while (node + 1 < nodes.size() && nodes[node + 1] <= i) ++node;
+    double value = by_node[node];
+    if (node + 1 < nodes.size()) {
+      const double share = share_between(problem.path, nodes[node], nodes[node + 1], i);
+      value += share * (by_node[node + 1] - value);
+    }
+    values.push_back(value);
+  }
+  return values;
+}
+
+bool is_better(const Attempt& attempt, const Attempt& than) {
+  constexpr double kShare = 0.02;
+  constexpr double kLeastM = 10.0;
+  return attempt.score_m > than.score_m + std::max(kLeastM, kShare * than.score_m);
+}
+
+Attempt solve(const SonarMission& mission, const Idea& idea, std::string name,
+              std::vector<double> correction_rad, SonarBatchOptions batch_options) {
+  const auto start = with_headings(idea.problem.path, by_reading(idea.problem, correction_rad));
+  Attempt attempt = solve_from(mission, idea, start, batch_options);
+  attempt.variant.name = std::move(name);
+  attempt.correction_rad = std::move(correction_rad);
+  return attempt;
+}
+
+Attempt solve_again(const SonarMission& mission, const Idea& idea, std::string name,
+                    const SonarBatchOptions& batch_options) {
+  Attempt attempt = solve_from(mission, idea, idea.attempt.map_from_robot, batch_options);
+  attempt.variant.name = std::move(name);
+  attempt.correction_rad = idea.attempt.correction_rad;
+  return attempt;
+}
+
+Idea idea_of(const SonarMission& mission, const Calibration& calibration,
+             const std::vector<double>& directions_rad) {
+  Idea idea;
+  idea.directions_rad = directions_rad;
+  idea.habits = calibration.habits;
+  idea.doubt = calibration.doubt;
+  idea.chain_options = calibration.doubting({});
+  idea.problem =
+      heading_problem(mission.readings, mission.directions, idea.habits, mission.options.segments);
+  idea.chain = smooth_heading(idea.problem.nodes, idea.problem.sightings, idea.directions_rad,
+                              idea.chain_options);
+  return idea;
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One way to solve a mission with sonars: a heading, poses and walls in one batch, and a score by
+// what the visits say of each other's walls.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "heading_chain.hpp"
+#include "roomatlas/sonar/sonar_trajectory.hpp"
+#include "sonar_batch.hpp"
+#include "sonar_calibration.hpp"
+#include "sonar_problem.hpp"
+
+namespace roomatlas {
+
+/// What is corrected, and how.
+struct SonarMission {
+  std::span<const RangeReading> readings;
+  const DriveDirections& directions;
+  const SonarTrajectoryOptions& options;
+  const std::function<void()>& before_attempt;  ///< may be empty; what it throws ends the work
+};
+
+/// A trajectory, and what its visits say of each other's walls.
+struct Attempt {
+  std::vector<double> correction_rad;  ///< of the heading, by node of the chain
+  std::vector<Pose2> map_from_robot;
+  double length_scale = 1.0;  ///< times what the heading's habits make of lengths
+  SonarVariant variant;
+  double score_m = 0.0;  ///< of wall: confirmed, less what is contradicted; of a batch that could
+                         ///< not be solved the lowest there is
+  double strain = 0.0;   ///< of odometry
+};
+
+/// By more than noise.
+[[nodiscard]] bool is_better(const Attempt& attempt, const Attempt& than);
+
+/// Habits, the heading that they make likely, and what came of it.
+struct Idea {
+  OdometryHabits habits;
+  double doubt = 1.0;
+  bool is_odometry = false;  ///< the heading is odometry's, and walls follow no direction
+  HeadingChainOptions chain_options;
+  std::vector<double> directions_rad;  ///< of the building's walls
+  HeadingProblem problem;
+  HeadingChain chain;
+  Attempt attempt;
+};
+
+[[nodiscard]] Idea idea_of(const SonarMission& mission, const Calibration& calibration,
+                           const std::vector<double>& directions_rad);
+
+/// Solves an idea with one heading, whatever its own attempt was. Wall that is contradicted counts
+/// three times in the score.
+/// @param name of the variant
+[[nodiscard]] Attempt solve(const SonarMission& mission, const Idea& idea, std::string name,
+                            std::vector<double> correction_rad,
+                            SonarBatchOptions batch_options = {});
+
+/// Solves once more from where the idea's attempt ended: the walls are extracted anew at its poses,
+/// and are the sharper the truer these are.
+[[nodiscard]] Attempt solve_again(const SonarMission& mission, const Idea& idea, std::string name,
+                                  const SonarBatchOptions& batch_options);
+
+/// The chain's values by node as values by reading, those between nodes by way and turn.
+[[nodiscard]] std::vector<double> by_reading(const HeadingProblem& problem,
+                                             const std::vector<double>& by_node);
+
+}  // namespace roomatlas

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sonar_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+
+namespace roomatlas {
+namespace {
+
+constexpr double kNodeM = 0.4;
+constexpr double kNodeRad = 0.35;
+
+using Readings = std::span<const RangeReading>;
+
+DrivenStep step_between(const DrivenPath& path, const std::vector<double>& undecided_m,
+                        std::size_t from, std::size_t to) {
+  constexpr double kPerSqrtM = 0.03;
+  constexpr double kPerRad = 0.02;
+  constexpr double kHeadingPerSqrtM = radians(1.0);
+  constexpr double kHeadingPerRad = 0.03;
+  const double way_m = path.path_m[to] - path.path_m[from];
+  const double turn_rad = path.turned_rad[to] - path.turned_rad[from];
+  const double across_variance =
+      kPerSqrtM * kPerSqrtM * way_m + 1e-5 + (kPerRad * turn_rad) * (kPerRad * turn_rad);
+  const double either_way_m = undecided_m[to] - undecided_m[from];
+  DrivenStep step;
+  step.before_from_here = inverse(path.odom_from_robot[from]) * path.odom_from_robot[to];
+  step.across_sigma_m = std::sqrt(across_variance);
+  step.along_sigma_m = std::sqrt(across_variance + either_way_m * either_way_m);
+  step.turn_sigma_rad = std::sqrt(kHeadingPerSqrtM * kHeadingPerSqrtM * way_m +
+                                  kHeadingPerRad * kHeadingPerRad * turn_rad * turn_rad + 1e-6);
+  return step;
+}
+
+}  // namespace
+
+SonarProblem sonar_problem(Readings readings, const DrivenPath& path,
+                           const DriveDirections& directions, const std::vector<Pose2>& start,
+                           const std::vector<double>& directions_rad,
+                           const WallSegmentOptions& options) {
+  SonarProblem problem;
+  problem.node_readings = nodes_along(path, kNodeM, kNodeRad);
+  const auto& nodes = problem.node_readings;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    problem.batch.map_from_node.push_back(start[nodes[k]]);
+    problem.batch.steps.push_back(
+        k == 0 ? DrivenStep{} : step_between(path, directions.undecided_m, nodes[k - 1], nodes[k]));
+  }
+  for (std::size_t i = 0, node = 0; i < readings.size(); ++i) {
+    if (node + 1 < nodes.size() && nodes[node + 1] <= i) ++node;
+    problem.node_of.push_back(node);
+  }
+  problem.segments = wall_segments(readings, start, path.path_m, options);
+  for (const WallSegment& segment : problem.segments) {
+    const std::size_t node = problem.node_of[segment.reading];
+    const Pose2 node_from_robot =
+        inverse(path.odom_from_robot[nodes[node]]) * path.odom_from_robot[segment.reading];
+    problem.batch.walls.push_back({node, wrap_angle(segment.normal_rad + node_from_robot.theta_rad),
+                                   node_from_robot * segment.middle_robot, segment.length_m,
+                                   path.path_m[segment.reading]});
+    const double normal_rad = start[segment.reading].theta_rad + segment.normal_rad;
+    problem.batch.direction_rad.push_back(
+        *std::min_element(directions_rad.begin(), directions_rad.end(), [&](double a, double b) {
+          return std::abs(wrap_quarter(normal_rad - a)) < std::abs(wrap_quarter(normal_rad - b));
+        }));
+  }
+  return problem;
+}
+
+std::vector<Pose2> poses_of(const DrivenPath& path, const SonarProblem& problem,
+                            const std::vector<Pose2>& map_from_node) {
+  const auto& nodes = problem.node_readings;
+  std::vector<Pose2> poses;
+  for (std::size_t i = 0; i < path.odom_from_robot.size(); ++i) {
+    const std::size_t k = problem.node_of[i];
+    const Pose2 node_from_odom = inverse(path.odom_from_robot[nodes[k]]);
+    Pose2 pose = map_from_node[k] * (node_from_odom * path.odom_from_robot[i]);
+    if (k + 1 < nodes.size()) {
+      const Pose2 driven = map_from_node[k] * (node_from_odom * path.odom_from_robot[nodes[k + 1]]);
+      const double share = share_between(path, nodes[k], nodes[k + 1], i);
+      const Pose2& next = map_from_node[k + 1];
+      pose.x_m += share * (next.x_m - driven.x_m);
+      pose.y_m += share * (next.y_m - driven.y_m);
+      pose.theta_rad =
+          wrap_angle(pose.theta_rad + share * wrap_angle(next.theta_rad - driven.theta_rad));
+    }
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+}  // namespace roomatlas

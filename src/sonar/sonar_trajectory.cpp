@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/sonar/sonar_trajectory.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "sonar_attempt.hpp"
+#include "sonar_repairs.hpp"
+
+namespace roomatlas {
+namespace {
+
+/// A change of odometry's habits. Where little is heard, the batch ends elsewhere from each.
+struct Change {
+  const char* name;
+  double bias_deg_per_m;
+  double turn_gain;
+};
+constexpr Change kChanges[] = {
+    {"bias +0.25 deg/m, gain -0.01", 0.25, -0.01},
+    {"bias -0.25 deg/m, gain +0.01", -0.25, 0.01},
+    {"bias +0.25 deg/m, gain -0.03", 0.25, -0.03},
+    {"bias -0.25 deg/m, gain +0.03", -0.25, 0.03},
+    {"gain -0.03", 0.0, -0.03},
+    {"gain +0.03", 0.0, 0.03},
+};
+
+/// Whether the walls make one heading clearly more likely than walls that lie anyhow would: in a
+/// round hall they do not.
+bool walls_follow_directions(const HeadingProblem& problem,
+                             const std::vector<double>& directions_rad,
+                             const HeadingChainOptions& chain) {
+  constexpr double kLeastASegment = 0.05;  // of log evidence
+  const double evidence = heading_evidence(problem.nodes, problem.sightings, directions_rad, chain);
+  return !problem.sightings.empty() &&
+         evidence > kLeastASegment * static_cast<double>(problem.sightings.size());
+}
+
+/// Share of the readings whose headings part for good: by more than odds and ends of a turn.
+double share_turned(const std::vector<Pose2>& a, const std::vector<Pose2>& b) {
+  constexpr double kTurned = radians(30.0);
+  const auto apart = [&](std::size_t i) { return wrap_angle(a[i].theta_rad - b[i].theta_rad); };
+  const double middle = apart(a.size() / 2);
+  std::size_t turned = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::abs(wrap_angle(apart(i) - middle)) > kTurned) ++turned;
+  }
+  return static_cast<double>(turned) / static_cast<double>(a.size());
+}
+
+/// Of the readings. Without directions to follow walls cannot tell the heading: it counts as sure.
+double share_with_sure_heading(const Idea& idea) {
+  constexpr double kSure = radians(5.0);
+  if (idea.is_odometry) return 1.0;
+  const std::vector<double> sigmas_rad = by_reading(idea.problem, idea.chain.sigma_rad);
+  const auto sure = std::count_if(sigmas_rad.begin(), sigmas_rad.end(),
+                                  [](double sigma_rad) { return sigma_rad <= kSure; });
+  return static_cast<double>(sure) / static_cast<double>(sigmas_rad.size());
+}
+
+/// Whether the heading is sure, enough wall was seen by several visits, they agree about it, and no
+/// attempt that winds otherwise does nearly as well: what it turns must cost it walls.
+bool is_verified(const Idea& idea, const std::vector<Attempt>& others,
+                 const SonarTrajectoryOptions& options) {
+  const Attempt& kept = idea.attempt;
+  constexpr double kLeastShare = 0.05;  // of the readings
+  constexpr double kCost = 0.2;         // of the score, for each share of the readings
+  const SonarVariant& variant = kept.variant;
+  if (variant.compared_m < options.verified_m || variant.contradiction > options.verified_share ||
+      share_with_sure_heading(idea) < options.verified_heading_share) {
+    return false;
+  }
+  return std::none_of(others.begin(), others.end(), [&](const Attempt& other) {
+    const double share = share_turned(other.map_from_robot, kept.map_from_robot);
+    return share > kLeastShare && other.score_m > (1.0 - kCost * share) * kept.score_m;
+  });
+}
+
+/// Moves a trajectory so that it begins where odometry does. @return the turn
+double begin_at(const Pose2& first, std::vector<Pose2>& poses) {
+  const Pose2 moved = first * inverse(poses.front());
+  for (Pose2& pose : poses) pose = moved * pose;
+  return moved.theta_rad;
+}
+
+/// What stays of several ideas, and what does not.
+struct Choice {
+  std::optional<Idea> best;
+  std::vector<Attempt> others;
+
+  /// The first stays unless another is clearly better.
+  void offer(Idea idea, SonarTrajectory& result) {
+    result.variants.push_back(idea.attempt.variant);
+    if (best && !is_better(idea.attempt, best->attempt)) {
+      others.push_back(std::move(idea.attempt));
+      return;
+    }
+    if (best) others.push_back(std::move(best->attempt));
+    result.chosen = result.variants.size() - 1;
+    best = std::move(idea);
+  }
+};
+
+std::string name_of(const std::vector<double>& walls_rad) {
+  if (walls_rad.size() == 1) return "walls in one direction";
+  return "walls in " + std::to_string(walls_rad.size()) + " directions";
+}
+
+void consider(const SonarMission& mission, Idea idea, std::string name, Choice& choice,
+              SonarTrajectory& result) {
+  idea.attempt = solve(mission, idea, std::move(name), idea.chain.correction_rad);
+  choice.offer(std::move(idea), result);
+}
+
+/// Headings by the building's walls, where these follow directions, and odometry's own.
+Choice choose_heading(const SonarMission& mission, const Calibration& likely,
+                      SonarTrajectory& result) {
+  const HeadingProblem problem = heading_problem(mission.readings, mission.directions,
+                                                 likely.habits, mission.options.segments);
+  const HeadingChainOptions chain = likely.doubting({});
+  const std::vector<double> walls_rad = building_directions(problem, chain);
+  Choice choice;
+  if (walls_follow_directions(problem, walls_rad, chain)) {
+    // all of them first: wings at an angle are believed
+    if (walls_rad.size() > 1) {
+      consider(mission, idea_of(mission, likely, walls_rad), name_of(walls_rad), choice, result);
+    }
+    consider(mission, idea_of(mission, likely, {0.0}), name_of({0.0}), choice, result);
+  }
+  Idea odometry = idea_of(mission, {}, {0.0});
+  std::fill(odometry.chain.correction_rad.begin(), odometry.chain.correction_rad.end(), 0.0);
+  odometry.is_odometry = true;
+  consider(mission, std::move(odometry), "odometry's own heading", choice, result);
+  return choice;
+}
+
+void consider_other_habits(const SonarMission& mission, const Calibration& likely, Choice& choice,
+                           SonarTrajectory& result) {
+  const std::vector<double> walls_rad = choice.best->directions_rad;
+  for (const Change& change : kChanges) {
+    Calibration changed = likely;
+    changed.habits.bias_rad_per_m += radians(change.bias_deg_per_m);
+    changed.habits.turn_gain += change.turn_gain;
+    consider(mission, idea_of(mission, changed, walls_rad), change.name, choice, result);
+  }
+}
+
+}  // namespace
+
+SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
+                                         const SonarTrajectoryOptions& options,
+                                         const std::function<void()>& before_attempt) {
+  SonarTrajectory result;
+  if (readings.empty()) return result;
+  const DriveDirections directions = find_drive_directions(readings, options.directions);
+  result.intervals_reversed = directions.intervals_reversed;
+  result.undecided_m = directions.undecided_m.back();
+  Calibration likely;
+  if (options.calibrate) likely = calibrate_odometry(readings, directions, options.segments, {});
+  const SonarMission mission{readings, directions, options, before_attempt};
+  Choice choice = choose_heading(mission, likely, result);
+  if (options.calibrate && !choice.best->is_odometry &&
+      !is_verified(*choice.best, choice.others, options)) {
+    consider_other_habits(mission, likely, choice, result);
+  }
+  Idea& best = *choice.best;
+  if (options.repair_slips && !best.is_odometry) {
+    repair_slips(mission, best, choice.others, result);
+  }
+  refine(mission, best, result);
+  result.habits = best.habits;
+  result.habits.length_scale *= best.attempt.length_scale;
+  result.wall_directions_rad = best.directions_rad;
+  result.log_evidence = best.chain.log_evidence;
+  result.segments = best.problem.segments.size();
+  result.sure_heading_share = share_with_sure_heading(best);
+  result.loops_verified = is_verified(best, choice.others, options);
+  result.map_from_robot = std::move(best.attempt.map_from_robot);
+  const double turn_rad = begin_at(readings.front().odom_from_robot, result.map_from_robot);
+  if (!best.is_odometry) result.walls_rad = wrap_quarter(turn_rad);
+  return result;
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/store/store_samples.hpp"
+#include "roomatlas/io/store/room_names.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
+
+namespace roomatlas {
+namespace {
+
+using Mode = GeoPackageStore::Mode;
+
+void expect_same(const Correction& a, const Correction& b) {
+  EXPECT_EQ(a.converged, b.converged);
+  EXPECT_EQ(a.model, b.model);
+  EXPECT_EQ(a.message, b.message);
+  EXPECT_EQ(a.initial_cost, b.initial_cost);
+  EXPECT_EQ(a.final_cost, b.final_cost);
+  EXPECT_EQ(a.iterations, b.iterations);
+  EXPECT_EQ(a.odometry_bias.rad_per_m, b.odometry_bias.rad_per_m);
+  EXPECT_EQ(a.odometry_bias.rad_per_rad, b.odometry_bias.rad_per_rad);
+  EXPECT_EQ(a.odometry_bias.asrs, b.odometry_bias.asrs);
+  ASSERT_EQ(a.asrs.size(), b.asrs.size());
+  for (std::size_t i = 0; i < a.asrs.size(); ++i) {
+    EXPECT_EQ(a.asrs[i].asr, b.asrs[i].asr);
+    EXPECT_EQ(a.asrs[i].component, b.asrs[i].component);
+    EXPECT_EQ(a.asrs[i].building_from_asr_before, b.asrs[i].building_from_asr_before);
+    EXPECT_EQ(a.asrs[i].building_from_asr, b.asrs[i].building_from_asr);
+    EXPECT_EQ(a.asrs[i].moved_m, b.asrs[i].moved_m);
+    EXPECT_EQ(a.asrs[i].turned_rad, b.asrs[i].turned_rad);
+  }
+  ASSERT_EQ(a.factors.size(), b.factors.size());
+  for (std::size_t i = 0; i < a.factors.size(); ++i) {
+    EXPECT_EQ(a.factors[i].kind, b.factors[i].kind);
+    EXPECT_EQ(a.factors[i].from, b.factors[i].from);
+    EXPECT_EQ(a.factors[i].to, b.factors[i].to);
+    EXPECT_EQ(a.factors[i].chi_square_before, b.factors[i].chi_square_before);
+    EXPECT_EQ(a.factors[i].chi_square_after, b.factors[i].chi_square_after);
+    EXPECT_EQ(a.factors[i].weight, b.factors[i].weight);
+  }
+}
+
+void expect_same(const std::vector<Polygon>& a, const std::vector<Polygon>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) expect_same(a[i], b[i]);
+}
+
+void expect_same(const PlanRoom& a, const PlanRoom& b) {
+  EXPECT_EQ(a.id, b.id);
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.kind, b.kind);
+  expect_same(a.parts, b.parts);
+  EXPECT_EQ(a.area_m2, b.area_m2);
+  EXPECT_EQ(a.label_point, b.label_point);
+  EXPECT_EQ(a.asrs, b.asrs);
+}
+
+void expect_same(const PlanDoor& a, const PlanDoor& b) {
+  EXPECT_EQ(a.id, b.id);
+  EXPECT_EQ(a.jambs.a, b.jambs.a);
+  EXPECT_EQ(a.jambs.b, b.jambs.b);
+  EXPECT_EQ(a.width_m, b.width_m);
+  EXPECT_EQ(a.opening, b.opening);
+  EXPECT_EQ(a.room_a, b.room_a);
+  EXPECT_EQ(a.room_b, b.room_b);
+}
+
+void expect_same(const FloorPlan& a, const FloorPlan& b) {
+  EXPECT_EQ(a.title, b.title);
+  ASSERT_EQ(a.rooms.size(), b.rooms.size());
+  for (std::size_t i = 0; i < a.rooms.size(); ++i) expect_same(a.rooms[i], b.rooms[i]);
+  ASSERT_EQ(a.doors.size(), b.doors.size());
+  for (std::size_t i = 0; i < a.doors.size(); ++i) expect_same(a.doors[i], b.doors[i]);
+  expect_same(a.walls, b.walls);
+  expect_same(a.free_space, b.free_space);
+  expect_same(a.furniture, b.furniture);
+  ASSERT_EQ(a.issues.size(), b.issues.size());
+  for (std::size_t i = 0; i < a.issues.size(); ++i) {
+    EXPECT_EQ(a.issues[i].severity, b.issues[i].severity);
+    EXPECT_EQ(a.issues[i].file, b.issues[i].file);
+    EXPECT_EQ(a.issues[i].line, b.issues[i].line);
+    EXPECT_EQ(a.issues[i].field, b.issues[i].field);
+    EXPECT_EQ(a.issues[i].message, b.issues[i].message);
+  }
+}
+
+class StoredAssembly : public testing::Test {
+ protected:
+  StoredAssembly() {
+    for (AsrId id = 1; id <= 3; ++id) store_.put(sample_asr(id));
+  }
+  TemporaryDirectory directory_;
+  std::filesystem::path file_ = directory_ / "building.gpkg";
+  GeoPackageStore store_{file_, Mode::create};
+};
+
+TEST_F(StoredAssembly, CorrectionAndPlanReadBackBitForBitWithHoles) {
+  store_.put_assembly(sample_correction(3), sample_plan(), {});
+  store_.finish();
+  const GeoPackageStore store(file_, Mode::read);
+  EXPECT_TRUE(store.has_assembly());
+  expect_same(store.correction(), sample_correction(3));
+  expect_same(store.plan(), sample_plan());
+  EXPECT_EQ(store.plan().rooms[0].parts[0].holes.size(), 1u);
+}
+
+TEST_F(StoredAssembly, ThePlanAsMeasuredStandsBesideTheOtherAndSharesItsNames) {
+  store_.put_assembly(sample_correction(3), sample_plan(), {});
+  expect_same(store_.measured_plan(), sample_plan());  // there is none
+  FloorPlan measured = sample_plan();
+  measured.walls.pop_back();
+  measured.rooms[0].area_m2 += 1.0;
+  store_.put_measured_plan(measured);
+  store_.finish();
+  rename_room(file_, measured.rooms[0].id, "Kitchen");
+  measured.rooms[0].name = "Kitchen";
+  const GeoPackageStore store(file_, Mode::read);
+  expect_same(store.measured_plan(), measured);
+  EXPECT_EQ(store.plan().walls.size(), sample_plan().walls.size());
+}
+
+TEST_F(StoredAssembly, ANewOneReplacesTheFormerWithoutATrace) {
+  store_.put_assembly(sample_correction(3), sample_plan(), {{1, 5}, {2, 5}, {3, 6}});
+  store_.put_measured_plan(sample_plan());
+  FloorPlan smaller;
+  smaller.title = "again";
+  store_.put_assembly(sample_correction(1), smaller, {{2, 9}});
+  expect_same(store_.plan(), smaller);
+  expect_same(store_.measured_plan(), smaller);
+  expect_same(store_.correction(), sample_correction(1));
+  EXPECT_EQ(store_.get(1, AsrDetail::geometry).room, 0);
+  EXPECT_EQ(store_.get(2, AsrDetail::geometry).room, 9);
+  EXPECT_EQ(store_.get(3, AsrDetail::geometry).room, 0);
+}
+
+TEST_F(StoredAssembly, LeavesTheAsrsAsTheyWereApartFromTheirRoom) {
+  store_.put_assembly(sample_correction(3), sample_plan(), {{1, 5}});
+  Asr expected = sample_asr(1);
+  expected.room = 5;
+  expect_same(store_.get(1, AsrDetail::readings), expected);
+}
+
+TEST_F(StoredAssembly, PathsThatWereMatchedAgainAreReadButNotAssembledFrom) {
+  const Asr online = sample_asr(2);
+  Paths paths;
+  for (const PathSample& sample : online.path) {
+    paths[2].push_back(sample.asr_from_robot * Pose2{0.01, -0.02, 0.003});
+  }
+  store_.put_assembly(sample_correction(3), sample_plan(), {}, paths);
+  expect_same(store_.get(2, AsrDetail::readings), online);  // it is open to be updated
+  store_.finish();
+  Asr matched = online;
+  for (std::size_t i = 0; i < paths[2].size(); ++i) matched.path[i].asr_from_robot = paths[2][i];
+  {
+    const GeoPackageStore store(file_, Mode::read);
+    expect_same(store.get(2, AsrDetail::readings), matched);
+    expect_same(store.get(1, AsrDetail::readings), sample_asr(1));
+  }
+  GeoPackageStore again(file_, Mode::update);
+  again.put_assembly(sample_correction(3), sample_plan(), {});
+  again.finish();
+  expect_same(GeoPackageStore(file_, Mode::read).get(2, AsrDetail::readings), online);
+}
+
+TEST_F(StoredAssembly, AStoreOfAnEarlierReleaseHasNoMatchedPath) {
+  store_.finish();
+  SQLite::Database(file_.string(), SQLite::OPEN_READWRITE).exec("DROP TABLE matched_path");
+  expect_same(GeoPackageStore(file_, Mode::read).get(2, AsrDetail::readings), sample_asr(2));
+  GeoPackageStore store(file_, Mode::update);
+  store.put_assembly(sample_correction(3), sample_plan(), {}, {{2, {Pose2{1.0, 2.0, 0.5}}}});
+  store.finish();
+  const Asr asr = GeoPackageStore(file_, Mode::read).get(2, AsrDetail::path);
+  EXPECT_EQ(asr.path.front().asr_from_robot, (Pose2{1.0, 2.0, 0.5}));
+}
+
+TEST_F(StoredAssembly, AFailureKeepsTheFormerOne) {
+  store_.put_assembly(sample_correction(3), sample_plan(), {});
+  FloorPlan twice = sample_plan();
+  twice.rooms.push_back(twice.rooms.front());  // the same id again
+  EXPECT_THROW(store_.put_assembly(sample_correction(1), twice, {}), InputError);
+  expect_same(store_.plan(), sample_plan());
+  expect_same(store_.correction(), sample_correction(3));
+}
+
+TEST_F(StoredAssembly, WithoutOneTheErrorSaysHowToGetIt) {
+  EXPECT_FALSE(store_.has_assembly());
+  try {
+    static_cast<void>(store_.plan());
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("run 'roomatlas assemble"));
+  }
+  EXPECT_THROW(static_cast<void>(store_.correction()), InputError);
+}
+
+TEST_F(StoredAssembly, ExtentsOfTheLayersAreThoseOfTheGeometry) {
+  store_.put_assembly(sample_correction(3), sample_plan(), {});
+  store_.finish();
+  SQLite::Database db(file_.string());
+  SQLite::Statement query(db,
+                          "SELECT min_x, min_y, max_x, max_y FROM gpkg_contents "
+                          "WHERE table_name = 'rooms'");
+  ASSERT_TRUE(query.executeStep());
+  EXPECT_EQ(query.getColumn(0).getDouble(), 0.0);
+  EXPECT_EQ(query.getColumn(1).getDouble(), 0.0);
+  EXPECT_EQ(query.getColumn(2).getDouble(), 21.0);
+  EXPECT_EQ(query.getColumn(3).getDouble(), 9.0);
+}
+
+}  // namespace
+}  // namespace roomatlas

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/odometry/drive_directions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/sonar_world.hpp"
+
+namespace roomatlas {
+namespace {
+
+std::vector<test::WallLine> room() {
+  return test::walls_along({{0, 0}, {5, 0}, {5, 3.5}, {3, 3.5}, {3, 3}, {0, 3}}, true);
+}
+
+/// Forth, a stop, and back; odometry reports the way back with a sign, or as forwards.
+std::vector<RangeReading> there_and_back(bool reported_forwards) {
+  std::vector<Pose2> truth;
+  const auto at = [&](double x) { truth.push_back({x, 1.5, 0.2}); };
+  for (int k = 0; k <= 15; ++k) at(1.5 + 0.1 * k);
+  for (int k = 0; k < 5; ++k) at(3.0);
+  for (int k = 1; k <= 15; ++k) at(3.0 - 0.1 * k);
+  for (Pose2& pose : truth) {
+    const double way = pose.x_m - 1.5;
+    pose = Pose2{1.5, 1.5, 0.2} * Pose2{way, 0.0, 0.0};
+  }
+  auto readings = test::sonar_readings(room(), truth, 0.0);
+  if (!reported_forwards) return readings;
+  Pose2 odometry = truth.front();
+  for (std::size_t i = 1; i < truth.size(); ++i) {
+    Pose2 step = inverse(truth[i - 1]) * truth[i];
+    step.x_m = std::abs(step.x_m);
+    odometry = odometry * step;
+    readings[i].odom_from_robot = odometry;
+  }
+  return readings;
+}
+
+TEST(DriveDirections, FindsTheDriveThatWasReportedTheWrongWayRound) {
+  const auto directions = find_drive_directions(there_and_back(true), {});
+  EXPECT_EQ(directions.intervals_reversed, 1);
+  EXPECT_FALSE(directions.odometry_is_signed);
+  ASSERT_EQ(directions.reversed.size(), 36U);
+  for (std::size_t i = 1; i <= 15; ++i) EXPECT_FALSE(directions.reversed[i]) << i;
+  for (std::size_t i = 21; i < 36; ++i) EXPECT_TRUE(directions.reversed[i]) << i;
+}
+
+TEST(DriveDirections, BelievesOdometryThatReportsBackwardSteps) {
+  const auto directions = find_drive_directions(there_and_back(false), {});
+  EXPECT_TRUE(directions.odometry_is_signed);
+  EXPECT_EQ(directions.intervals_reversed, 0);
+}
+
+TEST(DriveDirections, CallsADriveWithoutReturnsUndecided) {
+  auto readings = there_and_back(true);
+  for (RangeReading& reading : readings) {
+    std::fill(reading.ranges_m.begin(), reading.ranges_m.end(), 5.0F);
+  }
+  const auto directions = find_drive_directions(readings, {});
+  EXPECT_EQ(directions.intervals_reversed, 0);
+  EXPECT_NEAR(directions.undecided_m.back(), 3.0, 1e-6);
+}
+
+TEST(DriveDirections, OfNothingAreNone) {
+  EXPECT_TRUE(find_drive_directions({}, {}).reversed.empty());
+}
+
+}  // namespace
+}  // namespace roomatlas
