@@ -4,10 +4,10 @@
 
 #include "commands.hpp"
 #include "console.hpp"
-#include "roomatlas/io/trajectories/closures_file.hpp"
+#include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/io/store/room_names.hpp"
-#include "roomatlas/io/results/summary.hpp"
+#include "roomatlas/io/trajectories/closures_file.hpp"
 #include "roomatlas/merge/carry_over.hpp"
 #include "roomatlas/pipeline/assemble.hpp"
 #include "store_metadata.hpp"

@@ -7,11 +7,11 @@
 #include "evaluation_report.hpp"
 #include "new_store.hpp"
 #include "output_places.hpp"
+#include "roomatlas/correct/place.hpp"
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/logs/open_mission.hpp"
-#include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/io/results/summary.hpp"
-#include "roomatlas/correct/place.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
 #include "store_metadata.hpp"
 
 namespace roomatlas::apps {

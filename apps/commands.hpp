@@ -10,8 +10,8 @@
 
 #include "comparison_report.hpp"
 #include "export_options.hpp"
-#include "roomatlas/solve/optimize.hpp"
 #include "roomatlas/io/maps/read_world.hpp"
+#include "roomatlas/solve/optimize.hpp"
 #include "settings.hpp"
 #include "trajectory_flags.hpp"
 

@@ -6,9 +6,9 @@
 #include "output_places.hpp"
 #include "roomatlas/draw/plots.hpp"
 #include "roomatlas/evaluate/figures.hpp"
+#include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/results/comparison_text.hpp"
 #include "roomatlas/io/trajectories/evo_archive.hpp"
-#include "roomatlas/io/files/files.hpp"
 
 namespace roomatlas::apps {
 namespace {

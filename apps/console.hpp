@@ -2,8 +2,8 @@
 #pragma once
 
 #include "roomatlas/core/issue.hpp"
-#include "roomatlas/odometry/habits.hpp"
 #include "roomatlas/core/progress.hpp"
+#include "roomatlas/odometry/habits.hpp"
 #include "settings.hpp"
 
 namespace roomatlas::apps {

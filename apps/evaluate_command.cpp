@@ -8,11 +8,11 @@
 #include "evaluation_report.hpp"
 #include "output_places.hpp"
 #include "plan_report.hpp"
-#include "roomatlas/io/results/comparison_text.hpp"
-#include "roomatlas/io/files/path.hpp"
-#include "roomatlas/io/store/geopackage_store.hpp"
-#include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/correct/place.hpp"
+#include "roomatlas/io/files/path.hpp"
+#include "roomatlas/io/results/comparison_text.hpp"
+#include "roomatlas/io/results/summary.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
 #include "truth_files.hpp"
 
 namespace roomatlas::apps {

@@ -9,9 +9,9 @@
 #include "output_places.hpp"
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/logs/open_mission.hpp"
+#include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/io/store/room_names.hpp"
-#include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/pipeline/map_mission.hpp"
 #include "store_metadata.hpp"
 

@@ -9,9 +9,9 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "output_places.hpp"
-#include "roomatlas/solve/optimize.hpp"
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/trajectories/pose_graph_file.hpp"
+#include "roomatlas/solve/optimize.hpp"
 
 namespace roomatlas::apps {
 namespace {

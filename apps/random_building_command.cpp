@@ -6,8 +6,8 @@
 #include "output_places.hpp"
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
-#include "roomatlas/io/trajectories/tum.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
+#include "roomatlas/io/trajectories/tum.hpp"
 #include "roomatlas/simulate/random_building.hpp"
 #include "store_metadata.hpp"
 

@@ -4,11 +4,11 @@
 #include "commands.hpp"
 #include "evaluation_report.hpp"
 #include "output_places.hpp"
+#include "roomatlas/correct/place.hpp"
 #include "roomatlas/draw/report.hpp"
 #include "roomatlas/io/files/files.hpp"
-#include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/io/results/report_data.hpp"
-#include "roomatlas/correct/place.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
 #include "stored_configuration.hpp"
 
 namespace roomatlas::apps {

@@ -12,8 +12,8 @@
 #include "roomatlas/io/logs/drive.hpp"
 #include "roomatlas/io/maps/read_world.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
-#include "roomatlas/io/trajectories/tum.hpp"
 #include "roomatlas/io/results/summary.hpp"
+#include "roomatlas/io/trajectories/tum.hpp"
 #include "roomatlas/simulate/explore.hpp"
 #include "roomatlas/simulate/world.hpp"
 

@@ -4,8 +4,8 @@
 #include <map>
 #include <string>
 
-#include "roomatlas/mission/mission.hpp"
 #include "roomatlas/assembly/assembly.hpp"
+#include "roomatlas/mission/mission.hpp"
 #include "settings.hpp"
 
 namespace roomatlas::apps {

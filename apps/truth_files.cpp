@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "console.hpp"
-#include "roomatlas/io/plans/plan_geojson.hpp"
-#include "roomatlas/io/trajectories/relations.hpp"
 #include "roomatlas/io/maps/label_plan.hpp"
+#include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/io/plans/spans_file.hpp"
+#include "roomatlas/io/trajectories/relations.hpp"
 #include "roomatlas/io/trajectories/trajectory_file.hpp"
 
 namespace roomatlas::apps {

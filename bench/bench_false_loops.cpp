@@ -8,8 +8,8 @@
 #include <cstdio>
 
 #include "posegraph_files.hpp"
-#include "roomatlas/solve/optimize.hpp"
 #include "roomatlas/io/trajectories/pose_graph_file.hpp"
+#include "roomatlas/solve/optimize.hpp"
 #include "support/false_loops.hpp"
 
 namespace roomatlas {

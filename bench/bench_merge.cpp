@@ -16,6 +16,7 @@
 
 #include "merge/noisy_building.hpp"
 #include "merge/other_libraries.hpp"
+#include "roomatlas/planar/union.hpp"
 
 namespace {
 

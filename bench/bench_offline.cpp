@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "roomatlas/pipeline/assemble.hpp"
+#include "roomatlas/rooms/assign_rooms.hpp"
 #include "roomatlas/simulate/random_building.hpp"
 
 namespace {

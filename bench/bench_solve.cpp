@@ -18,8 +18,8 @@
 #include <functional>
 
 #include "posegraph_files.hpp"
-#include "roomatlas/solve/optimize.hpp"
 #include "roomatlas/io/trajectories/pose_graph_file.hpp"
+#include "roomatlas/solve/optimize.hpp"
 #include "support/generated_pose_graph.hpp"
 
 namespace roomatlas {

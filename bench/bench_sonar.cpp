@@ -13,13 +13,13 @@
 #include <string>
 #include <vector>
 
-#include "roomatlas/sonar/sonar_trajectory.hpp"
 #include "roomatlas/evaluate/relations.hpp"
 #include "roomatlas/evaluate/statistics.hpp"
 #include "roomatlas/io/logs/open_mission.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/io/trajectories/relations.hpp"
 #include "roomatlas/simulate/explore.hpp"
+#include "roomatlas/sonar/sonar_trajectory.hpp"
 #include "support/shared_data.hpp"
 
 namespace roomatlas {

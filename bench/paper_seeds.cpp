@@ -17,9 +17,9 @@
 #include <vector>
 
 #include "roomatlas/asr/with_paths.hpp"
-#include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/correct/place.hpp"
 #include "roomatlas/evaluate/evaluation.hpp"
+#include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/pipeline/assemble.hpp"
 #include "roomatlas/pipeline/map_mission.hpp"
 #include "roomatlas/simulate/explore.hpp"

@@ -17,10 +17,10 @@
 
 #include "altered_odometry.hpp"
 #include "recorded_data.hpp"
-#include "roomatlas/sonar/sonar_trajectory.hpp"
 #include "roomatlas/evaluate/relations.hpp"
 #include "roomatlas/io/logs/open_mission.hpp"
 #include "roomatlas/io/trajectories/relations.hpp"
+#include "roomatlas/sonar/sonar_trajectory.hpp"
 
 namespace roomatlas {
 namespace {

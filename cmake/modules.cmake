@@ -11,6 +11,9 @@ if(ROOMATLAS_WERROR)
   list(APPEND ROOMATLAS_WARNINGS -Werror)
 endif()
 
+# For what does no work of its own: commands and tests. Half the compile time.
+set(ROOMATLAS_QUICKLY $<$<CONFIG:Release>:-O1>)
+
 # roomatlas_precompile(TARGET HEADER...): headers that nearly every file reads, parsed once.
 function(roomatlas_precompile target)
   if(ROOMATLAS_PRECOMPILED_HEADERS)
@@ -45,6 +48,7 @@ function(roomatlas_test name)
   if(IS_DIRECTORY ${PROJECT_SOURCE_DIR}/src/${name})
     target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src/${name})
   endif()
+  target_compile_options(${target} PRIVATE ${ROOMATLAS_QUICKLY})
   target_compile_definitions(${target} PRIVATE ROOMATLAS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${target} PRIVATE ${ARG_LIBRARIES} GTest::gmock GTest::gtest_main)
   roomatlas_precompile_as(${target} roomatlas_test_headers)

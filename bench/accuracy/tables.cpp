@@ -2,6 +2,7 @@
 #include "tables.hpp"
 
 #include <cstdio>
+#include "roomatlas/correct/place.hpp"
 
 namespace roomatlas::bench {
 namespace {

@@ -249,8 +249,9 @@ class AsrRecorder::State {
     if (exit) asr.exits.push_back(*exit);
     asr.path = std::exchange(path_, {});
     asr.readings = std::exchange(readings_, {});
-    asr.is_localized = localizer_ && std::all_of(asr.readings.begin(), asr.readings.end(),
-                                                 [&](const auto& r) { return localizer_->localizes(r); });
+    asr.is_localized =
+        localizer_ && std::all_of(asr.readings.begin(), asr.readings.end(),
+                                  [&](const auto& r) { return localizer_->localizes(r); });
     // Where odometry puts the frame *now*: the frame itself is exact, odometry has drifted.
     const Pose2 odom_from_asr =
         asr.path.back().odom_from_robot * inverse(asr.path.back().asr_from_robot);

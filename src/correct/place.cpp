@@ -2,8 +2,8 @@
 #include <set>
 
 #include "roomatlas/asr/load.hpp"
-#include "roomatlas/correct/place.hpp"
 #include "roomatlas/correct/correct.hpp"
+#include "roomatlas/correct/place.hpp"
 
 namespace roomatlas {
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "roomatlas/merge/merge.hpp"
 #include "roomatlas/planar/union.hpp"
 
 namespace roomatlas {

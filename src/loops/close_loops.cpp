@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "placed_graph.hpp"
-#include "roomatlas/core/progress.hpp"
 #include "roomatlas/core/issue.hpp"
+#include "roomatlas/core/progress.hpp"
 #include "wider_matches.hpp"
 
 namespace roomatlas {

@@ -31,8 +31,7 @@ ClosureVerdict judge(const MapMatch& match, int min_agreeing, double min_agreeme
                                            : ClosureVerdict::accepted;
 }
 
-AsrShape shape_of(const Asr& asr, const LocalizeOptions& localize,
-                  const MatchMapsOptions& match) {
+AsrShape shape_of(const Asr& asr, const LocalizeOptions& localize, const MatchMapsOptions& match) {
   AsrShape shape;
   shape.id = asr.id;
   shape.map = LocalMap(localize.cell_m);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "roomatlas/asr/asr.hpp"
-#include "roomatlas/solve/pose_graph.hpp"
 #include "roomatlas/match/match_maps.hpp"
+#include "roomatlas/solve/pose_graph.hpp"
 
 namespace roomatlas {
 

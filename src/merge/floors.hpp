@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "roomatlas/planar/millimetre_grid.hpp"
 #include "labels.hpp"
+#include "roomatlas/planar/millimetre_grid.hpp"
 
 #include "roomatlas/merge/merge.hpp"
 

@@ -191,8 +191,8 @@ PlanRoom room_of(const planar::RoomEntry& entry, std::vector<Polygon> parts) {
 
 }  // namespace
 
-FloorPlan merge(const std::vector<PlacedOutline>& placed_outlines,
-                const std::vector<Door>& doors, const MergeOptions& options) {
+FloorPlan merge(const std::vector<PlacedOutline>& placed_outlines, const std::vector<Door>& doors,
+                const MergeOptions& options) {
   FloorPlan plan;
   const MillimetreGrid grid = grid_around(placed_outlines, doors);
   const Outlines outlines = planar::outlines_of(placed_outlines, grid, plan.issues);

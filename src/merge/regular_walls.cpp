@@ -2,12 +2,12 @@
 #include "roomatlas/merge/regular_walls.hpp"
 
 #include "blind_corners.hpp"
-#include "roomatlas/planar/heal.hpp"
 #include "regular_doors.hpp"
 #include "ring_edges.hpp"
+#include "roomatlas/planar/heal.hpp"
 #include "roomatlas/planar/simplify.hpp"
-#include "wall_lines.hpp"
 #include "roomatlas/planar/union.hpp"
+#include "wall_lines.hpp"
 
 #include <cmath>
 #include <utility>

@@ -52,9 +52,8 @@ bool all_by_sonars(const AsrSource& source) {
 bool all_localized(const AsrSource& source) {
   const std::vector<AsrId> ids = source.ids();
   return !source.get(ids.front(), AsrDetail::readings).readings.empty() &&
-         std::all_of(ids.begin(), ids.end(), [&](AsrId id) {
-           return source.get(id, AsrDetail::geometry).is_localized;
-         });
+         std::all_of(ids.begin(), ids.end(),
+                     [&](AsrId id) { return source.get(id, AsrDetail::geometry).is_localized; });
 }
 
 CorrectedMission corrected_mission(MissionKind kind, const AsrSource& source,
@@ -64,9 +63,8 @@ CorrectedMission corrected_mission(MissionKind kind, const AsrSource& source,
     return correct_sonar_mission(source, footprint, options, progress);
   }
   report(progress, "correct", 0.0);
-  return kind == MissionKind::laser
-             ? correct_laser_mission(source, options, progress)
-             : correct_paper_mission(load(source, AsrDetail::path), options);
+  return kind == MissionKind::laser ? correct_laser_mission(source, options, progress)
+                                    : correct_paper_mission(load(source, AsrDetail::path), options);
 }
 
 /// Where readings lie where the robot was, on all that they show; else by the outlines.
@@ -75,8 +73,8 @@ MappedBuilding building_of(MissionKind kind, const AsrSource& source, const Room
                            const Options& options, const Progress& progress) {
   const AssembleOptions& assemble = options.assemble;
   if (kind != MissionKind::paper) {
-    return map_building(source, placement, footprint,
-                        {options.map.record.map, assemble.segment}, progress);
+    return map_building(source, placement, footprint, {options.map.record.map, assemble.segment},
+                        progress);
   }
   return rooms_by_outlines(source, load(source, AsrDetail::path), graph, placement, footprint,
                            {assemble.rooms, options.map.record.map, assemble.map_again}, progress);

@@ -29,7 +29,8 @@ void draw_up(MappedBuilding building, const AssembleOptions& options, Assembly& 
   assembly.measured_plan = std::move(assembly.plan);
   RegularWallOptions walls = options.regular;
   if (building.sensor == SensorKind::sonar) walls.blind_corner_m = options.sonar_corner_m;
-  const RegularOutlines regular = with_regular_walls(std::move(building.outlines), building.doors, walls);
+  const RegularOutlines regular =
+      with_regular_walls(std::move(building.outlines), building.doors, walls);
   assembly.plan = plan_of(regular.outlines, regular.doors);
   if (regular.kept > 0) {
     assembly.plan.issues.push_back(

@@ -25,9 +25,8 @@ CorrectedMission correct_sonar_mission(const AsrSource& source, const RobotFootp
                                        const Options& options, const Progress& progress) {
   report(progress, "correct sonars", 0.0);
   const std::vector<RangeReading> readings = readings_of(source);
-  SonarTrajectory trajectory =
-      correct_sonar_trajectory(readings, options.assemble.sonars,
-                               [&] { report(progress, "correct sonars", 0.0); });
+  SonarTrajectory trajectory = correct_sonar_trajectory(
+      readings, options.assemble.sonars, [&] { report(progress, "correct sonars", 0.0); });
   RecordedAgain again =
       record_again(readings, trajectory.map_from_robot, footprint, options.map.record);
   report(progress, "correct", 0.0);

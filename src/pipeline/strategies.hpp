@@ -20,9 +20,9 @@ namespace roomatlas {
 struct CorrectedMission {
   RoomGraph graph;
   Correction correction;
-  std::vector<Closure> closures;        ///< that were tried; none where rooms were not matched
+  std::vector<Closure> closures;  ///< that were tried; none where rooms were not matched
   bool are_rooms_matched = false;
-  Paths paths;                          ///< of readings that were matched again; may be empty
+  Paths paths;  ///< of readings that were matched again; may be empty
   std::optional<SonarTrajectory> sonars;
   std::optional<MemoryStore> recorded_again;  ///< ASRs instead of those of the source
 };

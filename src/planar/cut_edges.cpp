@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "roomatlas/planar/edges.hpp"
 #include "predicates.hpp"
+#include "roomatlas/planar/edges.hpp"
 #include "segment_grid.hpp"
 
 #include <algorithm>

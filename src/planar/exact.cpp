@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The only file that includes CGAL: it costs seconds of compile time.
-#include "roomatlas/planar/edges.hpp"
 #include "predicates.hpp"
+#include "roomatlas/planar/edges.hpp"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

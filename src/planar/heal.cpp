@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/planar/heal.hpp"
 
-#include "roomatlas/planar/planar_map.hpp"
 #include "predicates.hpp"
+#include "roomatlas/planar/planar_map.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #include "roomatlas/planar/millimetre_grid.hpp"
 #include "roomatlas/planar/planar_map.hpp"
 
-#include "roomatlas/merge/merge.hpp"
+#include "roomatlas/planar/union.hpp"
 
 namespace roomatlas {
 namespace {

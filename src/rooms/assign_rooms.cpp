@@ -3,7 +3,6 @@
 #include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
 
-
 #include "roomatlas/core/place_index.hpp"
 #include "roomatlas/rooms/assign_rooms.hpp"
 

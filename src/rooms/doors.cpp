@@ -88,8 +88,7 @@ Door averaged(const std::vector<Crossing>& crossings) {
 }  // namespace
 
 std::vector<Door> doors_of(const std::vector<Asr>& asrs, const RoomGraph& graph,
-                                   const Placement& placement,
-                                   const std::map<AsrId, RoomId>& room_of_asr) {
+                           const Placement& placement, const std::map<AsrId, RoomId>& room_of_asr) {
   const AsrPairs recognised = recognised_pairs(graph);
   std::vector<std::vector<Crossing>> groups;
   std::map<std::pair<RoomId, RoomId>, std::vector<std::size_t>> groups_between;  // two rooms

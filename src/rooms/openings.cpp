@@ -56,14 +56,16 @@ class Chords {
     const auto reach = [&](double sign) {
       double reached_m = 0.0;
       for (double off_m = step_m_; off_m <= kMaxDepthM; off_m += step_m_) {
-        const auto chord = chord_through(opening.frame_from_pivot.position() + sign * off_m * along, opening);
+        const auto chord =
+            chord_through(opening.frame_from_pivot.position() + sign * off_m * along, opening);
         if (!chord || chord->width_m > limit_m) break;
         reached_m = off_m;
       }
       return reached_m;
     };
     const double off_m = (reach(1.0) - reach(-1.0)) / 2.0;
-    return chord_through(opening.frame_from_pivot.position() + off_m * along, opening).value_or(opening);
+    return chord_through(opening.frame_from_pivot.position() + off_m * along, opening)
+        .value_or(opening);
   }
 
   [[nodiscard]] std::optional<Chord> narrowest_at(const Cell& cell) const {
@@ -78,8 +80,8 @@ class Chords {
       if (best && width_m > best->width_m - 1e-9) continue;
       const double heading_rad = kPi * i / kHeadings;
       const Point2 left = direction(heading_rad + kPi / 2.0);
-      best = Chord{
-          doorway_between({at + *to_left_m * left, at - *to_right_m * left}, heading_rad), width_m};
+      best = Chord{doorway_between({at + *to_left_m * left, at - *to_right_m * left}, heading_rad),
+                   width_m};
     }
     if (!best || best->width_m < kMinChordM || best->width_m > options_.max_width_m ||
         !can_be_crossed(best->opening)) {
@@ -127,7 +129,9 @@ class Chords {
   [[nodiscard]] bool can_be_crossed(const Doorway& opening) const {
     const Point2 along = direction(opening.frame_from_pivot.theta_rad);
     for (double off_m = -kPassableM; off_m <= kPassableM; off_m += step_m_) {
-      if (!grid_.passable.at(grid_.frame.cell_of(opening.frame_from_pivot.position() + off_m * along))) return false;
+      if (!grid_.passable.at(
+              grid_.frame.cell_of(opening.frame_from_pivot.position() + off_m * along)))
+        return false;
     }
     return true;
   }
@@ -208,17 +212,20 @@ std::vector<Doorway> one_a_place(std::vector<Chord> chords) {
     const Chord* best = nullptr;
     for (const std::size_t i : places.near(box_around(place, kOneOpeningM))) {
       const Chord& chord = chords[i];
-      if (is_taken[i] || (chord.opening.frame_from_pivot.position() - place).norm() > kOneOpeningM) continue;
+      if (is_taken[i] || (chord.opening.frame_from_pivot.position() - place).norm() > kOneOpeningM)
+        continue;
       is_taken[i] = true;
       const bool is_narrow = chord.width_m <= chords[first].width_m + kAsNarrowM;
       if (best == nullptr && chord.is_opening && is_narrow) best = &chord;
     }
     if (best == nullptr) continue;
-    const auto near_best = places.near(box_around(best->opening.frame_from_pivot.position(), kSamePassageM));
+    const auto near_best =
+        places.near(box_around(best->opening.frame_from_pivot.position(), kSamePassageM));
     const bool is_beside_narrower = std::any_of(near_best.begin(), near_best.end(), [&](auto i) {
       const Chord& chord = chords[i];
       return chord.width_m < best->width_m - kAsNarrowM &&
-             (chord.opening.frame_from_pivot.position() - best->opening.frame_from_pivot.position()).norm() <= kSamePassageM;
+             (chord.opening.frame_from_pivot.position() - best->opening.frame_from_pivot.position())
+                     .norm() <= kSamePassageM;
     });
     if (!is_beside_narrower) openings.push_back(best->opening);
   }

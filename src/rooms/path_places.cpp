@@ -32,7 +32,8 @@ OpeningsCrossed::OpeningsCrossed(const std::vector<Doorway>& openings) {
     const Segment2& jambs = openings[i].jambs;
     const Point2 outward = (jambs.a - jambs.b).normalized() * kBeyondJambM;
     lines_.push_back({jambs.a + outward, jambs.b - outward});
-    index_.add(i, box_around(openings[i].frame_from_pivot.position(), openings[i].width_m / 2.0 + kBeyondJambM));
+    index_.add(i, box_around(openings[i].frame_from_pivot.position(),
+                             openings[i].width_m / 2.0 + kBeyondJambM));
   }
 }
 

@@ -77,8 +77,11 @@ class Rooms {
     fill(result);
     for (std::size_t i = 0; i < openings_.size(); ++i) {
       if (!is_closed_[i]) continue;
-      result.openings.push_back({openings_[i], beside(result, openings_[i], -1.0),
-                                 beside(result, openings_[i], 1.0), !drives_through_[i].empty(), {}});
+      result.openings.push_back({openings_[i],
+                                 beside(result, openings_[i], -1.0),
+                                 beside(result, openings_[i], 1.0),
+                                 !drives_through_[i].empty(),
+                                 {}});
     }
     return result;
   }
@@ -137,17 +140,20 @@ class Rooms {
     const double half_m = opening.width_m / 2.0 + kCutBeyondM;
     for (double off_m = -half_m; off_m <= half_m; off_m += step_m) {
       for (double band_m = -3.0 * step_m; band_m <= 3.0 * step_m; band_m += step_m) {
-        open.set(grid_.frame.cell_of(opening.frame_from_pivot.position() + off_m * left + band_m * along), false);
+        open.set(grid_.frame.cell_of(opening.frame_from_pivot.position() + off_m * left +
+                                     band_m * along),
+                 false);
       }
     }
   }
 
   /// The room on one side of an opening, where the robot was in one.
   [[nodiscard]] std::optional<RoomId> beside(const RoomSegmentation& rooms, const Doorway& opening,
-                              double sign) const {
+                                             double sign) const {
     const Point2 along = sign * direction(opening.frame_from_pivot.theta_rad);
     for (double off_m = 0.2; off_m < 0.6; off_m += grid_.frame.cell_m / 2.0) {
-      const RoomId room = rooms.at(grid_.frame.cell_of(opening.frame_from_pivot.position() + off_m * along));
+      const RoomId room =
+          rooms.at(grid_.frame.cell_of(opening.frame_from_pivot.position() + off_m * along));
       if (room != 0) return room;
     }
     return std::nullopt;
@@ -183,8 +189,8 @@ class Rooms {
   /// Joins the smaller of two rooms at an opening with a third, where its floor goes over into that
   /// one's or it has none itself: the robot looked in at a door and turned back, and was in the
   /// room behind by another way.
-  bool join_by_floor(const RoomSegmentation& rooms, const Door& opening,
-                     const RoomPair& pair, const std::vector<double>& area_m2) {
+  bool join_by_floor(const RoomSegmentation& rooms, const Door& opening, const RoomPair& pair,
+                     const std::vector<double>& area_m2) {
     const auto area_of = [&](RoomId room) { return area_m2[static_cast<std::size_t>(room)]; };
     const auto [small, other] =
         area_of(pair.first) < area_of(pair.second) ? pair : RoomPair(pair.second, pair.first);
@@ -245,7 +251,8 @@ class Rooms {
         return std::min(of(pair.first), of(pair.second)) < options_.min_room_m2;
       });
       const bool is_small = small != pairs.end();
-      if (opening.room_a != opening.room_b && !is_small && !(is_wide(i) && opening.is_between_rooms())) {
+      if (opening.room_a != opening.room_b && !is_small &&
+          !(is_wide(i) && opening.is_between_rooms())) {
         continue;
       }
       any = true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "number_text.hpp"
-#include "roomatlas/simulate/world.hpp"
 #include "roomatlas/planar/union.hpp"
+#include "roomatlas/simulate/world.hpp"
 
 #include <algorithm>
 #include <map>

@@ -69,8 +69,9 @@ RoomKind kind_of(const Box2& box) {
 }  // namespace
 
 const LaidOpening* opening_to(const Space& space, RoomId beyond) {
-  const auto at = std::find_if(space.openings.begin(), space.openings.end(),
-                               [&](const LaidOpening& opening) { return opening.beyond == beyond; });
+  const auto at =
+      std::find_if(space.openings.begin(), space.openings.end(),
+                   [&](const LaidOpening& opening) { return opening.beyond == beyond; });
   return at == space.openings.end() ? nullptr : &*at;
 }
 

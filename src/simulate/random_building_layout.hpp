@@ -49,7 +49,7 @@ struct Block {
   std::vector<std::vector<std::size_t>> chains;
   std::optional<std::size_t> south_link;  ///< index of the narrow room at the block's end, which
   std::optional<std::size_t> north_link;  ///< leads to the next row where there is one
-  std::vector<LaidDoor> doors;                ///< each door of the building is in one block
+  std::vector<LaidDoor> doors;            ///< each door of the building is in one block
   [[nodiscard]] const Space& corridor() const { return spaces.front(); }
 };
 

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-
 namespace roomatlas {
 
 Eigen::Vector3d edge_error(const PoseEdge& edge, const Pose2& from, const Pose2& to) {

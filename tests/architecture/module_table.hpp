@@ -7,27 +7,36 @@
 
 namespace roomatlas::architecture {
 
-/// Which modules a module may include, beside itself. The table of docs/architecture.md: who
-/// changes one changes the other. `apps` may include anything and is not listed.
+/// Which modules a module may include, beside itself: those below it that it needs, and none that
+/// it does not. The table of docs/architecture.md: who changes one changes the other. `apps` may
+/// include anything and is not listed.
 inline const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"core", {}},
+    {"plan", {"core"}},
     {"mission", {"core"}},
     {"grid", {"core", "mission"}},
     {"polyline", {"core", "grid"}},
-    {"match", {"core", "mission", "grid", "polyline"}},
-    {"asr", {"core", "mission", "grid", "polyline", "match"}},
-    {"graph", {"core", "mission", "grid", "polyline", "match", "asr"}},
-    {"correct", {"core", "mission", "match", "asr", "graph"}},
-    {"merge", {"core", "asr", "graph", "correct"}},
-    {"evaluate", {"core", "mission", "polyline", "asr", "graph", "correct", "merge"}},
-    {"draw", {"core", "asr", "graph", "correct", "merge", "evaluate"}},
-    {"simulate", {"core", "mission", "grid", "asr", "graph", "merge"}},
-    {"io",
-     {"core", "mission", "grid", "polyline", "match", "asr", "graph", "correct", "merge", "draw",
-      "evaluate", "simulate", "pipeline"}},
+    {"odometry", {"core", "mission"}},
+    {"match", {"core", "mission", "grid", "odometry"}},
+    {"asr", {"core", "plan", "mission", "grid", "polyline", "match"}},
+    {"graph", {"core", "asr"}},
+    {"solve", {"core"}},
+    {"sonar", {"core", "mission", "odometry", "solve"}},
+    {"correct", {"core", "asr", "graph", "solve"}},
+    {"loops", {"core", "match", "asr", "solve", "correct"}},
+    {"rooms", {"core", "plan", "grid", "polyline", "asr", "graph"}},
+    {"planar", {"core"}},
+    {"merge", {"core", "plan", "planar"}},
+    {"assembly", {"plan", "asr", "graph", "sonar", "correct", "loops"}},
+    {"evaluate", {"core", "plan", "polyline", "asr", "correct", "planar"}},
+    {"draw", {"core", "plan", "asr"}},
+    {"simulate", {"core", "plan", "mission", "grid", "asr", "planar"}},
     {"pipeline",
-     {"core", "mission", "grid", "polyline", "match", "asr", "graph", "correct", "merge", "draw",
-      "evaluate"}},
+     {"core", "mission", "odometry", "match", "asr", "graph", "sonar", "correct", "loops", "rooms",
+      "merge", "assembly"}},
+    {"io",
+     {"core", "plan", "mission", "odometry", "asr", "graph", "solve", "correct", "loops", "merge",
+      "evaluate", "draw", "simulate"}},
 };
 
 }  // namespace roomatlas::architecture

@@ -117,7 +117,8 @@ TEST(FindDoorway, LeansToNeitherSide) {
   for (double turn_deg = 0.0; turn_deg < 90.0; turn_deg += 5.0) {
     const Pose2 grid_from_world{-7.21, 3.57, radians(turn_deg)};
     for (const Doorway& doorway : doorways_along(kTwoRooms, drive, grid_from_world)) {
-      sum_deg += degrees(wrap_angle(doorway.frame_from_pivot.theta_rad - grid_from_world.theta_rad));
+      sum_deg +=
+          degrees(wrap_angle(doorway.frame_from_pivot.theta_rad - grid_from_world.theta_rad));
       ++count;
     }
   }

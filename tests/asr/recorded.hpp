@@ -23,6 +23,9 @@ class LocalizerBy : public Localizer {
   Pose2 locate(const RangeReading&, const Pose2& predicted, const Pose2&) override {
     return function_(predicted);
   }
+  [[nodiscard]] bool localizes(const RangeReading& reading) const override {
+    return can_be_matched(reading);
+  }
 
  private:
   Function function_;

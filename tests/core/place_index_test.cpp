@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/core/place_index.hpp"
+#include "roomatlas/correct/place.hpp"
 
 #include <gmock/gmock.h>
 

@@ -7,7 +7,8 @@
 #include <cmath>
 
 #include "correct/corrected.hpp"
-#include "correct/numeric_derivative.hpp"
+#include "roomatlas/core/pose2.hpp"
+#include "support/numeric_derivative.hpp"
 
 namespace roomatlas {
 namespace {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/correct/wall_direction.hpp"
+#include "roomatlas/core/pose2.hpp"
 
 #include <gtest/gtest.h>
 

@@ -43,7 +43,7 @@ Asr seen_room(AsrId id) {
 
 Exit exit_at(PassageKind kind, bool is_entry, const Pose2& pivot, AsrId neighbor) {
   const Segment2 jambs{pivot * Point2(0, 0.5), pivot * Point2(0, -0.5)};
-  return {kind, is_entry, pivot, 1.0, jambs, neighbor, 0.0};
+  return {{pivot, 1.0, jambs}, kind, is_entry, neighbor, 0.0};
 }
 
 /// Two rooms with a wall of 0.2 m between them and a door in it.

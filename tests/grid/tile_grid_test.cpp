@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/grid/tile_grid.hpp"
+#include "roomatlas/correct/place.hpp"
 
 #include <gtest/gtest.h>
 

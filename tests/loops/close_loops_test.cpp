@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rooms found again by their walls, on missions whose truth is known.
 #include "roomatlas/loops/close_loops.hpp"
+#include "roomatlas/correct/place.hpp"
+#include "roomatlas/pipeline/assemble.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,8 +20,8 @@ struct Closed {
 };
 
 Closed closed(const std::vector<MissionEvent>& events, bool match_rooms = true) {
-  AssembleOptions options;
-  options.match_rooms = match_rooms;
+  Options options;
+  options.assemble.match_rooms = match_rooms;
   Closed result{mapped(events), {}, {}};
   result.assembly = assemble(result.store, {}, options);
   result.placed = place(result.store, result.assembly.correction);
@@ -108,8 +110,8 @@ TEST(CloseLoops, GivesTheSameBitsTwice) {
 }
 
 TEST(CloseLoops, WithoutMatchingDoorwaysStillBringItNearer) {
-  AssembleOptions options;
-  options.match_rooms = false;
+  Options options;
+  options.assemble.match_rooms = false;
   const MemoryStore& store = typical().store;
   const Assembly assembly = assemble(store, {}, options);
   EXPECT_TRUE(assembly.closures.empty());
@@ -133,19 +135,20 @@ MemoryStore lost_half_way() {
   MemoryStore store = typical().store;
   Asr& asr = store.asrs[store.asrs.size() / 2];
   for (Exit& exit : asr.exits) {
-    if (!exit.is_entry) exit.frame_from_pivot = exit.frame_from_pivot * Pose2{0.0, 1.5, radians(9.0)};
+    if (!exit.is_entry)
+      exit.frame_from_pivot = exit.frame_from_pivot * Pose2{0.0, 1.5, radians(9.0)};
   }
   return store;
 }
 
 TEST(CloseLoops, MendsAMissionInWhichTheRobotWasLostOnce) {
   const MemoryStore store = lost_half_way();
-  const auto corrected_m = [&](const AssembleOptions& options) {
+  const auto corrected_m = [&](const Options& options) {
     return rmse_m(store, place(store, assemble(store, {}, options).correction).corrected);
   };
-  AssembleOptions as_if_never_lost;
-  as_if_never_lost.closures.max_mends = 0;
-  as_if_never_lost.correct.passage_robust_sigmas = 1e6;
+  Options as_if_never_lost;
+  as_if_never_lost.assemble.closures.max_mends = 0;
+  as_if_never_lost.assemble.correct.passage_robust_sigmas = 1e6;
   EXPECT_GT(corrected_m(as_if_never_lost), 0.4);
   EXPECT_LT(corrected_m({}), 0.15);
   const Issues issues = assemble(store, {}, {}).plan.issues;
@@ -160,7 +163,7 @@ TEST(CloseLoops, PartsThatNothingConnectsAreNotMatchedWithEachOther) {
   for (const Asr& asr : typical().store.asrs) {
     if (asrs.size() == 4) break;
     asrs.push_back(asr);
-    shapes.push_back(shape_of(asr, {}));
+    shapes.push_back(shape_of(asr, {}, {}));
     asrs.back().exits.clear();
   }
   const ClosedLoops loops = close_loops(asrs, shapes, build_graph(asrs), {}, {});

@@ -24,7 +24,7 @@ Asr driven_asr() {
 }
 
 TEST(ShapeOf, HasTheWallsThatTheReadingsSawAsPoints) {
-  const AsrShape shape = shape_of(driven_asr(), {});
+  const AsrShape shape = shape_of(driven_asr(), {}, {});
   EXPECT_EQ(shape.id, 3);
   EXPECT_GT(shape.points.size(), 150U);  // 18 m of wall in cells of 10 cm
   for (const ScanPoint& point : shape.points) {
@@ -38,7 +38,7 @@ TEST(ShapeOf, HasTheWallsThatTheReadingsSawAsPoints) {
 }
 
 TEST(ShapeOf, ItsPathIsThinnedAndKeepsItsReach) {
-  const AsrShape shape = shape_of(driven_asr(), {});
+  const AsrShape shape = shape_of(driven_asr(), {}, {});
   EXPECT_LT(shape.path.size(), 12U);
   EXPECT_NEAR(shape.path.front().x(), 1.0, 1e-9);
   EXPECT_GT(shape.path.back().x(), 4.5);
@@ -49,7 +49,7 @@ TEST(ShapeOf, LeavesSonarsOut) {
   auto ring = std::make_shared<RangeSensor>(*asr.readings[0].sensor);
   ring->kind = SensorKind::sonar;
   for (RangeReading& reading : asr.readings) reading.sensor = ring;
-  const AsrShape shape = shape_of(asr, {});
+  const AsrShape shape = shape_of(asr, {}, {});
   EXPECT_TRUE(shape.map.empty());
   EXPECT_TRUE(shape.points.empty());
 }

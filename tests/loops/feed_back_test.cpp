@@ -6,6 +6,8 @@
 
 #include "pipeline/three_rounds.hpp"
 #include "roomatlas/asr/with_paths.hpp"
+#include "roomatlas/correct/place.hpp"
+#include "roomatlas/pipeline/assemble.hpp"
 
 namespace roomatlas {
 namespace {
@@ -25,7 +27,7 @@ const Mission& mission() {
     Mission made;
     made.store = mapped(three_rounds(OdometryPreset::typical));
     made.assembly = assemble(made.store, {}, {});
-    for (const Asr& asr : made.store.asrs) made.shapes.push_back(shape_of(asr, {}));
+    for (const Asr& asr : made.store.asrs) made.shapes.push_back(shape_of(asr, {}, {}));
     made.placement = placement_of(made.assembly.correction);
     return made;
   }();
@@ -48,8 +50,8 @@ TEST(FeedBack, BringsThePathNearerToTheTruth) {
 
 TEST(FeedBack, IsWhatAssembleDoes) {
   EXPECT_EQ(fed_back(mission().store), mission().assembly.paths);
-  AssembleOptions off;
-  off.feed_back.enabled = false;
+  Options off;
+  off.assemble.feed_back.enabled = false;
   EXPECT_TRUE(assemble(mission().store, {}, off).paths.empty());
 }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random polygons, checked by ways that share nothing with the planar map.
 #include "merge/dirty_polygons.hpp"
-#include "planar/exact_crossing.hpp"
 #include "merge/shapes.hpp"
+#include "planar/exact_crossing.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <random>
+#include "roomatlas/planar/union.hpp"
 
 namespace roomatlas {
 namespace {
@@ -233,7 +234,7 @@ TEST(MergeFuzz, GivesEveryPointToAtMostOneThing) {
     }
     const Point2 jamb(anywhere(random), anywhere(random));
     const Point2 other(anywhere(random), anywhere(random));
-    const FloorPlan plan = merge(outlines, {{{jamb, other}, 1, 2}}, {});
+    const FloorPlan plan = merge(outlines, {door_between({jamb, other}, 1, 2)}, {});
     double rooms_m2 = 0.0;
     std::vector<Polygon> everything = plan.walls;
     for (const PlanRoom& room : plan.rooms) {

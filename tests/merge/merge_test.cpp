@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/merge/merge.hpp"
+#include "roomatlas/planar/union.hpp"
 
 #include "merge/shapes.hpp"
 
@@ -155,10 +156,11 @@ TEST(Merge, ARoomWithoutAPlaceIsReported) {
 
 TEST(Merge, ReportsWhatItHeals) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const FloorPlan plan = merge({outline(1, 1, {{0, 0}, {nan, 0}, {4, 0}, {4, 0}, {4, 3}, {0, 3}}),
-                                outline(2, 2, {{10, 0}, {14, 4}, {14, 0}, {10, 4}}),
-                                outline(3, 3, {{20, 3}, {24, 3}, {24, 0}, {20, 0}})},
-                               {{{{0, 0}, {nan, 1}}, 1, 2}, {{{1, 1}, {1, 1}}, 1, 2}}, {});
+  const FloorPlan plan =
+      merge({outline(1, 1, {{0, 0}, {nan, 0}, {4, 0}, {4, 0}, {4, 3}, {0, 3}}),
+             outline(2, 2, {{10, 0}, {14, 4}, {14, 0}, {10, 4}}),
+             outline(3, 3, {{20, 3}, {24, 3}, {24, 0}, {20, 0}})},
+            {door_between({{0, 0}, {nan, 1}}, 1, 2), door_between({{1, 1}, {1, 1}}, 1, 2)}, {});
   EXPECT_TRUE(mentions(plan.issues, "outline of ASR 1", "1 vertices are not finite"));
   EXPECT_TRUE(mentions(plan.issues, "outline of ASR 1", "1 repeated"));
   EXPECT_TRUE(mentions(plan.issues, "outline of ASR 2", "crosses itself"));

@@ -7,9 +7,13 @@
 
 #include "pipeline/memory_mission.hpp"
 #include "roomatlas/asr/with_paths.hpp"
+#include "roomatlas/core/pose2.hpp"
+#include "roomatlas/correct/place.hpp"
 #include "roomatlas/correct/wall_direction.hpp"
+#include "roomatlas/evaluate/evaluation.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/merge/regular_walls.hpp"
+#include "roomatlas/pipeline/assemble.hpp"
 #include "roomatlas/simulate/explore.hpp"
 #include "support/print_values.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "roomatlas/correct/place.hpp"
 #include "roomatlas/mission/mission.hpp"
 #include "roomatlas/pipeline/map_mission.hpp"
 #include "roomatlas/simulate/simulate.hpp"

@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/memory_mission.hpp"
+#include "roomatlas/core/issue.hpp"
+#include "roomatlas/core/progress.hpp"
+#include "roomatlas/pipeline/assemble.hpp"
+#include "roomatlas/pipeline/map_mission.hpp"
 
 namespace roomatlas {
 namespace {

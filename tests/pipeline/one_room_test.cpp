@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/memory_mission.hpp"
+#include "roomatlas/pipeline/assemble.hpp"
 
 namespace roomatlas {
 namespace {

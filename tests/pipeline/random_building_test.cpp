@@ -26,7 +26,7 @@ Built assembled(const RandomBuildingOptions& options) {
   random_building(options, result.store,
                   [&](const TrueVisit& visit) { result.truth[visit.asr] = visit; });
   result.plan = random_building_plan(options);
-  result.assembly = assemble(result.store, RobotFootprint{}, AssembleOptions{});
+  result.assembly = assemble(result.store, RobotFootprint{}, Options{});
   return result;
 }
 

@@ -11,6 +11,9 @@
 #include "roomatlas/io/logs/drive.hpp"
 #include "roomatlas/io/logs/open_mission.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
+#include "roomatlas/pipeline/assemble.hpp"
+#include "roomatlas/pipeline/map_mission.hpp"
+#include "roomatlas/rooms/assign_rooms.hpp"
 #include "roomatlas/simulate/explore.hpp"
 #include "support/shared_data.hpp"
 

@@ -6,6 +6,9 @@
 
 #include "pipeline/memory_mission.hpp"
 #include "pipeline/three_rounds.hpp"
+#include "roomatlas/core/issue.hpp"
+#include "roomatlas/correct/place.hpp"
+#include "roomatlas/pipeline/assemble.hpp"
 
 namespace roomatlas {
 namespace {
@@ -114,8 +117,8 @@ TEST(Pipeline, TellsOfReadingsThatAreMissing) {
 }
 
 TEST(Pipeline, TellsOfClosuresThatHaveNoEffect) {
-  AssembleOptions options;
-  options.closures.without_best = 3;
+  Options options;
+  options.assemble.closures.without_best = 3;
   const auto is_told = [&](const MemoryStore& store) {
     const Issues issues = assemble(store, {}, options).plan.issues;
     return std::any_of(issues.begin(), issues.end(),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "roomatlas/planar/edges.hpp"
 #include "../../src/planar/predicates.hpp"
 #include "planar/exact_crossing.hpp"
+#include "roomatlas/planar/edges.hpp"
 
 #include <gtest/gtest.h>
 

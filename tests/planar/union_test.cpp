@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <limits>
+#include "roomatlas/planar/union.hpp"
 
 namespace roomatlas {
 namespace {

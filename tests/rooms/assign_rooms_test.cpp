@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "roomatlas/graph/recognise.hpp"
+#include "roomatlas/rooms/assign_rooms.hpp"
 #include "support/chain_mission.hpp"
 
 namespace roomatlas {

@@ -27,9 +27,8 @@ std::vector<Visit> in_and_out(double last_x_m) {
           {kRoom, pose_deg(last_x_m, 3, 93), 0.0, 0.9}};
 }
 
-std::vector<Door> doors(const std::vector<Visit>& visits,
-                                const std::map<AsrId, RoomId>& rooms,
-                                const std::vector<PassageEdge>& recognised = {}) {
+std::vector<Door> doors(const std::vector<Visit>& visits, const std::map<AsrId, RoomId>& rooms,
+                        const std::vector<PassageEdge>& recognised = {}) {
   const auto asrs = chain_mission(visits);
   RoomGraph graph = build_graph(asrs);
   for (const PassageEdge& edge : recognised) add_edge(graph, edge);

@@ -18,7 +18,8 @@ TEST(Openings, ADoorIsOneOpeningInTheMiddleOfItsWall) {
   EXPECT_NEAR(openings[0].frame_from_pivot.position().x(), 4.1, 0.06);
   EXPECT_NEAR(openings[0].frame_from_pivot.position().y(), 2.45, 0.06);
   EXPECT_NEAR(openings[0].width_m, 0.9, 0.11);
-  EXPECT_NEAR(std::abs(std::sin(openings[0].frame_from_pivot.theta_rad)), 0.0, 0.15) << "across the wall";
+  EXPECT_NEAR(std::abs(std::sin(openings[0].frame_from_pivot.theta_rad)), 0.0, 0.15)
+      << "across the wall";
 }
 
 TEST(Openings, ADoorThatTheRobotSawButDidNotUseIsOne) {

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "roomatlas/graph/recognise.hpp"
+#include "roomatlas/rooms/assign_rooms.hpp"
 #include "support/chain_mission.hpp"
 
 namespace roomatlas {

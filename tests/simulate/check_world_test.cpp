@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/core/issue.hpp"
 #include "roomatlas/simulate/world.hpp"
 
 #include <gtest/gtest.h>

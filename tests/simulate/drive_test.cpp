@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include "roomatlas/core/issue.hpp"
 
 namespace roomatlas {
 namespace {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/simulate/explore.hpp"
+#include "roomatlas/core/issue.hpp"
 
 #include "simulate/simulated.hpp"
 

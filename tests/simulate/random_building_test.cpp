@@ -101,7 +101,8 @@ TEST_P(RandomBuildingOfAnySize, DrivesThroughEachDoorOfThePlan) {
   for (const Asr& asr : building.store.asrs) {
     for (const Exit& exit : asr.exits) {
       if (exit.kind != PassageKind::doorway) continue;
-      const Pose2 world_from_pivot = building.truth.at(asr.id).world_from_asr * exit.frame_from_pivot;
+      const Pose2 world_from_pivot =
+          building.truth.at(asr.id).world_from_asr * exit.frame_from_pivot;
       const PlanDoor* door = door_at(plan, world_from_pivot.position(), 1e-6);
       ASSERT_NE(door, nullptr) << "ASR " << asr.id;
       crossed.insert(door->id);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The sparse factorisation against Eigen's dense one.
 #include "roomatlas/solve/block_cholesky.hpp"
+#include "roomatlas/correct/place.hpp"
 
 #include <gtest/gtest.h>
 

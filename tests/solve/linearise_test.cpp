@@ -8,8 +8,9 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "correct/numeric_derivative.hpp"
+#include "roomatlas/correct/place.hpp"
 #include "support/generated_pose_graph.hpp"
+#include "support/numeric_derivative.hpp"
 
 namespace roomatlas {
 namespace {

@@ -14,9 +14,10 @@
 #include <limits>
 
 #include "../../src/solve/linearise.hpp"
-#include "correct/numeric_derivative.hpp"
-#include "solve/shuffled.hpp"
+#include "roomatlas/core/issue.hpp"
 #include "roomatlas/solve/optimize.hpp"
+#include "solve/shuffled.hpp"
+#include "support/numeric_derivative.hpp"
 
 namespace roomatlas {
 namespace {

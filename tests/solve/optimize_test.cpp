@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/solve/optimize.hpp"
+#include "roomatlas/core/issue.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,9 +11,9 @@
 #include <cmath>
 #include <limits>
 
-#include "correct/numeric_derivative.hpp"
 #include "solve/shuffled.hpp"
 #include "support/generated_pose_graph.hpp"
+#include "support/numeric_derivative.hpp"
 
 namespace roomatlas {
 namespace {

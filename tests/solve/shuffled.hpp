@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "roomatlas/correct/place.hpp"
 #include "support/generated_pose_graph.hpp"
 
 namespace roomatlas::test {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "correct/numeric_derivative.hpp"
+#include "support/numeric_derivative.hpp"
 
 namespace roomatlas {
 namespace {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "roomatlas/core/geometry.hpp"
-#include "roomatlas/plan/floor_plan.hpp"
 #include "roomatlas/mission/mission.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
 
 namespace roomatlas::test {
 

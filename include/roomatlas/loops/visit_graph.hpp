@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "roomatlas/correct/correct.hpp"
-#include "roomatlas/solve/pose_graph.hpp"
 #include "roomatlas/loops/closures.hpp"
+#include "roomatlas/solve/pose_graph.hpp"
 
 namespace roomatlas {
 

@@ -28,7 +28,7 @@ struct RegularWallOptions {
 /// What became of the outlines.
 struct RegularOutlines {
   std::vector<PlacedOutline> outlines;  ///< parallel to the input
-  std::vector<Door> doors;        ///< parallel to the input
+  std::vector<Door> doors;              ///< parallel to the input
   std::vector<double> directions_rad;   ///< of the building
   double wall_m = 0.0;                  ///< length of all edges
   double regular_m = 0.0;               ///< length of those that follow a direction

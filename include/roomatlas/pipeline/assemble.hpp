@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "roomatlas/assembly/assembly.hpp"
 #include "roomatlas/asr/store.hpp"
+#include "roomatlas/assembly/assembly.hpp"
 #include "roomatlas/core/progress.hpp"
 #include "roomatlas/pipeline/options.hpp"
 
 namespace roomatlas {
 
-/// What a mission was recorded with, and with that how it is corrected. Decided once, from the ASRs.
+/// What a mission was recorded with, and with that how it is corrected. Decided once, from the
+/// ASRs.
 enum class MissionKind {
   laser,  ///< the robot was found in its rooms: rooms are matched with each other by their walls
   sonar,  ///< sonars alone: the mission is corrected as a whole, and its rooms recorded again

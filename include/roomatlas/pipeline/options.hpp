@@ -41,8 +41,8 @@ struct AssembleOptions {
   RegularWallOptions regular;
   double sonar_corner_m = 0.8;  ///< `regular.blind_corner_m` where sonars were heard
   MergeOptions merge;
-  bool map_again = true;   ///< cut the rooms' outlines at doors that only later visits found
-  int max_rounds = 5;      ///< of recognising doorways and correcting
+  bool map_again = true;  ///< cut the rooms' outlines at doors that only later visits found
+  int max_rounds = 5;     ///< of recognising doorways and correcting
 };
 
 /// All options of all stages, each once.

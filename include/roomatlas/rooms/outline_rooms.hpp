@@ -14,8 +14,8 @@ namespace roomatlas {
 
 struct OutlineRoomOptions {
   RoomOptions rooms;
-  RoomMapOptions map;      ///< for mapping rooms again once all doors are known
-  bool map_again = true;   ///< cut outlines at doors that only later visits found
+  RoomMapOptions map;     ///< for mapping rooms again once all doors are known
+  bool map_again = true;  ///< cut outlines at doors that only later visits found
 };
 
 /// Rooms where the readings were not kept, or do not lie where the robot was: from the ASRs'

@@ -24,8 +24,8 @@ struct RoomSegmentation {
   std::vector<std::int32_t> room_of_cell;  ///< in the box, row by row; 0: no room. Half of RoomId's
                                            ///< size, for there are millions
   std::vector<RoomId> room_of_pose;  ///< parallel to the path; 1, 2, 3 ... as they were entered
-  std::vector<Door> openings;        ///< doors between rooms, and openings into what was not entered
-  RoomId rooms = 0;  ///< how many there are
+  std::vector<Door> openings;  ///< doors between rooms, and openings into what was not entered
+  RoomId rooms = 0;            ///< how many there are
 
   [[nodiscard]] RoomId at(const Cell& cell) const {
     return box.contains(cell) ? room_of_cell[box.index_of(cell)] : 0;

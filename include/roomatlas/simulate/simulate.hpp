@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "roomatlas/plan/floor_plan.hpp"
 #include "roomatlas/mission/mission.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -4,8 +4,8 @@
 #include <span>
 
 #include "roomatlas/core/pose2.hpp"
-#include "roomatlas/sonar/wall_segments.hpp"
 #include "roomatlas/mission/mission.hpp"
+#include "roomatlas/sonar/wall_segments.hpp"
 
 namespace roomatlas {
 

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "roomatlas/core/pose2.hpp"
+#include "roomatlas/mission/mission.hpp"
 #include "roomatlas/odometry/drive_directions.hpp"
 #include "roomatlas/odometry/habits.hpp"
 #include "roomatlas/sonar/wall_segments.hpp"
-#include "roomatlas/mission/mission.hpp"
 
 namespace roomatlas {
 

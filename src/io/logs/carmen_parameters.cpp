@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "carmen_parameters.hpp"
 
-#include "text/numbers.hpp"
 #include "roomatlas/mission/plausible.hpp"
+#include "text/numbers.hpp"
 #include "text/tokens.hpp"
 
 #include <array>

@@ -2,8 +2,8 @@
 #include "carmen_parser.hpp"
 
 #include "field_reader.hpp"
-#include "text/numbers.hpp"
 #include "roomatlas/mission/plausible.hpp"
+#include "text/numbers.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,10 +5,10 @@
 #include "carmen_parameters.hpp"
 #include "event_queue.hpp"
 #include "left_out_lines.hpp"
-#include "text/line_reader.hpp"
 #include "odometry_track.hpp"
 #include "sensor_catalog.hpp"
 #include "spike_filter.hpp"
+#include "text/line_reader.hpp"
 
 #include "roomatlas/mission/mission.hpp"
 

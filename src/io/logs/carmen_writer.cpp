@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "text/numbers.hpp"
 #include "files/output_file.hpp"
+#include "text/numbers.hpp"
 
 #include "roomatlas/io/logs/carmen_writer.hpp"
 

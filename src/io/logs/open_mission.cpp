@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "carmen_source.hpp"
-#include "text/line_reader.hpp"
 #include "small_logs.hpp"
+#include "text/line_reader.hpp"
 
-#include "roomatlas/mission/as_sonar.hpp"
 #include "roomatlas/io/logs/open_mission.hpp"
+#include "roomatlas/mission/as_sonar.hpp"
 #include "roomatlas/mission/odometry_jumps.hpp"
 #include "roomatlas/mission/one_sensor_kind.hpp"
 

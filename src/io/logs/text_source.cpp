@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text_source.hpp"
 
-#include "text/numbers.hpp"
 #include "roomatlas/mission/plausible.hpp"
+#include "text/numbers.hpp"
 
 #include "roomatlas/core/issue.hpp"
 #include "roomatlas/io/text/utf8.hpp"

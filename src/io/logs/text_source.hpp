@@ -2,8 +2,8 @@
 #pragma once
 
 #include "left_out_lines.hpp"
-#include "text/line_reader.hpp"
 #include "spike_filter.hpp"
+#include "text/line_reader.hpp"
 #include "text/tokens.hpp"
 
 #include "roomatlas/mission/mission.hpp"

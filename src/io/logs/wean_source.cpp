@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "text/numbers.hpp"
 #include "roomatlas/mission/plausible.hpp"
 #include "small_logs.hpp"
+#include "text/numbers.hpp"
 #include "text_source.hpp"
 
 #include <algorithm>

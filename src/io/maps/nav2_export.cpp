@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/io/maps/nav2_export.hpp"
 
-#include "text/numbers.hpp"
 #include "plan_raster.hpp"
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/plans/room_tables.hpp"
+#include "text/numbers.hpp"
 
 #include <cmath>
 

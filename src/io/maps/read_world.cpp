@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/io/maps/read_world.hpp"
 #include "nav2_map.hpp"
 #include "occupancy_world.hpp"
-#include "roomatlas/io/maps/read_world.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cairo_handles.hpp"
-#include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/pictures/svg_pictures.hpp"
+#include "cairo_handles.hpp"
 #include "roomatlas/core/issue.hpp"
+#include "roomatlas/io/files/files.hpp"
 
 #include <cairo-pdf.h>
 #include <cairo.h>

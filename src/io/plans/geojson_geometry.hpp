@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "text/json_field.hpp"
 #include "roomatlas/core/geometry.hpp"
+#include "text/json_field.hpp"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/io/plans/plan_geojson.hpp"
 #include "geojson_geometry.hpp"
 #include "plan_schema.hpp"
-#include "roomatlas/io/plans/plan_geojson.hpp"
 
 #include <algorithm>
 

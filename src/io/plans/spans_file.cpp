@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
+#include "roomatlas/core/issue.hpp"
 #include "text/line_reader.hpp"
 #include "text/numbers.hpp"
-#include "roomatlas/core/issue.hpp"
 #include "text/tokens.hpp"
 
 namespace roomatlas {

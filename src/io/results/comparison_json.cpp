@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "text/json_number.hpp"
 #include "plan_evaluation_json.hpp"
+#include "text/json_number.hpp"
 
 #include "roomatlas/evaluate/figures.hpp"
 #include "roomatlas/io/results/comparison_text.hpp"

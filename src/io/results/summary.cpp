@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "text/json_number.hpp"
 #include "plan_evaluation_json.hpp"
+#include "text/json_number.hpp"
 
 namespace roomatlas {
 namespace {

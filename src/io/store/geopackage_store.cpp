@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/io/store/geopackage_store.hpp"
 
+#include "files/sync_file.hpp"
 #include "geopackage_schema.hpp"
 #include "geopackage_store_state.hpp"
 #include "geopackage_tables.hpp"
-#include "files/sync_file.hpp"
 
 namespace roomatlas {
 namespace {

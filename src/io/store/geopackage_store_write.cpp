@@ -46,8 +46,8 @@ void insert_exits(Database& db, const Asr& asr) {
   std::int64_t key = row_keys(asr.id).first;
   for (const Exit& exit : asr.exits) {
     db.run("INSERT INTO exits VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", key++, asr.id,
-           stored_name(kPassageKinds, exit.kind), exit.is_entry, exit.frame_from_pivot, exit.width_m,
-           exit.jambs.a, exit.jambs.b, exit.neighbor, exit.timestamp_s);
+           stored_name(kPassageKinds, exit.kind), exit.is_entry, exit.frame_from_pivot,
+           exit.width_m, exit.jambs.a, exit.jambs.b, exit.neighbor, exit.timestamp_s);
   }
 }
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string>
 
+#include "roomatlas/core/issue.hpp"
 #include "text/line_reader.hpp"
 #include "text/numbers.hpp"
-#include "roomatlas/core/issue.hpp"
 #include "text/tokens.hpp"
 
 namespace roomatlas {

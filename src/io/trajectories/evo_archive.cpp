@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/io/trajectories/evo_archive.hpp"
 
-#include "tum_text.hpp"
 #include "files/zip_writer.hpp"
+#include "tum_text.hpp"
 
 #include <bit>
 #include <cmath>

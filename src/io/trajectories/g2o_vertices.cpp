@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "pose_rows.hpp"
 #include "text/line_reader.hpp"
 #include "text/numbers.hpp"
-#include "pose_rows.hpp"
 #include "text/tokens.hpp"
 
 #include <algorithm>

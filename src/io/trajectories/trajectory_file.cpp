@@ -2,9 +2,9 @@
 #include "roomatlas/io/trajectories/trajectory_file.hpp"
 
 #include "logs/carmen_message.hpp"
+#include "pose_rows.hpp"
 #include "text/line_reader.hpp"
 #include "text/numbers.hpp"
-#include "pose_rows.hpp"
 #include "text/tokens.hpp"
 
 #include "roomatlas/io/logs/open_mission.hpp"

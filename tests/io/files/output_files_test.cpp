@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/temporary_folder.hpp"
 
+#include "roomatlas/core/issue.hpp"
 #include "roomatlas/io/files/files.hpp"
 
 #include <gmock/gmock.h>

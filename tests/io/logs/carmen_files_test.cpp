@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/mission_log.hpp"
 
+#include "roomatlas/core/issue.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/trajectories/trajectory_file.hpp"
 

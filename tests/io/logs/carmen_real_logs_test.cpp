@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <map>
+#include "roomatlas/core/issue.hpp"
+#include "roomatlas/io/trajectories/relations.hpp"
 
 namespace roomatlas {
 namespace {

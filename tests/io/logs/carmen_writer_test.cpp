@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <memory>
+#include "roomatlas/io/logs/carmen_writer.hpp"
 
 namespace roomatlas {
 namespace {

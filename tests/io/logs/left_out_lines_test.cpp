@@ -2,6 +2,7 @@
 #include "io/mission_log.hpp"
 
 #include <gmock/gmock.h>
+#include "roomatlas/core/issue.hpp"
 
 namespace roomatlas {
 namespace {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/core/issue.hpp"
 #include "roomatlas/io/maps/read_world.hpp"
 #include "roomatlas/io/pictures/svg_pictures.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"

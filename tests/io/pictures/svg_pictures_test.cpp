@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/io/pictures/svg_pictures.hpp"
+#include "roomatlas/core/issue.hpp"
 
 #include <gtest/gtest.h>
 

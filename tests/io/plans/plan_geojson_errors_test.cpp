@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include "roomatlas/core/issue.hpp"
 
 namespace roomatlas {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/plan_file.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
+#include "io/plan_file.hpp"
+#include "roomatlas/core/issue.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

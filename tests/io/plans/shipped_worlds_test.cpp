@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "roomatlas/simulate/world.hpp"
 #include "io/maps/world_raster.hpp"
+#include "roomatlas/io/plans/plan_geojson.hpp"
+#include "roomatlas/simulate/world.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/io/logs/drive.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
+#include "roomatlas/simulate/simulate.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include "roomatlas/core/issue.hpp"
 
 namespace roomatlas {
 namespace {

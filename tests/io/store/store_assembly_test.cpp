@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/store/store_samples.hpp"
+#include "roomatlas/core/issue.hpp"
 #include "roomatlas/io/store/room_names.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>

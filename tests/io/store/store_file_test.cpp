@@ -3,6 +3,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
+#include "roomatlas/core/issue.hpp"
 
 namespace roomatlas {
 namespace {

@@ -3,8 +3,8 @@
 // and of recorded logs.
 #include "roomatlas/evaluate/evaluate.hpp"
 #include "roomatlas/io/trajectories/relations.hpp"
-#include "roomatlas/io/trajectories/tum.hpp"
 #include "roomatlas/io/trajectories/trajectory_file.hpp"
+#include "roomatlas/io/trajectories/tum.hpp"
 
 #include "support/shared_data.hpp"
 

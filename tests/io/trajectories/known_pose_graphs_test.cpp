@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomatlas/solve/optimize.hpp"
 #include "roomatlas/io/trajectories/pose_graph_file.hpp"
+#include "roomatlas/solve/optimize.hpp"
 #include "support/false_loops.hpp"
 #include "support/shared_data.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/io/trajectories/pose_graph_file.hpp"
+#include "roomatlas/core/issue.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/core/issue.hpp"
 #include "roomatlas/io/trajectories/relations.hpp"
 #include "roomatlas/io/trajectories/trajectory_file.hpp"
 
