@@ -6,11 +6,9 @@
 #include "console.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
-#include "roomatlas/io/store/room_names.hpp"
 #include "roomatlas/io/trajectories/closures_file.hpp"
-#include "roomatlas/merge/carry_over.hpp"
-#include "roomatlas/pipeline/assemble.hpp"
-#include "store_metadata.hpp"
+#include "roomatlas/pipeline/assemble_store.hpp"
+#include "stored_configuration.hpp"
 
 namespace roomatlas::apps {
 
@@ -32,15 +30,18 @@ void report(const SonarTrajectory& sonars) {
   }
 }
 
-/// The call of the library; nothing is written yet.
-Assembly assembly_of(const GeoPackageStore& store, const Path& store_file, const Settings& settings,
-                     const RobotFootprint& footprint) {
-  Options options = settings;
-  if (!settings.add_closures.empty()) {
-    options.assemble.closures.given = read_closures(settings.add_closures);
+/// The call of the library, which puts all of it into the store.
+Assembly assembled(const Settings& settings, const Path& store_file) {
+  Settings used = settings;
+  if (!used.add_closures.empty()) {
+    used.assemble.closures.given = read_closures(used.add_closures);
   }
+  GeoPackageStore store(store_file, GeoPackageStore::Mode::update);
   try {
-    return roomatlas::assemble(store, footprint, options, console_progress(settings));
+    Assembly assembly =
+        assemble_store(store, used, used.as_toml, console_progress(used));
+    store.finish();
+    return assembly;
   } catch (const Interrupted& stop) {
     throw Interrupted(fmt::format("{}: {} is as it was; run the same command to assemble it again",
                                   stop.what(), store_file.string()));
@@ -49,24 +50,13 @@ Assembly assembly_of(const GeoPackageStore& store, const Path& store_file, const
 
 }  // namespace
 
+std::size_t assemble_again(const Settings& settings, const Path& store_file) {
+  const Metadata metadata = GeoPackageStore(store_file, GeoPackageStore::Mode::read).metadata();
+  return assemble(as_recorded(settings, metadata, store_file), store_file);
+}
+
 std::size_t assemble(const Settings& settings, const Path& store_file) {
-  const std::vector<PlanRoom> former = former_rooms(store_file);
-  GeoPackageStore store(store_file, GeoPackageStore::Mode::update);
-  const Metadata metadata = store.metadata();
-  Assembly assembly = assembly_of(store, store_file, settings, footprint_of(metadata));
-  const auto mission = metadata.find("mission_file");
-  assembly.plan.title = mission == metadata.end() ? "" : mission->second;
-  store.put_metadata(metadata_of(assembly, settings));
-  if (!assembly.mapped_again.empty()) store.replace_asrs(assembly.mapped_again);
-  const CarriedOver carried = carry_over(former, assembly.plan, assembly.room_of_asr);
-  store.put_assembly(assembly.correction, assembly.plan, assembly.room_of_asr, assembly.paths);
-  if (assembly.measured_plan) {
-    renumber(*assembly.measured_plan, carried.number);
-    store.put_measured_plan(*assembly.measured_plan);
-  }
-  store.put_closures(assembly.closures);
-  put_former_rooms(store_file, {});
-  store.finish();
+  const Assembly assembly = assembled(settings, store_file);
   show(assembly.plan.issues);
   if (assembly.sonars) report(*assembly.sonars);
   if (!assembly.correction.converged) {

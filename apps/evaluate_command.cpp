@@ -13,6 +13,7 @@
 #include "roomatlas/io/results/comparison_text.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
+#include "roomatlas/pipeline/evaluate_store.hpp"
 #include "truth_files.hpp"
 
 namespace roomatlas::apps {
@@ -27,26 +28,10 @@ void require_assembly(const GeoPackageStore& store, const Path& file) {
   throw NotEnoughError(file.string() + ": not assembled yet: run `roomatlas assemble` on it first");
 }
 
-Trajectory poses_in(const GeoPackageStore& store) {
-  Trajectory poses;
-  for (const TruePose& pose : store.truth()) {
-    poses.push_back({pose.timestamp_s, pose.world_from_robot});
-  }
-  return poses;
-}
-
-Evaluation evaluation_of(const GeoPackageStore& store, const Path& file, Truth truth,
+Evaluation evaluation_of(const GeoPackageStore& store, const Path& file, const Truth& truth,
                          const Preparation& prepare) {
   require_assembly(store, file);
-  if (truth.poses.empty()) truth.poses = poses_in(store);
-  const Correction correction = store.correction();
-  const FloorPlan plan = store.plan();
-  const PlacedMission placed = place(store, correction);
-  Evaluation evaluation = roomatlas::evaluate(prepare("odometry", placed.odometry),
-                                              prepare("corrected", placed.corrected), plan, truth,
-                                              prepare.relation_options(), prepare.carry());
-  judge_placements(store, correction, plan, truth, evaluation);
-  return evaluation;
+  return evaluate_store(store, truth, {prepare, prepare.relation_options(), prepare.carry()});
 }
 
 /// What the files on the command line hold.
@@ -67,7 +52,7 @@ void add_store(const Path& file, const std::string& name, const Truth& truth,
   const GeoPackageStore store(file, GeoPackageStore::Mode::read);
   Evaluation evaluation = evaluation_of(store, file, truth, prepare);
   PlacedMission placed = place(store, store.correction());
-  const Trajectory true_poses = poses_in(store);
+  const Trajectory true_poses = true_poses_of(store);
   judged.runs.push_back(
       {name + " odometry", prepare(name + " odometry", std::move(placed.odometry)), true_poses});
   judged.runs.push_back(

@@ -2,11 +2,9 @@
 #include "export_options.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <cmath>
 
-#include "limits.hpp"
 #include "roomatlas/core/issue.hpp"
 
 namespace roomatlas::apps {
@@ -37,35 +35,6 @@ std::optional<double> ExportOptions::north_deg() const {
   if (north) return north;
   if (const auto on_earth = reference()) return -on_earth->heading_deg;
   return std::nullopt;
-}
-
-void add_export_options(CLI::App* command, ExportOptions& options) {
-  command
-      ->add_option("--georef", options.georef,
-                   "LAT,LON,HEADING: where the plan's origin is, and the compass direction of its "
-                   "y axis, in deg; plan.geojson is then on the earth")
-      ->delimiter(',')
-      ->expected(3)
-      ->configurable(false);
-  command
-      ->add_option("--north", options.north,
-                   "deg, clockwise from up the plan: where north is; as --georef says without it")
-      ->check(within(-360.0, 360.0))
-      ->configurable(false);
-}
-
-void add_measured_walls(CLI::App* command, ExportOptions& options) {
-  command
-      ->add_flag("--measured-walls", options.measured_walls,
-                 "the walls as measured, where `assemble` made them regular")
-      ->configurable(false);
-}
-
-void add_ogr_option(CLI::App* command, ExportOptions& options) {
-  command
-      ->add_option("--ogr", options.ogr_driver,
-                   "vector format of GDAL for -f ogr, such as GML or \"ESRI Shapefile\"")
-      ->configurable(false);
 }
 
 }  // namespace roomatlas::apps

@@ -7,10 +7,6 @@
 
 #include "roomatlas/io/plans/georeference.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace roomatlas::apps {
 
 /// What `export` and `build` are told besides the parameters.
@@ -25,12 +21,5 @@ struct ExportOptions {
   /// As given, else as the place on earth has it, in deg clockwise from up the plan.
   [[nodiscard]] std::optional<double> north_deg() const;
 };
-
-/// Adds `--georef` and `--north` to a command.
-void add_export_options(CLI::App* command, ExportOptions& options);
-/// Adds `--measured-walls`.
-void add_measured_walls(CLI::App* command, ExportOptions& options);
-/// Adds `--ogr`, the format behind `-f ogr`.
-void add_ogr_option(CLI::App* command, ExportOptions& options);
 
 }  // namespace roomatlas::apps

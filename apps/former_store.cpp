@@ -6,7 +6,6 @@
 #include <spdlog/spdlog.h>
 
 #include "roomatlas/io/store/geopackage_store.hpp"
-#include "roomatlas/io/store/room_names.hpp"
 #include "roomatlas/merge/carry_over.hpp"
 
 namespace roomatlas::apps {
@@ -16,7 +15,7 @@ std::vector<PlanRoom> rooms_to_carry_over(const std::filesystem::path& store_fil
   if (!std::filesystem::exists(store_file)) return {};
   try {
     const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
-    std::vector<PlanRoom> rooms = former_rooms(store_file);
+    std::vector<PlanRoom> rooms = store.former_rooms();
     const auto metadata = store.metadata();
     const auto sha256 = metadata.find("mission_sha256");
     if (sha256 == metadata.end() || sha256->second == mission_sha256) return rooms;

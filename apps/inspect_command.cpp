@@ -22,7 +22,7 @@ void inspect(const Settings& settings, const Path& store_file, AsrId id, const P
                     store_file.string(), id));
   }
   const Metadata metadata = store.metadata();
-  const RoomMap map = map_room(asr.path, asr.readings, asr.exits, footprint_of(metadata),
+  const RoomMap map = map_room(asr.path, asr.readings, asr.exits, store.mission().footprint,
                                as_mapped(settings, metadata, store_file).map.record.map);
   Polyline path;
   for (const PathSample& sample : asr.path) path.push_back(sample.asr_from_robot.position());

@@ -10,8 +10,6 @@
 
 namespace roomatlas::apps {
 
-inline constexpr double kLargestSeed = 1e15;  // every whole number up to here is a double
-
 /// As CLI::Range, which lets NaN pass because it is neither below nor above a limit.
 [[nodiscard]] inline CLI::Validator within(double low, double high) {
   const auto check = [low, high](std::string& text) {

@@ -1,276 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CLI/CLI.hpp>
-
 #include <fmt/format.h>
 #include <glog/logging.h>
 #include <malloc.h>
-#include <spdlog/spdlog.h>
 
-#include <map>
+#include <exception>
+#include <filesystem>
 
+#include "command_line.hpp"
 #include "commands.hpp"
-#include "configuration_file.hpp"
-#include "console.hpp"
-#include "limits.hpp"
 #include "roomatlas/core/issue.hpp"
 
-namespace {
-
-using namespace roomatlas;
-using apps::Path;
-
-enum ExitCode {
-  kOk = 0,
-  kInternal = 1,
-  kUsage = 2,
-  kInput = 3,
-  kNotEnough = 4,
-  kGateFailed = 5,
-  kInterrupted = 130,
-};
-
-/// Files and choices of the command in use.
-struct Arguments {
-  Path log;
-  Path store;
-  AsrId asr = 0;
-  std::string room;
-  std::string name;
-  Path out;
-  apps::SimulateArguments simulate;
-  std::vector<Path> judged;
-  std::vector<Path> truth;
-  std::vector<Path> spans;
-  apps::TrajectoryFlags trajectory;
-  apps::ComparisonFiles comparison;
-  apps::ExportOptions exported;
-  std::vector<std::string> formats = apps::export_formats();
-  bool print_config = false;
-  apps::OptimizeArguments optimize;
-};
-
-CLI::Option* positional(CLI::App* command, const char* name, Path& value, const char* meaning) {
-  return command->add_option(name, value, meaning)->required()->configurable(false);
-}
-
-CLI::Option* output(CLI::App* command, Path& value, const char* meaning) {
-  return command->add_option("-o,--output", value, meaning)->required()->configurable(false);
-}
-
-/// All files of truth: spans are told by their names too.
-std::vector<Path> truth_of(const Arguments& arguments) {
-  std::vector<Path> files = arguments.truth;
-  files.insert(files.end(), arguments.spans.begin(), arguments.spans.end());
-  return files;
-}
-
-void add_truth(CLI::App* command, Arguments& arguments) {
-  command
-      ->add_option("--truth", arguments.truth,
-                   "truth to compare with: FILE.relations, a trajectory (TUM, g2o, CARMEN log with "
-                   "TRUEPOS, corrected log, poses), a plan FILE.geojson, a label picture "
-                   "FILE.pgm[.gz], or tape-measure spans FILE.csv; again for more")
-      ->configurable(false);
-  command
-      ->add_option("--spans", arguments.spans, "tape-measure spans, FILE.csv: as --truth FILE.csv")
-      ->configurable(false);
-  apps::add_trajectory_flags(command, arguments.trajectory);
-}
-
-void add_simulate(CLI::App* command, apps::SimulateArguments& a) {
-  command->add_option("WORLD", a.world, "plan (GeoJSON), nav2 map (YAML), or picture (PNG, PGM)")
-      ->configurable(false);
-  command
-      ->add_option("--random-rooms", a.random_rooms,
-                   "instead of WORLD: a random building of N rooms, as a store of ASRs")
-      ->configurable(false);
-  command
-      ->add_option("--resolution", a.file.resolution_m, "m a pixel, of a world that is a picture")
-      ->check(apps::within(0.001, 10.0))
-      ->configurable(false);
-  command->add_option("--room-labels", a.file.room_labels, "picture with each pixel's room number")
-      ->configurable(false);
-  command->add_option("--drive", a.drive, "way-points; without them the robot explores by itself")
-      ->configurable(false);
-  command
-      ->add_option("--start", a.start, "where the exploring robot starts: x,y in m, heading in deg")
-      ->delimiter(',')
-      ->expected(3)
-      ->check(apps::finite())
-      ->configurable(false);
-  output(command, a.out, "folder for mission.clf, truth.tum and truth.geojson");
-}
-
-void add_comparison_files(CLI::App* command, apps::ComparisonFiles& files) {
-  const auto add = [&](const char* name, Path& value, const char* meaning) {
-    command->add_option(name, value, meaning)->group("Results")->configurable(false);
-  };
-  add("--csv", files.csv, "file for all figures, a line each");
-  add("--latex", files.latex, "file for a table with means and intervals");
-  add("--plots", files.plots, "folder for SVG plots: over time, histogram, map");
-  add("--archive", files.archive, "ZIP file in evo's result layout");
-}
-
-void add_optimize(CLI::App* command, apps::OptimizeArguments& a) {
-  positional(command, "GRAPH", a.graph, "pose graph: g2o or TORO, plain or gzip");
-  output(command, a.out, "g2o file to write");
-  command->add_flag("--robust", a.options.robust, "reject closures that contradict the others")
-      ->configurable(false);
-  command->add_flag("--strict", a.strict, "exit code 5 where the result should not be trusted")
-      ->configurable(false);
-  command->add_option("--covariance", a.covariance, "CSV file to write covariances to")
-      ->configurable(false);
-  command->add_option("--solver", a.options.solver, "block, or ceres: the reference, slower")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, PoseGraphSolver>{
-          {"block", PoseGraphSolver::block}, {"ceres", PoseGraphSolver::ceres}}))
-      ->configurable(false);
-}
-
-/// Each command with its files; what runs is left in `chosen`.
-void add_commands(CLI::App& app, const apps::Settings& settings, Arguments& a,
-                  std::function<void()>& chosen) {
-  const auto command = [&](const char* name, const char* meaning, std::function<void()> run) {
-    CLI::App* sub = app.add_subcommand(name, meaning)->fallthrough()->configurable(false);
-    sub->callback([&chosen, run = std::move(run)] { chosen = run; });
-    sub->footer("Parameters of all stages: `roomatlas --help`, `roomatlas config --print`.");
-    return sub;
-  };
-  CLI::App* info = command("info", "what is in a log", [&] { apps::info(settings, a.log); });
-  positional(info, "LOG", a.log, "mission log");
-
-  CLI::App* build = command("build", "log -> floor plan: everything in order", [&] {
-    apps::build(settings, a.log, a.out, truth_of(a), a.trajectory, a.exported);
-  });
-  positional(build, "LOG", a.log, "mission log, plain or gzip");
-  output(build, a.out, "folder for the results");
-  add_truth(build, a);
-  apps::add_export_options(build, a.exported);
-
-  CLI::App* map = command("map", "online stage: log -> rooms in a store",
-                          [&] { apps::map(settings, a.log, a.out); });
-  positional(map, "LOG", a.log, "mission log, plain or gzip");
-  output(map, a.out, "store to write, such as building.gpkg");
-
-  CLI::App* assemble = command("assemble", "offline stage: graph, correction, floor plan", [&] {
-    apps::require_a_room(apps::assemble(settings, a.store), a.store);
-  });
-  positional(assemble, "STORE", a.store, "store to complete");
-
-  CLI::App* exported = command("export", "store -> drawings and files", [&] {
-    apps::export_all(settings, a.store, a.formats, a.exported, a.out);
-  });
-  positional(exported, "STORE", a.store, "assembled store");
-  exported->add_option("-f,--format", a.formats, "formats, separated by commas")
-      ->delimiter(',')
-      ->capture_default_str()
-      ->configurable(false);
-  output(exported, a.out, "folder for the files");
-  apps::add_export_options(exported, a.exported);
-  apps::add_ogr_option(exported, a.exported);
-  apps::add_measured_walls(exported, a.exported);
-
-  CLI::App* evaluate =
-      command("evaluate", "errors of stores, trajectories or logs, against truth and without any",
-              [&] { apps::evaluate(settings, a.judged, truth_of(a), a.trajectory, a.comparison); });
-  evaluate
-      ->add_option("RUN", a.judged,
-                   "what to judge: an assembled store, a trajectory (TUM, g2o, poses) or a log; "
-                   "several are compared with the first")
-      ->required()
-      ->configurable(false);
-  add_truth(evaluate, a);
-  add_comparison_files(evaluate, a.comparison);
-
-  CLI::App* report =
-      command("report", "a page to look at in a browser: map, rooms, correction, errors",
-              [&] { apps::report(settings, a.store, truth_of(a), a.trajectory, a.out); });
-  positional(report, "STORE", a.store, "assembled store");
-  output(report, a.out, "HTML file to write, such as report.html");
-  add_truth(report, a);
-
-  CLI::App* rename = command("rename", "gives a room a name, which later plans keep",
-                             [&] { apps::rename(settings, a.store, a.room, a.name); });
-  positional(rename, "STORE", a.store, "assembled store");
-  rename->add_option("ROOM", a.room, "its number or present name")->required()->configurable(false);
-  rename->add_option("NAME", a.name, "its new name")->required()->configurable(false);
-
-  CLI::App* inspect = command("inspect", "one room as it was made, step by step, as a drawing",
-                              [&] { apps::inspect(settings, a.store, a.asr, a.out); });
-  positional(inspect, "STORE", a.store, "store with readings");
-  inspect->add_option("ASR", a.asr, "its number")->required()->configurable(false);
-  output(inspect, a.out, "folder for asr_N.svg and asr_N.png");
-
-  add_simulate(command("simulate", "a robot in a known world: log with ground truth",
-                       [&] { apps::simulate(settings, a.simulate); }),
-               a.simulate);
-
-  add_optimize(command("optimize", "the solver alone, on a planar pose graph",
-                       [&] { apps::optimize(settings, a.optimize); }),
-               a.optimize);
-
-  CLI::App* config = command("config", "the parameters as a configuration file (TOML)",
-                             [&] { fmt::print("{}", app.config_to_str(true, true)); });
-  config->add_flag("--print", a.print_config, "print every parameter with default and meaning")
-      ->configurable(false);
-}
-
-int run(int argc, char** argv) {
-  CLI::App app("Roomatlas: from a finished robot mission to a building map that a person can read",
-               "roomatlas");
-  apps::Settings settings;
-  Arguments arguments;
-  std::function<void()> chosen;
-  app.set_version_flag("--version", ROOMATLAS_VERSION);
-  app.set_config("--config", "", "read parameters from this file (TOML)")->configurable(false);
-  app.config_formatter(std::make_shared<apps::ConfigurationFile>(app));
-  app.allow_config_extras(false);
-  app.require_subcommand(1);
-  app.add_flag("--json", settings.json, "one JSON object on stdout")->configurable(false);
-  app.add_flag("-q,--quiet", settings.quiet, "errors alone on stderr")->configurable(false);
-  app.add_flag("-v,--verbose", settings.verbose, "more on stderr")->configurable(false);
-  apps::add_parameters(app, settings);
-  add_commands(app, settings, arguments, chosen);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& success) {
-    return app.exit(success);  // --help and --version
-  } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "error: {}\nrun `roomatlas --help`\n", error.what());
-    return kUsage;
-  }
-  apps::complete(settings, app);
-  apps::set_up_console(settings);
-  chosen();
-  return kOk;
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
+  using namespace roomatlas;
   constexpr int kLargeBytes = 1024 * 1024;
   (void)mallopt(M_MMAP_THRESHOLD, kLargeBytes);  // grids go back to the system once they are freed
   FLAGS_minloglevel = google::GLOG_FATAL;        // Ceres logs even when asked to be silent
   google::InitGoogleLogging(argv[0]);
-  const auto fail = [](const std::exception& error, ExitCode code) {
+  const auto fail = [](const std::exception& error, apps::ExitCode code) {
     fmt::print(stderr, "error: {}\n", error.what());
     return code;
   };
   try {
-    return run(argc, argv);
+    return apps::run_command_line(argc, argv);
   } catch (const UsageError& error) {
-    return fail(error, kUsage);
+    return fail(error, apps::kUsage);
   } catch (const InputError& error) {
-    return fail(error, kInput);
+    return fail(error, apps::kInput);
   } catch (const NotEnoughError& error) {
-    return fail(error, kNotEnough);
+    return fail(error, apps::kNotEnough);
   } catch (const apps::GateFailed& error) {
-    return fail(error, kGateFailed);
+    return fail(error, apps::kGateFailed);
   } catch (const Interrupted& error) {
     fmt::print(stderr, "{}\n", error.what());
-    return kInterrupted;
+    return apps::kInterrupted;
   } catch (const std::filesystem::filesystem_error& error) {
-    return fail(error, kInput);
+    return fail(error, apps::kInput);
   } catch (const std::exception& error) {
-    return fail(error, kInternal);
+    return fail(error, apps::kInternal);
   }
 }

@@ -11,7 +11,6 @@
 #include "roomatlas/io/logs/open_mission.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
-#include "roomatlas/io/store/room_names.hpp"
 #include "roomatlas/pipeline/map_mission.hpp"
 #include "store_metadata.hpp"
 
@@ -44,7 +43,7 @@ struct Recorded {
 Recorded record(const Settings& settings, MissionSource& mission, const std::string& sha256,
                 const std::vector<PlanRoom>& carried, const Path& store_file) {
   GeoPackageStore store(store_file, GeoPackageStore::Mode::create);
-  if (!carried.empty()) put_former_rooms(store_file, carried);
+  if (!carried.empty()) store.put_former_rooms(carried);
   Recorded recorded;
   recorded.summary = map_mission(mission, store, settings.map, console_progress(settings));
   recorded.info = mission.info();

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <set>
 #include <string>
+#include <vector>
 
+#include "parameters.hpp"
 #include "roomatlas/draw/draw.hpp"
 #include "roomatlas/pipeline/options.hpp"
 #include "roomatlas/simulate/explore.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace roomatlas::apps {
 
@@ -26,20 +25,22 @@ struct Settings : Options {
   bool quiet = false;
   bool verbose = false;
 
-  std::string as_toml;          ///< all parameters as set, filled after parsing
+  std::string as_toml;          ///< all parameters as set; filled after parsing
   std::set<std::string> given;  ///< names that stood on the command line or in its file
 };
 
-// Stages: the parameters of one stand under one heading of the help.
-inline constexpr const char* kMissionStage = "Mission (what the log does not say)";
-inline constexpr const char* kRoomsStage = "Rooms (online stage)";
-inline constexpr const char* kCorrectionStage = "Correction (offline stage)";
+/// The settings with some parameters from a configuration (TOML, a parameter a line, no sections).
+/// @param takes says by its name and stage whether a parameter is taken
+/// @throws UsageError for a value that cannot be read
+struct FromConfiguration {
+  Settings settings;
+  std::vector<std::string> unknown;  ///< names that no parameter has
+};
+[[nodiscard]] FromConfiguration with_configuration(
+    const Settings& settings, const std::string& toml,
+    const std::function<bool(const std::string& name, Stage stage)>& takes);
 
-/// Adds every parameter to the program, once: its flag, its key in the configuration file and its
-/// line in `--help` and `config --print` come from here.
-void add_parameters(CLI::App& app, Settings& settings);
-
-/// Copies what two stages share, and keeps what was given, after parsing.
-void complete(Settings& settings, const CLI::App& app);
+/// Copies what two stages share, after parsing.
+void share(Settings& settings);
 
 }  // namespace roomatlas::apps

@@ -39,19 +39,6 @@ Metadata metadata_of(const MissionInfo& info, const std::string& mission_sha256,
           {"robot_width_m", text_of(info.footprint.width_m)}};
 }
 
-Metadata metadata_of(const Assembly& assembly, const Settings& settings) {
-  Metadata metadata = {{"assembly_configuration", settings.as_toml}};
-  if (!assembly.mapped_again.empty()) metadata["rooms_configuration"] = settings.as_toml;
-  if (assembly.sonars) metadata["odometry_json"] = to_json(assembly.sonars->habits);
-  return metadata;
-}
-
-RobotFootprint footprint_of(const Metadata& metadata) {
-  const RobotFootprint otherwise;
-  return {number_in(metadata, "robot_length_m", otherwise.length_m),
-          number_in(metadata, "robot_width_m", otherwise.width_m)};
-}
-
 double path_length_of(const Metadata& metadata) {
   return number_in(metadata, "mission_path_length_m", 0.0);
 }

@@ -4,7 +4,6 @@
 #include <map>
 #include <string>
 
-#include "roomatlas/assembly/assembly.hpp"
 #include "roomatlas/mission/mission.hpp"
 #include "settings.hpp"
 
@@ -15,11 +14,7 @@ using Metadata = std::map<std::string, std::string>;
 /// What the store remembers of the run that mapped it.
 [[nodiscard]] Metadata metadata_of(const MissionInfo& info, const std::string& mission_sha256,
                                    const Settings& settings);
-/// What it remembers of the run that assembled it.
-[[nodiscard]] Metadata metadata_of(const Assembly& assembly, const Settings& settings);
-
 /// Reads them back; the defaults where a store lacks them.
-[[nodiscard]] RobotFootprint footprint_of(const Metadata& metadata);
 [[nodiscard]] double path_length_of(const Metadata& metadata);
 /// The mission's date as YYYY-MM-DD, from its first timestamp; empty where that is no Unix time of
 /// the years 1990 to 2100.

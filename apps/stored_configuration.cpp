@@ -4,68 +4,38 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
-#include <CLI/CLI.hpp>
 
-#include <sstream>
+#include <functional>
 #include <vector>
+
+#include "roomatlas/core/issue.hpp"
 
 namespace roomatlas::apps {
 namespace {
 
-struct Line {
-  std::string name;
-  std::string text;
-};
+using TakesStage = std::function<bool(Stage)>;
 
-/// A stored configuration has one parameter a line, without sections.
-std::vector<Line> lines_of(const std::string& toml) {
-  std::vector<Line> lines;
-  std::istringstream in(toml);
-  for (std::string text; std::getline(in, text);) {
-    if (!text.empty()) lines.push_back({text.substr(0, text.find_first_of(" =")), text});
-  }
-  return lines;
+/// A configuration's parameters of mapping, and all others as nothing was said.
+std::string mapping_of(const std::string& toml) {
+  return with_configuration({}, toml, [](const std::string&, Stage stage) {
+           return is_of_mapping(stage);
+         })
+      .settings.as_toml;
 }
 
-std::map<std::string, std::string> mapping_lines(const std::string& toml) {
-  CLI::App app;
-  Settings unused;
-  add_parameters(app, unused);
-  std::map<std::string, std::string> lines;
-  for (const Line& line : lines_of(toml)) {
-    const CLI::Option* option = app.get_option_no_throw("--" + line.name);
-    if (option == nullptr) continue;
-    const std::string& stage = option->get_group();
-    if (stage == kMissionStage || stage == kRoomsStage) lines[line.name] = line.text;
-  }
-  return lines;
-}
-
-/// The settings with one stage's parameters from a configuration.
-Settings with_stage(const Settings& settings, const std::string& stage, const std::string& toml,
-                    const std::string& store) {
-  Settings stored = settings;
-  CLI::App app;
-  add_parameters(app, stored);
-  std::string chosen;
-  std::vector<std::string> unknown;
-  for (const Line& line : lines_of(toml)) {
-    const CLI::Option* option = app.get_option_no_throw("--" + line.name);
-    if (option == nullptr) {
-      unknown.push_back(line.name);
-    } else if (option->get_group() == stage && !settings.given.contains(line.name)) {
-      chosen += line.text + '\n';
-    }
-  }
-  if (!unknown.empty()) {
-    spdlog::warn("{}: it was made with parameters that this version does not know: {}", store,
-                 fmt::join(unknown, ", "));
-  }
+Settings with_stages(const Settings& settings, const TakesStage& takes, const std::string& toml,
+                     const std::string& store) {
+  const auto is_taken = [&](const std::string& name, Stage stage) {
+    return takes(stage) && !settings.given.contains(name);
+  };
   try {
-    std::istringstream in(chosen);
-    app.parse_from_stream(in);
-    return stored;
-  } catch (const CLI::ParseError& error) {
+    const FromConfiguration stored = with_configuration(settings, toml, is_taken);
+    if (!stored.unknown.empty()) {
+      spdlog::warn("{}: it was made with parameters that this version does not know: {}", store,
+                   fmt::join(stored.unknown, ", "));
+    }
+    return stored.settings;
+  } catch (const UsageError& error) {
     spdlog::warn(
         "{}: this version cannot read the parameters that it was made with, those of this run "
         "hold: {}",
@@ -86,19 +56,32 @@ std::string first_of(const Metadata& metadata, const std::vector<const char*>& k
 }  // namespace
 
 bool map_alike(const std::string& one, const std::string& other) {
-  return mapping_lines(one) == mapping_lines(other);
+  if (one == other) return true;
+  try {
+    return mapping_of(one) == mapping_of(other);
+  } catch (const UsageError&) {
+    return false;  // made by a version with other bounds
+  }
 }
 
 Settings as_mapped(const Settings& settings, const Metadata& metadata,
                    const std::filesystem::path& store) {
   const std::string toml = first_of(metadata, {"rooms_configuration", "configuration"});
-  return with_stage(settings, kRoomsStage, toml, store.string());
+  return with_stages(
+      settings, [](Stage stage) { return stage == Stage::rooms; }, toml, store.string());
 }
 
 Settings as_corrected(const Settings& settings, const Metadata& metadata,
                       const std::filesystem::path& store) {
   const std::string toml = first_of(metadata, {"assembly_configuration", "configuration"});
-  return with_stage(settings, kCorrectionStage, toml, store.string());
+  return with_stages(
+      settings, [](Stage stage) { return stage == Stage::correction; }, toml, store.string());
+}
+
+Settings as_recorded(const Settings& settings, const Metadata& metadata,
+                     const std::filesystem::path& store) {
+  const std::string toml = first_of(metadata, {"configuration"});
+  return with_stages(settings, [](Stage stage) { return stage != Stage::simulation; }, toml, store.string());
 }
 
 }  // namespace roomatlas::apps

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "settings.hpp"
+#include "bind_parameters.hpp"
 
 #include <gtest/gtest.h>
-#include <CLI/CLI.hpp>
 
 namespace roomatlas::test {
 namespace {
@@ -10,7 +9,7 @@ namespace {
 apps::Settings parsed(const std::string& arguments) {
   CLI::App app;
   apps::Settings settings;
-  apps::add_parameters(app, settings);
+  apps::bind_parameters(app, settings);
   app.parse(arguments);
   apps::complete(settings, app);
   return settings;

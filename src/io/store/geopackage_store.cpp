@@ -6,6 +6,8 @@
 #include "geopackage_store_state.hpp"
 #include "geopackage_tables.hpp"
 
+#include <charconv>
+
 namespace roomatlas {
 namespace {
 
@@ -73,6 +75,15 @@ void write_compact_copy(Database& db, const fs::path& copy) {
 
 }  // namespace
 
+void write_metadata(Database& db, const std::map<std::string, std::string>& values) {
+  for (const auto& [key, value] : values) {
+    db.run(
+        "INSERT INTO metadata (key, value) VALUES (?, ?) "
+        "ON CONFLICT (key) DO UPDATE SET value = excluded.value",
+        key, value);
+  }
+}
+
 GeoPackageStore::GeoPackageStore(const fs::path& file, Mode mode)
     : state_(std::make_unique<State>()) {
   state_->file = file;
@@ -98,14 +109,7 @@ void GeoPackageStore::put_metadata(const std::map<std::string, std::string>& val
   if (version != values.end() && version->second != std::to_string(kSchemaVersion)) {
     throw std::invalid_argument("the store writes its schema version itself");
   }
-  state_->transaction([&](Database& db) {
-    for (const auto& [key, value] : values) {
-      db.run(
-          "INSERT INTO metadata (key, value) VALUES (?, ?) "
-          "ON CONFLICT (key) DO UPDATE SET value = excluded.value",
-          key, value);
-    }
-  });
+  state_->transaction([&](Database& db) { write_metadata(db, values); });
 }
 
 std::map<std::string, std::string> GeoPackageStore::metadata() const {
@@ -117,6 +121,24 @@ std::map<std::string, std::string> GeoPackageStore::metadata() const {
     });
     return values;
   });
+}
+
+StoredMission GeoPackageStore::mission() const {
+  const std::map<std::string, std::string> values = metadata();
+  const auto number = [&](const char* key, double otherwise) {
+    const auto entry = values.find(key);
+    if (entry == values.end()) return otherwise;
+    double value = otherwise;
+    std::from_chars(entry->second.data(), entry->second.data() + entry->second.size(), value);
+    return value;
+  };
+  StoredMission mission;
+  if (const auto file = values.find("mission_file"); file != values.end()) {
+    mission.file = file->second;
+  }
+  RobotFootprint& robot = mission.footprint;
+  robot = {number("robot_length_m", robot.length_m), number("robot_width_m", robot.width_m)};
+  return mission;
 }
 
 void GeoPackageStore::finish() {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "former_rooms.hpp"
 #include "geopackage_schema.hpp"
 #include "geopackage_store_state.hpp"
 #include "geopackage_tables.hpp"
+#include "roomatlas/io/results/summary.hpp"
 #include "stored_names.hpp"
 #include "wkb.hpp"
 
@@ -153,46 +155,56 @@ void add_information_columns(Database& db) {
   }
 }
 
+void write_closures(Database& db, const std::vector<Closure>& closures) {
+  add_information_columns(db);
+  db.execute("DELETE FROM closures");
+  for (const Closure& closure : closures) {
+    const MapMatch& match = closure.match;
+    const Eigen::Matrix3d& info = match.information;
+    db.run("INSERT INTO closures VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+           closure.from, closure.to, match.first_from_second, match.agreeing, match.contradicting,
+           match.unseen, closure.score(), stored_name(kClosureVerdicts, closure.verdict),
+           closure.was_given, info(0, 0), info(0, 1), info(0, 2), info(1, 1), info(1, 2),
+           info(2, 2));
+  }
+}
+
+void write_results(Database& db, const Assembly& assembly) {
+  const Correction& correction = assembly.correction;
+  db.execute(kMatchedPathSql);  // a store that an earlier release made has none
+  for (const char* table : kResultTables) db.execute("DELETE FROM " + std::string(table));
+  db.run("INSERT INTO assembly VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", assembly.plan.title,
+         correction.converged, correction.model, correction.message, correction.initial_cost,
+         correction.final_cost, correction.iterations, correction.odometry_bias.rad_per_m,
+         correction.odometry_bias.rad_per_rad, correction.odometry_bias.asrs);
+  write_correction(db, correction);
+  write_plan(db, assembly.plan);
+  write_matched_path(db, assembly.paths);
+  write_path(db, correction.asrs);
+  db.run("UPDATE asr SET room = 0");
+  for (const auto& [asr, room] : assembly.room_of_asr) {
+    db.run("UPDATE asr SET room = ? WHERE id = ?", room, asr);
+  }
+}
+
+std::map<std::string, std::string> metadata_of(const Assembly& assembly,
+                                               const std::string& configuration) {
+  std::map<std::string, std::string> values = {{"assembly_configuration", configuration}};
+  if (!assembly.mapped_again.empty()) values["rooms_configuration"] = configuration;
+  if (assembly.sonars) values["odometry_json"] = to_json(assembly.sonars->habits);
+  return values;
+}
+
 }  // namespace
 
-void GeoPackageStore::put_closures(const std::vector<Closure>& closures) {
+void GeoPackageStore::put(const Assembly& assembly, const std::string& configuration) {
   state_->transaction([&](Database& db) {
-    add_information_columns(db);
-    db.execute("DELETE FROM closures");
-    for (const Closure& closure : closures) {
-      const MapMatch& match = closure.match;
-      const Eigen::Matrix3d& info = match.information;
-      db.run(
-          "INSERT INTO closures VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-          closure.from, closure.to, match.first_from_second, match.agreeing, match.contradicting,
-          match.unseen, closure.score(), stored_name(kClosureVerdicts, closure.verdict),
-          closure.was_given, info(0, 0), info(0, 1), info(0, 2), info(1, 1), info(1, 2),
-          info(2, 2));
-    }
-  });
-}
-
-void GeoPackageStore::put_measured_plan(const FloorPlan& plan) {
-  state_->transaction([&](Database& db) { write_shapes(db, kMeasured, plan); });
-}
-
-void GeoPackageStore::put_assembly(const Correction& correction, const FloorPlan& plan,
-                                   const std::map<AsrId, RoomId>& room_of_asr, const Paths& paths) {
-  state_->transaction([&](Database& db) {
-    db.execute(kMatchedPathSql);  // a store that an earlier release made has none
-    for (const char* table : kResultTables) db.execute("DELETE FROM " + std::string(table));
-    db.run("INSERT INTO assembly VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", plan.title,
-           correction.converged, correction.model, correction.message, correction.initial_cost,
-           correction.final_cost, correction.iterations, correction.odometry_bias.rad_per_m,
-           correction.odometry_bias.rad_per_rad, correction.odometry_bias.asrs);
-    write_correction(db, correction);
-    write_plan(db, plan);
-    write_matched_path(db, paths);
-    write_path(db, correction.asrs);
-    db.run("UPDATE asr SET room = 0");
-    for (const auto& [asr, room] : room_of_asr) {
-      db.run("UPDATE asr SET room = ? WHERE id = ?", room, asr);
-    }
+    write_metadata(db, metadata_of(assembly, configuration));
+    if (!assembly.mapped_again.empty()) state_->replace_asrs(db, assembly.mapped_again);
+    write_results(db, assembly);
+    if (assembly.measured_plan) write_shapes(db, kMeasured, *assembly.measured_plan);
+    write_closures(db, assembly.closures);
+    write_former_rooms(db, {});
   });
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "former_rooms.hpp"
 #include "geopackage_store_state.hpp"
 #include "geopackage_tables.hpp"
 #include "stored_names.hpp"
@@ -191,6 +192,15 @@ FloorPlan GeoPackageStore::plan() const {
                       issue_of);
     return plan;
   });
+}
+
+std::vector<PlanRoom> GeoPackageStore::former_rooms() const {
+  if (has_assembly()) return plan().rooms;
+  return state_->reading([](Database& db) { return read_former_rooms(db); });
+}
+
+void GeoPackageStore::put_former_rooms(const std::vector<PlanRoom>& rooms) {
+  state_->transaction([&](Database& db) { write_former_rooms(db, rooms); });
 }
 
 FloorPlan GeoPackageStore::measured_plan() const {

@@ -78,31 +78,28 @@ void GeoPackageStore::State::write_pending_truth(Database& db) {
   }
 }
 
+void GeoPackageStore::State::write_asr(Database& db, const Asr& asr) {
+  insert_asr(db, asr);
+  insert_exits(db, asr);
+  insert_path(db, asr);
+  insert_readings(db, sensors, asr);
+}
+
+void GeoPackageStore::State::replace_asrs(Database& db, const std::vector<Asr>& asrs) {
+  for (const char* table : {"exits", "path_samples", "readings", "asr"}) {
+    db.execute("DELETE FROM " + std::string(table));
+  }
+  for (const Asr& asr : asrs) write_asr(db, asr);
+}
+
 void GeoPackageStore::put(const Asr& asr) {
   if (asr.id < 1 || asr.id > kLargestAsrId) throw std::invalid_argument("ASR ids start at 1");
   state_->transaction([&](Database& db) {
     delete_asr(db, asr.id);
-    insert_asr(db, asr);
-    insert_exits(db, asr);
-    insert_path(db, asr);
-    insert_readings(db, state_->sensors, asr);
+    state_->write_asr(db, asr);
     state_->write_pending_truth(db);
   });
   state_->pending_truth.clear();
-}
-
-void GeoPackageStore::replace_asrs(const std::vector<Asr>& asrs) {
-  state_->transaction([&](Database& db) {
-    for (const char* table : {"exits", "path_samples", "readings", "asr"}) {
-      db.execute("DELETE FROM " + std::string(table));
-    }
-    for (const Asr& asr : asrs) {
-      insert_asr(db, asr);
-      insert_exits(db, asr);
-      insert_path(db, asr);
-      insert_readings(db, state_->sensors, asr);
-    }
-  });
 }
 
 void GeoPackageStore::put(const TruePose& truth) {

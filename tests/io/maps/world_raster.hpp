@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "roomatlas/core/geometry.hpp"
+#include "roomatlas/plan/floor_plan.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

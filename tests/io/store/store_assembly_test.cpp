@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/store/store_samples.hpp"
+#include "io/store/assembly_samples.hpp"
 #include "roomatlas/core/issue.hpp"
 #include "roomatlas/io/store/room_names.hpp"
 
@@ -10,80 +10,6 @@ namespace roomatlas {
 namespace {
 
 using Mode = GeoPackageStore::Mode;
-
-void expect_same(const Correction& a, const Correction& b) {
-  EXPECT_EQ(a.converged, b.converged);
-  EXPECT_EQ(a.model, b.model);
-  EXPECT_EQ(a.message, b.message);
-  EXPECT_EQ(a.initial_cost, b.initial_cost);
-  EXPECT_EQ(a.final_cost, b.final_cost);
-  EXPECT_EQ(a.iterations, b.iterations);
-  EXPECT_EQ(a.odometry_bias.rad_per_m, b.odometry_bias.rad_per_m);
-  EXPECT_EQ(a.odometry_bias.rad_per_rad, b.odometry_bias.rad_per_rad);
-  EXPECT_EQ(a.odometry_bias.asrs, b.odometry_bias.asrs);
-  ASSERT_EQ(a.asrs.size(), b.asrs.size());
-  for (std::size_t i = 0; i < a.asrs.size(); ++i) {
-    EXPECT_EQ(a.asrs[i].asr, b.asrs[i].asr);
-    EXPECT_EQ(a.asrs[i].component, b.asrs[i].component);
-    EXPECT_EQ(a.asrs[i].building_from_asr_before, b.asrs[i].building_from_asr_before);
-    EXPECT_EQ(a.asrs[i].building_from_asr, b.asrs[i].building_from_asr);
-    EXPECT_EQ(a.asrs[i].moved_m, b.asrs[i].moved_m);
-    EXPECT_EQ(a.asrs[i].turned_rad, b.asrs[i].turned_rad);
-  }
-  ASSERT_EQ(a.factors.size(), b.factors.size());
-  for (std::size_t i = 0; i < a.factors.size(); ++i) {
-    EXPECT_EQ(a.factors[i].kind, b.factors[i].kind);
-    EXPECT_EQ(a.factors[i].from, b.factors[i].from);
-    EXPECT_EQ(a.factors[i].to, b.factors[i].to);
-    EXPECT_EQ(a.factors[i].chi_square_before, b.factors[i].chi_square_before);
-    EXPECT_EQ(a.factors[i].chi_square_after, b.factors[i].chi_square_after);
-    EXPECT_EQ(a.factors[i].weight, b.factors[i].weight);
-  }
-}
-
-void expect_same(const std::vector<Polygon>& a, const std::vector<Polygon>& b) {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) expect_same(a[i], b[i]);
-}
-
-void expect_same(const PlanRoom& a, const PlanRoom& b) {
-  EXPECT_EQ(a.id, b.id);
-  EXPECT_EQ(a.name, b.name);
-  EXPECT_EQ(a.kind, b.kind);
-  expect_same(a.parts, b.parts);
-  EXPECT_EQ(a.area_m2, b.area_m2);
-  EXPECT_EQ(a.label_point, b.label_point);
-  EXPECT_EQ(a.asrs, b.asrs);
-}
-
-void expect_same(const PlanDoor& a, const PlanDoor& b) {
-  EXPECT_EQ(a.id, b.id);
-  EXPECT_EQ(a.jambs.a, b.jambs.a);
-  EXPECT_EQ(a.jambs.b, b.jambs.b);
-  EXPECT_EQ(a.width_m, b.width_m);
-  EXPECT_EQ(a.opening, b.opening);
-  EXPECT_EQ(a.room_a, b.room_a);
-  EXPECT_EQ(a.room_b, b.room_b);
-}
-
-void expect_same(const FloorPlan& a, const FloorPlan& b) {
-  EXPECT_EQ(a.title, b.title);
-  ASSERT_EQ(a.rooms.size(), b.rooms.size());
-  for (std::size_t i = 0; i < a.rooms.size(); ++i) expect_same(a.rooms[i], b.rooms[i]);
-  ASSERT_EQ(a.doors.size(), b.doors.size());
-  for (std::size_t i = 0; i < a.doors.size(); ++i) expect_same(a.doors[i], b.doors[i]);
-  expect_same(a.walls, b.walls);
-  expect_same(a.free_space, b.free_space);
-  expect_same(a.furniture, b.furniture);
-  ASSERT_EQ(a.issues.size(), b.issues.size());
-  for (std::size_t i = 0; i < a.issues.size(); ++i) {
-    EXPECT_EQ(a.issues[i].severity, b.issues[i].severity);
-    EXPECT_EQ(a.issues[i].file, b.issues[i].file);
-    EXPECT_EQ(a.issues[i].line, b.issues[i].line);
-    EXPECT_EQ(a.issues[i].field, b.issues[i].field);
-    EXPECT_EQ(a.issues[i].message, b.issues[i].message);
-  }
-}
 
 class StoredAssembly : public testing::Test {
  protected:
@@ -96,7 +22,7 @@ class StoredAssembly : public testing::Test {
 };
 
 TEST_F(StoredAssembly, CorrectionAndPlanReadBackBitForBitWithHoles) {
-  store_.put_assembly(sample_correction(3), sample_plan(), {});
+  store_.put(sample_assembly(sample_correction(3), sample_plan()), "");
   store_.finish();
   const GeoPackageStore store(file_, Mode::read);
   EXPECT_TRUE(store.has_assembly());
@@ -106,12 +32,14 @@ TEST_F(StoredAssembly, CorrectionAndPlanReadBackBitForBitWithHoles) {
 }
 
 TEST_F(StoredAssembly, ThePlanAsMeasuredStandsBesideTheOtherAndSharesItsNames) {
-  store_.put_assembly(sample_correction(3), sample_plan(), {});
+  Assembly assembly = sample_assembly(sample_correction(3), sample_plan());
+  store_.put(assembly, "");
   expect_same(store_.measured_plan(), sample_plan());  // there is none
   FloorPlan measured = sample_plan();
   measured.walls.pop_back();
   measured.rooms[0].area_m2 += 1.0;
-  store_.put_measured_plan(measured);
+  assembly.measured_plan = measured;
+  store_.put(assembly, "");
   store_.finish();
   rename_room(file_, measured.rooms[0].id, "Kitchen");
   measured.rooms[0].name = "Kitchen";
@@ -121,11 +49,12 @@ TEST_F(StoredAssembly, ThePlanAsMeasuredStandsBesideTheOtherAndSharesItsNames) {
 }
 
 TEST_F(StoredAssembly, ANewOneReplacesTheFormerWithoutATrace) {
-  store_.put_assembly(sample_correction(3), sample_plan(), {{1, 5}, {2, 5}, {3, 6}});
-  store_.put_measured_plan(sample_plan());
+  Assembly former = sample_assembly(sample_correction(3), sample_plan(), {{1, 5}, {2, 5}, {3, 6}});
+  former.measured_plan = sample_plan();
+  store_.put(former, "");
   FloorPlan smaller;
   smaller.title = "again";
-  store_.put_assembly(sample_correction(1), smaller, {{2, 9}});
+  store_.put(sample_assembly(sample_correction(1), smaller, {{2, 9}}), "");
   expect_same(store_.plan(), smaller);
   expect_same(store_.measured_plan(), smaller);
   expect_same(store_.correction(), sample_correction(1));
@@ -135,7 +64,7 @@ TEST_F(StoredAssembly, ANewOneReplacesTheFormerWithoutATrace) {
 }
 
 TEST_F(StoredAssembly, LeavesTheAsrsAsTheyWereApartFromTheirRoom) {
-  store_.put_assembly(sample_correction(3), sample_plan(), {{1, 5}});
+  store_.put(sample_assembly(sample_correction(3), sample_plan(), {{1, 5}}), "");
   Asr expected = sample_asr(1);
   expected.room = 5;
   expect_same(store_.get(1, AsrDetail::readings), expected);
@@ -147,7 +76,7 @@ TEST_F(StoredAssembly, PathsThatWereMatchedAgainAreReadButNotAssembledFrom) {
   for (const PathSample& sample : online.path) {
     paths[2].push_back(sample.asr_from_robot * Pose2{0.01, -0.02, 0.003});
   }
-  store_.put_assembly(sample_correction(3), sample_plan(), {}, paths);
+  store_.put(sample_assembly(sample_correction(3), sample_plan(), {}, paths), "");
   expect_same(store_.get(2, AsrDetail::readings), online);  // it is open to be updated
   store_.finish();
   Asr matched = online;
@@ -158,7 +87,7 @@ TEST_F(StoredAssembly, PathsThatWereMatchedAgainAreReadButNotAssembledFrom) {
     expect_same(store.get(1, AsrDetail::readings), sample_asr(1));
   }
   GeoPackageStore again(file_, Mode::update);
-  again.put_assembly(sample_correction(3), sample_plan(), {});
+  again.put(sample_assembly(sample_correction(3), sample_plan()), "");
   again.finish();
   expect_same(GeoPackageStore(file_, Mode::read).get(2, AsrDetail::readings), online);
 }
@@ -168,17 +97,17 @@ TEST_F(StoredAssembly, AStoreOfAnEarlierReleaseHasNoMatchedPath) {
   SQLite::Database(file_.string(), SQLite::OPEN_READWRITE).exec("DROP TABLE matched_path");
   expect_same(GeoPackageStore(file_, Mode::read).get(2, AsrDetail::readings), sample_asr(2));
   GeoPackageStore store(file_, Mode::update);
-  store.put_assembly(sample_correction(3), sample_plan(), {}, {{2, {Pose2{1.0, 2.0, 0.5}}}});
+  store.put(sample_assembly(sample_correction(3), sample_plan(), {}, {{2, {Pose2{1.0, 2.0, 0.5}}}}), "");
   store.finish();
   const Asr asr = GeoPackageStore(file_, Mode::read).get(2, AsrDetail::path);
   EXPECT_EQ(asr.path.front().asr_from_robot, (Pose2{1.0, 2.0, 0.5}));
 }
 
 TEST_F(StoredAssembly, AFailureKeepsTheFormerOne) {
-  store_.put_assembly(sample_correction(3), sample_plan(), {});
+  store_.put(sample_assembly(sample_correction(3), sample_plan()), "");
   FloorPlan twice = sample_plan();
   twice.rooms.push_back(twice.rooms.front());  // the same id again
-  EXPECT_THROW(store_.put_assembly(sample_correction(1), twice, {}), InputError);
+  EXPECT_THROW(store_.put(sample_assembly(sample_correction(1), twice), ""), InputError);
   expect_same(store_.plan(), sample_plan());
   expect_same(store_.correction(), sample_correction(3));
 }
@@ -195,7 +124,7 @@ TEST_F(StoredAssembly, WithoutOneTheErrorSaysHowToGetIt) {
 }
 
 TEST_F(StoredAssembly, ExtentsOfTheLayersAreThoseOfTheGeometry) {
-  store_.put_assembly(sample_correction(3), sample_plan(), {});
+  store_.put(sample_assembly(sample_correction(3), sample_plan()), "");
   store_.finish();
   SQLite::Database db(file_.string());
   SQLite::Statement query(db,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/store/store_samples.hpp"
+#include "io/store/assembly_samples.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
@@ -19,7 +19,7 @@ void fill(GeoPackageStore& store) {
     store.put(sample_asr(id));
   }
   store.put_metadata({{"tool_version", "0.1.0"}, {"input_sha256", "abc"}});
-  store.put_assembly(sample_correction(4), sample_plan(), {{1, 1}, {2, 1}});
+  store.put(sample_assembly(sample_correction(4), sample_plan(), {{1, 1}, {2, 1}}), "");
 }
 
 std::string error_of_opening(const std::filesystem::path& file, Mode mode) {
@@ -52,7 +52,7 @@ TEST(StoreFile, TheSameContentGivesTheSameBytesHoweverItCameAbout) {
   {
     GeoPackageStore(directory / "b.gpkg", Mode::create).put(sample_asr(99));
     GeoPackageStore store(directory / "b.gpkg", Mode::create);
-    store.put_assembly(sample_correction(2), sample_plan(), {});
+    store.put(sample_assembly(sample_correction(2), sample_plan()), "");
     store.put(TruePose{1.0, {1, 2, 3}});
     store.put(sample_asr(1));
   }
@@ -64,7 +64,7 @@ TEST(StoreFile, TheSameContentGivesTheSameBytesHoweverItCameAbout) {
       store.put(sample_asr(id));
     }
     store.put_metadata({{"tool_version", "0.1.0"}, {"input_sha256", "abc"}});
-    store.put_assembly(sample_correction(4), sample_plan(), {{1, 1}, {2, 1}});
+    store.put(sample_assembly(sample_correction(4), sample_plan(), {{1, 1}, {2, 1}}), "");
     store.finish();
   }
   EXPECT_TRUE(bytes_of(directory / "a.gpkg") == bytes_of(directory / "b.gpkg"));

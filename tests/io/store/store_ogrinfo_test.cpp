@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/store/store_samples.hpp"
+#include "io/store/assembly_samples.hpp"
 
 #include <gmock/gmock.h>
 
@@ -37,7 +37,7 @@ class StoreSeenByGdal : public testing::Test {
     GeoPackageStore store(file_, GeoPackageStore::Mode::create);
     for (AsrId id = 1; id <= 3; ++id) store.put(sample_asr(id));
     store.put(TruePose{1.0, {1, 2, 3}});
-    store.put_assembly(sample_correction(3), sample_plan(), {{1, 1}});
+    store.put(sample_assembly(sample_correction(3), sample_plan(), {{1, 1}}), "");
     store.finish();
   }
   [[nodiscard]] std::string ogrinfo(const std::string& options, const char* layer = "") const {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "roomatlas/assembly/assembly_store.hpp"
 #include "roomatlas/asr/store.hpp"
-#include "roomatlas/correct/correction.hpp"
 #include "roomatlas/loops/closures.hpp"
 #include "roomatlas/plan/floor_plan.hpp"
 
@@ -16,7 +16,7 @@ namespace roomatlas {
 /// The store: one GeoPackage per mission (docs/formats.md). While the online stage writes, each
 /// ASR is one transaction in WAL mode; `finish` leaves `journal_mode=DELETE` and rewrites the file
 /// with VACUUM INTO, so that its bytes depend on its content alone.
-class GeoPackageStore : public AsrSink, public AsrSource {
+class GeoPackageStore : public AsrSink, public AssemblyStore {
  public:
   enum class Mode { create, update, read };
 
@@ -37,27 +37,23 @@ class GeoPackageStore : public AsrSink, public AsrSource {
   void put_metadata(const std::map<std::string, std::string>& values);
   [[nodiscard]] std::map<std::string, std::string> metadata() const;
 
-  /// Puts other ASRs in the place of all that are there, in one transaction.
-  void replace_asrs(const std::vector<Asr>& asrs);
-  /// The matches of rooms that were tried, with what became of them; after `put_assembly`, which
-  /// deletes those of an earlier run.
-  void put_closures(const std::vector<Closure>& closures);
-  /// As they were put. Information is zero in a store of an earlier release.
-  [[nodiscard]] std::vector<Closure> closures() const;
-  /// What `assemble` found: replaces what an earlier run left, in one transaction. Also writes
-  /// each ASR's room and the corrected path as a feature layer.
-  /// @param paths of ASRs whose readings were matched again: `get` has these from then on, but in
-  ///   a store that is open to be updated, so that assembling again begins where it began before
-  void put_assembly(const Correction& correction, const FloorPlan& plan,
-                    const std::map<AsrId, RoomId>& room_of_asr, const Paths& paths = {});
-  /// The same plan with its walls as measured; after `put_assembly`, which deletes that of an
-  /// earlier run. Only rooms, doors, walls and free space are kept: all else is the plan's.
-  void put_measured_plan(const FloorPlan& plan);
-  [[nodiscard]] bool has_assembly() const;
-  [[nodiscard]] Correction correction() const;
-  [[nodiscard]] FloorPlan plan() const;
+  [[nodiscard]] StoredMission mission() const override;
+
+  /// Paths of readings that were matched again: `get` has these from then on, but in a store that is
+  /// open to be updated, so that assembling again begins where it began before.
+  void put(const Assembly& assembly, const std::string& configuration) override;
+  [[nodiscard]] bool has_assembly() const override;
+  [[nodiscard]] Correction correction() const override;
+  [[nodiscard]] FloorPlan plan() const override;
   /// The plan with its walls as measured; `plan` where they were not made regular.
   [[nodiscard]] FloorPlan measured_plan() const;
+  /// The matches of rooms that were tried. Information is zero in a store of an earlier release.
+  [[nodiscard]] std::vector<Closure> closures() const;
+
+  [[nodiscard]] std::vector<PlanRoom> former_rooms() const override;
+  /// Rooms of a store that this one replaces, until an assembly has carried over their numbers and
+  /// names; areas and polygons are kept with them.
+  void put_former_rooms(const std::vector<PlanRoom>& rooms);
 
   /// Closes the store and makes its bytes reproducible.
   void finish();

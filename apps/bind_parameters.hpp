@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Parameters and CLI11: one of three places that include it.
 #pragma once
 
 #include <CLI/CLI.hpp>
 
-#include <istream>
-#include <vector>
+#include "settings.hpp"
 
 namespace roomatlas::apps {
+
+/// Adds every parameter to the program: its flag, its key in the configuration file and its line in
+/// `--help` and `config --print`.
+void bind_parameters(CLI::App& app, Settings& settings);
+
+/// Keeps what was given, and all parameters as they are set, after parsing.
+void complete(Settings& settings, const CLI::App& app);
 
 /// Reads the file of `--config` line by line: one parameter a line, without sections. Throws
 /// UsageError with file, line, what is wrong and what to do.

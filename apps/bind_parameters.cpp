@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bind_parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include "limits.hpp"
+#include "roomatlas/core/issue.hpp"
+
+namespace roomatlas::apps {
+namespace {
+
+// One parameter of each kind:
+
+CLI::Option* bind(CLI::App& app, const Parameter& parameter, const NumberParameter& number) {
+  return std::visit(
+      [&](auto* value) {
+        return app.add_option("--" + parameter.name, *value, parameter.meaning)
+            ->capture_default_str()
+            ->check(within(number.low, number.high));
+      },
+      number.value);
+}
+CLI::Option* bind(CLI::App& app, const Parameter& parameter, const FlagParameter& flag) {
+  const std::string& name = parameter.name;
+  return app.add_flag("--" + name + ",!--no-" + name, *flag.value, parameter.meaning)
+      ->default_str(*flag.value ? "true" : "false");
+}
+CLI::Option* bind(CLI::App& app, const Parameter& parameter, const ChoiceParameter& choice) {
+  return app.add_option_function<std::string>("--" + parameter.name, choice.choose,
+                                              parameter.meaning)
+      ->default_str(choice.now)
+      ->check(CLI::IsMember(choice.names));
+}
+CLI::Option* bind(CLI::App& app, const Parameter& parameter, const FileParameter& file) {
+  return app.add_option("--" + parameter.name, *file.value, parameter.meaning)
+      ->configurable(false);  // no path gets into the store
+}
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+bool is_text(const std::string& line) {
+  return std::none_of(line.begin(), line.end(),
+                      [](unsigned char c) { return c < 32 && c != '\t'; });
+}
+
+/// Names are plain letters, so that the message can show them.
+bool is_plain(const std::string& name) {
+  return std::all_of(name.begin(), name.end(), [](unsigned char c) { return c >= 32 && c < 127; });
+}
+
+/// The parameter that a line names.
+std::string name_in(const std::string& line) {
+  const std::size_t sign = line.find('=');
+  std::string name = CLI::detail::trim_copy(line.substr(0, sign));
+  if (!is_text(line) || !is_plain(name)) {
+    throw UsageError("is no text of parameters: expected lines of name = value");
+  }
+  if (line.front() == '[') throw UsageError("sections are not used: " + name);
+  if (sign == std::string::npos || name.empty()) {
+    throw UsageError("expected name = value, found \"" + line + "\"");
+  }
+  return CLI::detail::remove_quotes(name);
+}
+
+/// Reads one line as the program would.
+void try_line(const std::string& name, const std::string& line) {
+  CLI::App app;
+  Settings unused;
+  bind_parameters(app, unused);
+  if (app.get_option_no_throw("--" + name) == nullptr) {
+    throw UsageError("no such parameter: " + name);
+  }
+  std::istringstream in(line);
+  try {
+    app.parse_from_stream(in);
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what());
+  }
+}
+
+void check_line(const std::string& line, std::set<std::string>& names) {
+  const std::string text = CLI::detail::trim_copy(line);
+  if (text.empty() || text.front() == '#' || text.front() == ';') return;
+  const std::string name = name_in(text);
+  try_line(name, text);
+  if (!names.insert(name).second) throw UsageError(name + " is given twice");
+}
+
+void check(const std::string& content, const std::string& file) {
+  std::istringstream in(content);
+  std::set<std::string> names;
+  std::int64_t number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    try {
+      check_line(line, names);
+    } catch (const UsageError& wrong) {
+      throw UsageError(fmt::format("{}:{}: {}; `roomatlas config --print` shows all parameters",
+                                   file, number, wrong.what()));
+    }
+  }
+}
+
+/// A line of a stored configuration, and the parameter that it names.
+struct Line {
+  std::string name;
+  std::string text;
+};
+
+std::vector<Line> lines_of(const std::string& toml) {
+  std::vector<Line> lines;
+  std::istringstream in(toml);
+  for (std::string text; std::getline(in, text);) {
+    if (!text.empty()) lines.push_back({text.substr(0, text.find_first_of(" =")), text});
+  }
+  return lines;
+}
+
+}  // namespace
+
+void bind_parameters(CLI::App& app, Settings& settings) {
+  for (const Parameter& parameter : parameters_of(settings)) {
+    std::visit([&](const auto& kind) { return bind(app, parameter, kind); }, parameter.kind)
+        ->group(heading_of(parameter.stage));
+  }
+}
+
+void complete(Settings& settings, const CLI::App& app) {
+  share(settings);
+  settings.as_toml = app.config_to_str(true, false);
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->count() > 0) settings.given.insert(option->get_single_name());
+  }
+}
+
+FromConfiguration with_configuration(
+    const Settings& settings, const std::string& toml,
+    const std::function<bool(const std::string& name, Stage stage)>& takes) {
+  FromConfiguration result{settings, {}};
+  std::map<std::string, Stage> stage_of;
+  for (const Parameter& parameter : parameters_of(result.settings)) {
+    stage_of[parameter.name] = parameter.stage;
+  }
+  std::string taken;
+  for (const Line& line : lines_of(toml)) {
+    const auto stage = stage_of.find(line.name);
+    if (stage == stage_of.end()) {
+      result.unknown.push_back(line.name);
+    } else if (takes(line.name, stage->second)) {
+      taken += line.text + '\n';
+    }
+  }
+  CLI::App app;
+  bind_parameters(app, result.settings);
+  try {
+    std::istringstream in(taken);
+    app.parse_from_stream(in);
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what());
+  }
+  share(result.settings);
+  result.settings.as_toml = app.config_to_str(true, false);
+  return result;
+}
+
+std::vector<CLI::ConfigItem> ConfigurationFile::from_config(std::istream& input) const {
+  std::string content(std::istreambuf_iterator<char>(input), {});
+  if (content.starts_with(kByteOrderMark)) content.erase(0, kByteOrderMark.size());
+  check(content, app_.get_config_ptr()->as<std::string>());
+  std::istringstream checked(content);
+  return CLI::ConfigTOML::from_config(checked);
+}
+
+}  // namespace roomatlas::apps

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commands and their arguments: one of three files that include CLI11.
+#include "command_line.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bind_parameters.hpp"
+#include "commands.hpp"
+#include "console.hpp"
+#include "limits.hpp"
+
+namespace roomatlas::apps {
+namespace {
+
+/// Files and choices of the command in use.
+struct Arguments {
+  Path log;
+  Path store;
+  AsrId asr = 0;
+  std::string room;
+  std::string name;
+  Path out;
+  SimulateArguments simulate;
+  std::vector<Path> judged;
+  std::vector<Path> truth;
+  std::vector<Path> spans;
+  TrajectoryFlags trajectory;
+  ComparisonFiles comparison;
+  ExportOptions exported;
+  std::vector<std::string> formats = export_formats();
+  bool print_config = false;
+  OptimizeArguments optimize;
+};
+
+CLI::Option* positional(CLI::App* command, const char* name, Path& value, const char* meaning) {
+  return command->add_option(name, value, meaning)->required()->configurable(false);
+}
+
+CLI::Option* output(CLI::App* command, Path& value, const char* meaning) {
+  return command->add_option("-o,--output", value, meaning)->required()->configurable(false);
+}
+
+void add_export_options(CLI::App* command, ExportOptions& options) {
+  command
+      ->add_option("--georef", options.georef,
+                   "LAT,LON,HEADING: where the plan's origin is, and the compass direction of its "
+                   "y axis, in deg; plan.geojson is then on the earth")
+      ->delimiter(',')
+      ->expected(3)
+      ->configurable(false);
+  command
+      ->add_option("--north", options.north,
+                   "deg, clockwise from up the plan: where north is; as --georef says without it")
+      ->check(within(-360.0, 360.0))
+      ->configurable(false);
+}
+
+void add_measured_walls(CLI::App* command, ExportOptions& options) {
+  command
+      ->add_flag("--measured-walls", options.measured_walls,
+                 "the walls as measured, where `assemble` made them regular")
+      ->configurable(false);
+}
+
+void add_ogr_option(CLI::App* command, ExportOptions& options) {
+  command
+      ->add_option("--ogr", options.ogr_driver,
+                   "vector format of GDAL for -f ogr, such as GML or \"ESRI Shapefile\"")
+      ->configurable(false);
+}
+
+/// All files of truth: spans are told by their names too.
+std::vector<Path> truth_of(const Arguments& arguments) {
+  std::vector<Path> files = arguments.truth;
+  files.insert(files.end(), arguments.spans.begin(), arguments.spans.end());
+  return files;
+}
+
+void add_truth(CLI::App* command, Arguments& arguments) {
+  command
+      ->add_option("--truth", arguments.truth,
+                   "truth to compare with: FILE.relations, a trajectory (TUM, g2o, CARMEN log with "
+                   "TRUEPOS, corrected log, poses), a plan FILE.geojson, a label picture "
+                   "FILE.pgm[.gz], or tape-measure spans FILE.csv; again for more")
+      ->configurable(false);
+  command
+      ->add_option("--spans", arguments.spans, "tape-measure spans, FILE.csv: as --truth FILE.csv")
+      ->configurable(false);
+  add_trajectory_flags(command, arguments.trajectory);
+}
+
+void add_simulate(CLI::App* command, SimulateArguments& a) {
+  command->add_option("WORLD", a.world, "plan (GeoJSON), nav2 map (YAML), or picture (PNG, PGM)")
+      ->configurable(false);
+  command
+      ->add_option("--random-rooms", a.random_rooms,
+                   "instead of WORLD: a random building of N rooms, as a store of ASRs")
+      ->configurable(false);
+  command
+      ->add_option("--resolution", a.file.resolution_m, "m a pixel, of a world that is a picture")
+      ->check(within(0.001, 10.0))
+      ->configurable(false);
+  command->add_option("--room-labels", a.file.room_labels, "picture with each pixel's room number")
+      ->configurable(false);
+  command->add_option("--drive", a.drive, "way-points; without them the robot explores by itself")
+      ->configurable(false);
+  command
+      ->add_option("--start", a.start, "where the exploring robot starts: x,y in m, heading in deg")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(finite())
+      ->configurable(false);
+  output(command, a.out, "folder for mission.clf, truth.tum and truth.geojson");
+}
+
+void add_comparison_files(CLI::App* command, ComparisonFiles& files) {
+  const auto add = [&](const char* name, Path& value, const char* meaning) {
+    command->add_option(name, value, meaning)->group("Results")->configurable(false);
+  };
+  add("--csv", files.csv, "file for all figures, a line each");
+  add("--latex", files.latex, "file for a table with means and intervals");
+  add("--plots", files.plots, "folder for SVG plots: over time, histogram, map");
+  add("--archive", files.archive, "ZIP file in evo's result layout");
+}
+
+void add_optimize(CLI::App* command, OptimizeArguments& a) {
+  positional(command, "GRAPH", a.graph, "pose graph: g2o or TORO, plain or gzip");
+  output(command, a.out, "g2o file to write");
+  command->add_flag("--robust", a.options.robust, "reject closures that contradict the others")
+      ->configurable(false);
+  command->add_flag("--strict", a.strict, "exit code 5 where the result should not be trusted")
+      ->configurable(false);
+  command->add_option("--covariance", a.covariance, "CSV file to write covariances to")
+      ->configurable(false);
+  command->add_option("--solver", a.options.solver, "block, or ceres: the reference, slower")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, PoseGraphSolver>{
+          {"block", PoseGraphSolver::block}, {"ceres", PoseGraphSolver::ceres}}))
+      ->configurable(false);
+}
+
+/// Each command with its files; what runs is left in `chosen`.
+void add_commands(CLI::App& app, const Settings& settings, Arguments& a,
+                  std::function<void()>& chosen) {
+  const auto command = [&](const char* name, const char* meaning, std::function<void()> run) {
+    CLI::App* sub = app.add_subcommand(name, meaning)->fallthrough()->configurable(false);
+    sub->callback([&chosen, run = std::move(run)] { chosen = run; });
+    sub->footer("Parameters of all stages: `roomatlas --help`, `roomatlas config --print`.");
+    return sub;
+  };
+  CLI::App* info = command("info", "what is in a log", [&] { apps::info(settings, a.log); });
+  positional(info, "LOG", a.log, "mission log");
+
+  CLI::App* build = command("build", "log -> floor plan: everything in order", [&] {
+    apps::build(settings, a.log, a.out, truth_of(a), a.trajectory, a.exported);
+  });
+  positional(build, "LOG", a.log, "mission log, plain or gzip");
+  output(build, a.out, "folder for the results");
+  add_truth(build, a);
+  add_export_options(build, a.exported);
+
+  CLI::App* map = command("map", "online stage: log -> rooms in a store",
+                          [&] { apps::map(settings, a.log, a.out); });
+  positional(map, "LOG", a.log, "mission log, plain or gzip");
+  output(map, a.out, "store to write, such as building.gpkg");
+
+  CLI::App* assemble = command("assemble", "offline stage: graph, correction, floor plan", [&] {
+    require_a_room(assemble_again(settings, a.store), a.store);
+  });
+  positional(assemble, "STORE", a.store, "store to complete");
+
+  CLI::App* exported = command("export", "store -> drawings and files", [&] {
+    export_all(settings, a.store, a.formats, a.exported, a.out);
+  });
+  positional(exported, "STORE", a.store, "assembled store");
+  exported->add_option("-f,--format", a.formats, "formats, separated by commas")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->configurable(false);
+  output(exported, a.out, "folder for the files");
+  add_export_options(exported, a.exported);
+  add_ogr_option(exported, a.exported);
+  add_measured_walls(exported, a.exported);
+
+  CLI::App* evaluate =
+      command("evaluate", "errors of stores, trajectories or logs, against truth and without any",
+              [&] { apps::evaluate(settings, a.judged, truth_of(a), a.trajectory, a.comparison); });
+  evaluate
+      ->add_option("RUN", a.judged,
+                   "what to judge: an assembled store, a trajectory (TUM, g2o, poses) or a log; "
+                   "several are compared with the first")
+      ->required()
+      ->configurable(false);
+  add_truth(evaluate, a);
+  add_comparison_files(evaluate, a.comparison);
+
+  CLI::App* report =
+      command("report", "a page to look at in a browser: map, rooms, correction, errors",
+              [&] { apps::report(settings, a.store, truth_of(a), a.trajectory, a.out); });
+  positional(report, "STORE", a.store, "assembled store");
+  output(report, a.out, "HTML file to write, such as report.html");
+  add_truth(report, a);
+
+  CLI::App* rename = command("rename", "gives a room a name, which later plans keep",
+                             [&] { apps::rename(settings, a.store, a.room, a.name); });
+  positional(rename, "STORE", a.store, "assembled store");
+  rename->add_option("ROOM", a.room, "its number or present name")->required()->configurable(false);
+  rename->add_option("NAME", a.name, "its new name")->required()->configurable(false);
+
+  CLI::App* inspect = command("inspect", "one room as it was made, step by step, as a drawing",
+                              [&] { apps::inspect(settings, a.store, a.asr, a.out); });
+  positional(inspect, "STORE", a.store, "store with readings");
+  inspect->add_option("ASR", a.asr, "its number")->required()->configurable(false);
+  output(inspect, a.out, "folder for asr_N.svg and asr_N.png");
+
+  add_simulate(command("simulate", "a robot in a known world: log with ground truth",
+                       [&] { apps::simulate(settings, a.simulate); }),
+               a.simulate);
+
+  add_optimize(command("optimize", "the solver alone, on a planar pose graph",
+                       [&] { apps::optimize(settings, a.optimize); }),
+               a.optimize);
+
+  CLI::App* config = command("config", "the parameters as a configuration file (TOML)",
+                             [&] { fmt::print("{}", app.config_to_str(true, true)); });
+  config->add_flag("--print", a.print_config, "print every parameter with default and meaning")
+      ->configurable(false);
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  CLI::App app("Roomatlas: from a finished robot mission to a building map that a person can read",
+               "roomatlas");
+  Settings settings;
+  Arguments arguments;
+  std::function<void()> chosen;
+  app.set_version_flag("--version", ROOMATLAS_VERSION);
+  app.set_config("--config", "", "read parameters from this file (TOML)")->configurable(false);
+  app.config_formatter(std::make_shared<ConfigurationFile>(app));
+  app.allow_config_extras(false);
+  app.require_subcommand(1);
+  app.add_flag("--json", settings.json, "one JSON object on stdout")->configurable(false);
+  app.add_flag("-q,--quiet", settings.quiet, "errors alone on stderr")->configurable(false);
+  app.add_flag("-v,--verbose", settings.verbose, "more on stderr")->configurable(false);
+  bind_parameters(app, settings);
+  add_commands(app, settings, arguments, chosen);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);  // --help and --version
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "error: {}\nrun `roomatlas --help`\n", error.what());
+    return kUsage;
+  }
+  complete(settings, app);
+  set_up_console(settings);
+  chosen();
+  return kOk;
+}
+
+}  // namespace roomatlas::apps
