@@ -27,16 +27,16 @@ inline const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"rooms", {"core", "plan", "grid", "polyline", "asr", "graph"}},
     {"planar", {"core"}},
     {"merge", {"core", "plan", "planar"}},
-    {"assembly", {"plan", "asr", "graph", "sonar", "correct", "loops"}},
+    {"assembly", {"plan", "asr", "graph", "sonar", "correct", "loops", "mission"}},
     {"evaluate", {"core", "plan", "polyline", "asr", "correct", "planar"}},
     {"draw", {"core", "plan", "asr"}},
     {"simulate", {"core", "plan", "mission", "grid", "asr", "planar"}},
     {"pipeline",
      {"core", "mission", "odometry", "match", "asr", "graph", "sonar", "correct", "loops", "rooms",
-      "merge", "assembly"}},
+      "merge", "assembly", "evaluate"}},
     {"io",
      {"core", "plan", "mission", "odometry", "asr", "graph", "solve", "correct", "loops", "merge",
-      "evaluate", "draw", "simulate"}},
+      "evaluate", "draw", "simulate", "assembly"}},
 };
 
 }  // namespace roomatlas::architecture

@@ -52,7 +52,8 @@ TEST(StoreFile, TheSameContentGivesTheSameBytesHoweverItCameAbout) {
   {
     GeoPackageStore(directory / "b.gpkg", Mode::create).put(sample_asr(99));
     GeoPackageStore store(directory / "b.gpkg", Mode::create);
-    store.put(sample_assembly(sample_correction(2), sample_plan()), "");
+    store.put_metadata({{"tool_version", "0.0.1"}, {"input_sha256", "ab"}});
+    store.put(sample_assembly(sample_correction(2), sample_plan()), "another");
     store.put(TruePose{1.0, {1, 2, 3}});
     store.put(sample_asr(1));
   }
