@@ -39,4 +39,8 @@ inline const std::map<std::string, std::set<std::string>> kMayInclude = {
       "evaluate", "draw", "simulate", "assembly"}},
 };
 
+/// The header of the whole library. It belongs to no module and may include any; for programs, not
+/// for the library itself.
+inline const std::string kUmbrella = "roomatlas/roomatlas.hpp";
+
 }  // namespace roomatlas::architecture

@@ -32,13 +32,16 @@ bool is_of_the_module(const SourceFile& source, const std::string& private_heade
 
 /// What a file of the library includes against the table.
 std::vector<std::string> broken_rules(const SourceFile& source) {
+  if (source.path == "include/" + kUmbrella) return {};
   std::vector<std::string> findings;
   const auto row = kMayInclude.find(source.module);
   if (row == kMayInclude.end()) return {source.path + ": no module '" + source.module + "'"};
   for (const Include& include : includes_of(source.text)) {
     const std::string at = source.path + ":" + std::to_string(include.line) + ": ";
     const std::string module = included_module(include.name);
-    if (module.empty()) {
+    if (include.name == kUmbrella) {
+      findings.push_back(at + "the library does not include its umbrella");
+    } else if (module.empty()) {
       if (include.quoted && !is_of_the_module(source, include.name)) {
         findings.push_back(at + "neither public nor of the same module: " + include.name);
       }
@@ -122,7 +125,14 @@ TEST(ModuleTable, CheckSeesAForbiddenModuleAndAWayRound) {
   EXPECT_EQ(count("grid", "#include \"../asr/private.hpp\"\n"), 1U);
   EXPECT_EQ(count("grid", "#include \"private.hpp\"\n"), 0U);
   EXPECT_EQ(count("grid", "// #include \"roomatlas/asr/asr.hpp\"\n"), 0U);
+  EXPECT_EQ(count("io", "#include <roomatlas/roomatlas.hpp>\n"), 1U);
   EXPECT_EQ(count("unheard_of", ""), 1U);
+}
+
+TEST(ModuleTable, LetsTheUmbrellaAloneStandOutsideOfTheModules) {
+  const std::string text = "#include \"roomatlas/pipeline/assemble.hpp\"\n";
+  EXPECT_TRUE(broken_rules({"include/" + kUmbrella, "", text}).empty());
+  EXPECT_FALSE(broken_rules({"include/roomatlas/another.hpp", "", text}).empty());
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ struct PlotSeries {
 
 /// Places with a value each, which their colour shows: the darker the larger. The scale ends at
 /// the 95th percentile; what is beyond has its last colour.
-/// @param reference a path to draw beneath in grey; may be empty
+/// @param reference_m a path to draw beneath in grey; may be empty
 [[nodiscard]] std::string plot_map(const std::string& title, const std::string& value_label,
                                    const Polyline& places_m, const std::vector<double>& values,
                                    const Polyline& reference_m);

@@ -19,7 +19,7 @@ namespace roomatlas {
 [[nodiscard]] std::string to_csv(const Comparison& comparison,
                                  const std::vector<JudgedPlan>& plans = {});
 
-/// One `tabular` for \usepackage{booktabs} with a line a run, mean and interval of each figure that
+/// One LaTeX `tabular` (package booktabs) with a line a run, mean and interval of each figure that
 /// has one; behind it one with a column a plan. Names are escaped.
 [[nodiscard]] std::string to_latex(const Comparison& comparison,
                                    const std::vector<JudgedPlan>& plans = {});
