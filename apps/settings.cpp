@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include <map>
+#include <sstream>
 
 #include "limits.hpp"
 
@@ -20,6 +21,18 @@ class Stage {
                    double high) {
     return app_.add_option("--" + name, value, meaning)
         ->capture_default_str()
+        ->check(within(low, high))
+        ->group(heading_);
+  }
+  /// An angle that is given in degrees and kept in radians.
+  void degrees(const std::string& name, double& value_rad, const std::string& meaning, double low,
+               double high) {
+    std::ostringstream in_degrees;  // as the others' defaults are written
+    in_degrees << roomatlas::degrees(value_rad);
+    app_.add_option_function<double>(
+            "--" + name, [&value_rad](double value_deg) { value_rad = radians(value_deg); },
+            meaning)
+        ->default_str(in_degrees.str())
         ->check(within(low, high))
         ->group(heading_);
   }
@@ -91,7 +104,7 @@ void add_mission(CLI::App& app, MissionOptions& mission) {
 
 void add_map(CLI::App& app, MapOptions& options) {
   Stage stage(app, kRoomsStage);
-  stage.flag("find-reverse", options.reckon.find_reverse,
+  stage.flag("find-reverse", options.directions.find_reverse,
              "find drives that odometry reports forwards and the readings show backwards");
   stage.flag("localize", options.localize.enabled,
              "match each laser sweep with the room so far; off: dead reckoning, as in the paper");
@@ -175,15 +188,16 @@ void add_correction(CLI::App& app, Settings& settings) {
              "rectilinear rooms follow the building's direction");
   stage.flag("heading-bias", correct.use_heading_bias,
              "estimate the drift of odometry's heading from the walls, and take it out");
-  stage.add("odometry-position", correct.odometry_position_m, "m; sigma of a pivot", 1e-4, 10.0);
-  stage.add("odometry-position-rate", correct.odometry_position_m_per_m,
+  stage.add("odometry-position", correct.odometry.position.still, "m; sigma of a pivot", 1e-4,
+            10.0);
+  stage.add("odometry-position-rate", correct.odometry.position.per_m,
             "m per metre driven; sigma of a pivot", 0.0, 1.0);
-  stage.add("odometry-heading", correct.odometry_heading_deg, "deg; sigma between rooms", 0.01,
-            90.0);
-  stage.add("odometry-heading-rate", correct.odometry_heading_deg_per_m,
-            "deg per metre driven; sigma between rooms. Smaller resists the walls' direction", 0.0,
-            45.0);
-  stage.add("odometry-heading-turn", correct.odometry_heading_per_turn,
+  stage.degrees("odometry-heading", correct.odometry.heading.still, "deg; sigma between rooms",
+                0.01, 90.0);
+  stage.degrees("odometry-heading-rate", correct.odometry.heading.per_m,
+                "deg per metre driven; sigma between rooms. Smaller resists the walls' direction",
+                0.0, 45.0);
+  stage.add("odometry-heading-turn", correct.odometry.heading.per_rad,
             "share of the turns made; sigma between rooms", 0.0, 1.0);
   stage.add("doorway-position", correct.doorway_position_m, "m; sigma of a doorway seen twice",
             1e-3, 10.0);
@@ -300,7 +314,6 @@ void add_parameters(CLI::App& app, Settings& settings) {
 }
 
 void complete(Settings& settings, const CLI::App& app) {
-  settings.assemble.sonars.directions.find_reverse = settings.map.reckon.find_reverse;
   settings.simulation.footprint = settings.mission.footprint;
   settings.simulation.sonar_max_range_m = settings.mission.sonar_max_range_m;
   settings.as_toml = app.config_to_str(true, false);
