@@ -16,7 +16,7 @@ namespace {
 
 void report(const SonarTrajectory& sonars) {
   spdlog::info("odometry: {:.2f} s late, {}; {} drives reversed", sonars.habits.lag_s,
-               describe(sonars.habits), sonars.intervals_reversed);
+               describe(sonars.habits), sonars.drives_reversed);
   if (sonars.variants.empty()) return;
   const SonarVariant& chosen = sonars.variants.at(sonars.chosen);
   spdlog::info(

@@ -13,6 +13,7 @@
 
 #include "limits.hpp"
 #include "roomatlas/core/issue.hpp"
+#include "roomatlas/core/pose2.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -27,6 +28,16 @@ CLI::Option* bind(CLI::App& app, const Parameter& parameter, const NumberParamet
             ->check(within(number.low, number.high));
       },
       number.value);
+}
+CLI::Option* bind(CLI::App& app, const Parameter& parameter, const DegreesParameter& angle) {
+  std::ostringstream now_deg;  // as the others' defaults are written
+  now_deg << degrees(*angle.value_rad);
+  const auto keep = [value_rad = angle.value_rad](double value_deg) {
+    *value_rad = radians(value_deg);
+  };
+  return app.add_option_function<double>("--" + parameter.name, keep, parameter.meaning)
+      ->default_str(now_deg.str())
+      ->check(within(angle.low_deg, angle.high_deg));
 }
 CLI::Option* bind(CLI::App& app, const Parameter& parameter, const FlagParameter& flag) {
   const std::string& name = parameter.name;

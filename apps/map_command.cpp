@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+
 #include "commands.hpp"
 #include "console.hpp"
 #include "former_store.hpp"
@@ -75,6 +77,13 @@ Recorded record_in_place(const Settings& settings, MissionSource& mission,
   }
 }
 
+/// Whether a mission's directions of drive are decided again when it is assembled.
+bool is_corrected_as_a_whole(const MissionInfo& info, const Settings& settings) {
+  return settings.assemble.correct_sonars && settings.map.record.keep_readings &&
+         std::all_of(info.sensors.begin(), info.sensors.end(),
+                     [](const auto& sensor) { return sensor->kind == SensorKind::sonar; });
+}
+
 }  // namespace
 
 void map(const Settings& settings, const Path& log, const Path& store_file) {
@@ -95,8 +104,9 @@ void map(const Settings& settings, const Path& log, const Path& store_file) {
 
   const auto [summary, info] = record_in_place(settings, peeked, sha256_of_file(log), store_file);
   show(info.issues, info.issues_not_listed);
-  if (summary.intervals_reversed > 0) {
-    spdlog::info("{} drives were reported forwards but went backwards", summary.intervals_reversed);
+  // of a mission that is corrected as a whole, `assemble` tells the count that holds
+  if (summary.drives_reversed > 0 && !is_corrected_as_a_whole(info, settings)) {
+    spdlog::info("{} drives were reported forwards but went backwards", summary.drives_reversed);
   }
   if (summary.habits) spdlog::info("odometry: {}", describe(*summary.habits));
   spdlog::info("{}: {} readings, {:.0f} m -> {} ASRs in {}", log.filename().string(), info.readings,

@@ -19,6 +19,11 @@ class List {
            double high) {
     all_.push_back({stage_, name, meaning, NumberParameter{&value, low, high}});
   }
+  /// An angle that is given in degrees and kept in radians.
+  void degrees(const std::string& name, double& value_rad, const std::string& meaning, double low,
+               double high) {
+    all_.push_back({stage_, name, meaning, DegreesParameter{&value_rad, low, high}});
+  }
   void flag(const std::string& name, bool& value, const std::string& meaning) {
     all_.push_back({stage_, name, meaning, FlagParameter{&value}});
   }
@@ -78,7 +83,7 @@ void add_mission(Parameters& all, MissionOptions& mission) {
 
 void add_map(Parameters& all, MapOptions& options) {
   List stage(all, Stage::rooms);
-  stage.flag("find-reverse", options.reckon.find_reverse,
+  stage.flag("find-reverse", options.directions.find_reverse,
              "find drives that odometry reports forwards and the readings show backwards");
   stage.flag("localize", options.localize.enabled,
              "match each laser sweep with the room so far; off: dead reckoning, as in the paper");
@@ -160,15 +165,16 @@ void add_correction(Parameters& all, Settings& settings) {
              "rectilinear rooms follow the building's direction");
   stage.flag("heading-bias", correct.use_heading_bias,
              "estimate the drift of odometry's heading from the walls, and take it out");
-  stage.add("odometry-position", correct.odometry_position_m, "m; sigma of a pivot", 1e-4, 10.0);
-  stage.add("odometry-position-rate", correct.odometry_position_m_per_m,
+  stage.add("odometry-position", correct.odometry.position.still, "m; sigma of a pivot", 1e-4,
+            10.0);
+  stage.add("odometry-position-rate", correct.odometry.position.per_m,
             "m per metre driven; sigma of a pivot", 0.0, 1.0);
-  stage.add("odometry-heading", correct.odometry_heading_deg, "deg; sigma between rooms", 0.01,
-            90.0);
-  stage.add("odometry-heading-rate", correct.odometry_heading_deg_per_m,
-            "deg per metre driven; sigma between rooms. Smaller resists the walls' direction", 0.0,
-            45.0);
-  stage.add("odometry-heading-turn", correct.odometry_heading_per_turn,
+  stage.degrees("odometry-heading", correct.odometry.heading.still, "deg; sigma between rooms",
+                0.01, 90.0);
+  stage.degrees("odometry-heading-rate", correct.odometry.heading.per_m,
+                "deg per metre driven; sigma between rooms. Smaller resists the walls' direction",
+                0.0, 45.0);
+  stage.add("odometry-heading-turn", correct.odometry.heading.per_rad,
             "share of the turns made; sigma between rooms", 0.0, 1.0);
   stage.add("doorway-position", correct.doorway_position_m, "m; sigma of a doorway seen twice",
             1e-3, 10.0);

@@ -31,6 +31,12 @@ struct NumberParameter {
   double low = 0.0;
   double high = 0.0;
 };
+/// An angle: degrees for people, radians in the options.
+struct DegreesParameter {
+  double* value_rad = nullptr;
+  double low_deg = 0.0;
+  double high_deg = 0.0;
+};
 struct FlagParameter {
   bool* value = nullptr;
 };
@@ -49,7 +55,7 @@ struct Parameter {
   Stage stage = Stage::mission;
   std::string name;
   std::string meaning;
-  std::variant<NumberParameter, FlagParameter, ChoiceParameter, FileParameter> kind;
+  std::variant<NumberParameter, DegreesParameter, FlagParameter, ChoiceParameter, FileParameter> kind;
 };
 using Parameters = std::vector<Parameter>;
 

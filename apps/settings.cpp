@@ -4,7 +4,6 @@
 namespace roomatlas::apps {
 
 void share(Settings& settings) {
-  settings.assemble.sonars.directions.find_reverse = settings.map.reckon.find_reverse;
   settings.simulation.footprint = settings.mission.footprint;
   settings.simulation.sonar_max_range_m = settings.mission.sonar_max_range_m;
 }

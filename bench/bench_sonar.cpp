@@ -52,7 +52,7 @@ void report(const SonarTrajectory& result, double seconds) {
   std::printf(
       "  %d reversed, %.1f m undecided, %zu segments, %d slips, heading sure in %.0f %%, verified "
       "%d, %.1f s\n",
-      result.intervals_reversed, result.undecided_m, result.segments, result.slips_repaired,
+      result.drives_reversed, result.undecided_m, result.segments, result.slips_repaired,
       100.0 * result.sure_heading_share, result.loops_verified, seconds);
   for (const double direction : result.wall_directions_rad) {
     std::printf("  walls at %.1f deg\n", degrees(direction));
@@ -83,7 +83,8 @@ void bench_log(const std::string& name, const std::string& log, const std::strin
   const Path folder = test::shared_data_folder() / "logs";  // an absolute name stands for itself
   const auto readings = readings_of(folder / log, options);
   const double before_s = cpu_s();
-  const SonarTrajectory result = correct_sonar_trajectory(readings, {});
+  const SonarTrajectory result =
+      correct_sonar_trajectory(readings, find_drive_directions(readings, {}), {});
   const double seconds = cpu_s() - before_s;
   std::printf("%s: %zu readings\n", name.c_str(), readings.size());
   report(result, seconds);
@@ -119,7 +120,8 @@ void bench_world(const std::string& name, std::uint64_t seed) {
     truth.push_back({step.truth.timestamp_s, step.truth.world_from_robot});
   });
   const double before_s = cpu_s();
-  const SonarTrajectory result = correct_sonar_trajectory(readings, {});
+  const SonarTrajectory result =
+      correct_sonar_trajectory(readings, find_drive_directions(readings, {}), {});
   const double seconds = cpu_s() - before_s;
   std::vector<double> raw_m;
   std::vector<double> off_m;

@@ -135,7 +135,8 @@ void run(const Case& how, Readings readings, std::vector<Relation> relations, do
   timespec before{};
   timespec after{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &before);
-  const SonarTrajectory result = correct_sonar_trajectory(readings, {});
+  const SonarTrajectory result =
+      correct_sonar_trajectory(readings, find_drive_directions(readings, {}), {});
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &after);
   Trajectory corrected;
   Trajectory raw;
@@ -157,7 +158,7 @@ void run(const Case& how, Readings readings, std::vector<Relation> relations, do
       result.loops_verified, slipped ? "SLIPPED" : "", chosen.name.c_str(), chosen.compared_m,
       chosen.contradiction, degrees(result.habits.bias_rad_per_m), result.habits.turn_gain,
       result.habits.length_scale, result.habits.lag_s, result.slips_repaired,
-      result.intervals_reversed,
+      result.drives_reversed,
       static_cast<double>(after.tv_sec - before.tv_sec) +
           1e-9 * static_cast<double>(after.tv_nsec - before.tv_nsec));
   std::fflush(stdout);

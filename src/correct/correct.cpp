@@ -110,7 +110,7 @@ Correction correct(const std::vector<Asr>& asrs, const RoomGraph& graph,
   correction.initial_cost = solved.initial_cost;
   correction.final_cost = solved.final_cost;
   correction.iterations = solved.iterations;
-  correction.odometry_bias = measurements.bias;
+  correction.odometry = measurements.habits;
   correction.factors = solved.factors;
   for (std::size_t i = 0; i < measurements.ids.size(); ++i) {
     correction.asrs.push_back({measurements.ids[i], measurements.component[i],

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "asr_headings.hpp"
 #include "models.hpp"
 
 namespace roomatlas {
@@ -33,7 +34,8 @@ Measurements measurements_of(const std::vector<Asr>& asrs, const RoomGraph& grap
       std::any_of(measurements.driven.begin(), measurements.driven.end(),
                   [](const auto& edge) { return !edge.measured.is_localized; });
   if (options.use_heading_bias && is_reckoned) {
-    remove_bias(measurements, estimate_heading_bias(measurements, options));
+    measurements.habits = estimate_habits(measurements, options);
+    take_out_habits(measurements, measurements.habits.habits);
   }
   return measurements;
 }
@@ -48,12 +50,11 @@ HeadingAndPosition sigmas_of(const PassageEdge& edge, const CorrectOptions& opti
   if (edge.is_localized) {
     return {radians(options.localized_heading_deg), options.localized_position_m};
   }
-  const double heading_rad =
-      std::hypot(radians(options.odometry_heading_deg),
-                 radians(options.odometry_heading_deg_per_m) * edge.path_length_m,
-                 options.odometry_heading_per_turn * edge.turning.absolute_rad);
-  return {heading_rad,
-          options.odometry_position_m + options.odometry_position_m_per_m * edge.path_length_m};
+  const double turned_rad = edge.turning.absolute_rad;
+  const MotionSigma& heading = options.odometry.heading;
+  return {
+      std::hypot(heading.still, heading.per_m * edge.path_length_m, heading.per_rad * turned_rad),
+      plain_sum(options.odometry.position, edge.path_length_m, turned_rad)};
 }
 
 std::optional<double> wall_offset(const Measurements& measurements, const State& state,
@@ -89,7 +90,7 @@ State initial_guess(const Measurements& measurements, const CorrectOptions& opti
   std::vector<const Measurements::Edge*> driven_into(measurements.ids.size(), nullptr);
   for (const Measurements::Edge& edge : measurements.driven) driven_into[edge.to] = &edge;
   const std::vector<double> turn =
-      smooth_headings(measurements, {}, options).correction_rad;  // `driven` has no bias any more
+      asr_headings(measurements, {}, options).correction_rad;  // `driven` has no habits any more
 
   State state{measurements.odom_from_asr, {}};
   std::vector<Point2> direction_votes;  // of each component, at four times the angle

@@ -26,31 +26,8 @@ struct Measurements {
   std::vector<std::optional<WallDirection>> walls;
   std::vector<double> path_length_m;
   std::vector<Turning> turning;
-  HeadingBias bias;  ///< of `odom_from_asr`; `driven` is already without it
+  EstimatedHabits habits;  ///< of `odom_from_asr`; `driven` is already without them
 };
-
-/// What the walls say of the odometry's heading, see `smooth_headings`.
-struct SmoothedHeadings {
-  std::vector<double> correction_rad;  ///< to add to odometry's heading of each ASR
-  double log_evidence = 0.0;           ///< of the walls' directions, given the bias
-};
-
-/// The heading correction of each ASR along the mission, from the directions of the rooms' walls,
-/// which are known modulo 90 degrees: the posterior mean of a hidden Markov model with a state a
-/// degree, forward and backward, unwrapped along the mission. Each component starts at 0; without
-/// any walls all corrections are 0. A wall direction may be wrong (30 % uniform).
-[[nodiscard]] SmoothedHeadings smooth_headings(const Measurements& measurements,
-                                               const HeadingBias& bias,
-                                               const CorrectOptions& options);
-
-/// The heading bias with the greatest evidence, over a grid of 3.5 deg/m and 6 % of the turn, with
-/// a weak prior at none. None for fewer than eight rectilinear ASRs.
-[[nodiscard]] HeadingBias estimate_heading_bias(const Measurements& measurements,
-                                                const CorrectOptions& options);
-
-/// Takes a heading bias out of the driven edges. An ASR whose path was bent by the bias is placed
-/// by its walls, whose direction it turned by half of what it turned the end of the path.
-void remove_bias(Measurements& measurements, const HeadingBias& bias);
 
 [[nodiscard]] Measurements measurements_of(const std::vector<Asr>& asrs, const RoomGraph& graph,
                                            const CorrectOptions& options);
@@ -61,7 +38,7 @@ struct State {
   std::vector<double> direction_rad;
 };
 
-/// Where to start: odometry from one ASR to the next, each turned as the smoothed headings say.
+/// Where to start: odometry from one ASR to the next, each turned as `asr_headings` says.
 /// Without walls this is odometry. @param known where ASRs are known to be already; may be empty
 [[nodiscard]] State initial_guess(const Measurements& measurements, const CorrectOptions& options,
                                   const Placement& known);

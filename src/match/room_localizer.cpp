@@ -93,8 +93,9 @@ ScanAlignment RoomLocalizer::match(const std::vector<ScanPoint>& points, const P
                                    const Pose2& step) const {
   const double step_m = step.position().norm();
   const double turned_rad = std::max(std::abs(step.theta_rad), kFade * recent_turn_rad_);
-  const PosePrior prior{predicted, options_.step_sigma_m + options_.step_sigma_per_m * step_m,
-                        options_.turn_sigma_rad + options_.turn_sigma_per_rad * turned_rad};
+  const OdometryNoise& odometry = options_.odometry;
+  const PosePrior prior{predicted, plain_sum(odometry.position, step_m, turned_rad),
+                        plain_sum(odometry.heading, step_m, turned_rad)};
   ScanAlignment aligned = align(map_, points, predicted, prior, options_.align);
   if (!is_at_ease(aligned, prior)) {  // odometry may have jumped: search around it
     PosePrior wide = prior;

@@ -3,30 +3,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
 #include <utility>
+
+#include "drives.hpp"
 
 namespace roomatlas {
 namespace {
 
-constexpr double kMaxComparedM = 8.0;  // farther returns move too much with the heading
-constexpr std::size_t kBeamsCompared = 60;
-constexpr double kIndependentBeams = 8.0;  // neighbouring beams see the same wall
-constexpr double kWorstSigmas = 3.0;       // a return on something else costs no more than this
-constexpr std::size_t kMaxWaiting = 64;    // an interval is decided long before
-constexpr double kDecidedLogOdds = 60.0;   // enough evidence, either way, to stop waiting
+constexpr double kMaxComparedM = 8.0;        // farther returns move too much with the heading
+constexpr std::size_t kBeamsCompared = 60;   // of a sweep: more cost time and say the same
+constexpr double kIndependentBeams = 8.0;    // neighbouring beams see the same wall
+constexpr double kWorstSigmas = 3.0;         // a return on something else costs no more than this
+constexpr std::size_t kMaxWaiting = 64;      // readings; a drive is decided long before. More holds
+                                             // the recorder up
+constexpr double kDecidedLogOdds = 60.0;     // enough evidence, either way, to stop waiting
+constexpr double kMaxOffRad = radians(2.0);  // of a point from a beam without a cone: as far as
+                                             // between two beams of the coarsest sweeps
+constexpr int kMinCompared = 4;              // returns; fewer say nothing of a pair
 
 bool is_return(const RangeReading& reading, std::size_t beam) {
   const double range_m = reading.ranges_m[beam];
   return std::isfinite(range_m) && range_m > 0.0 && range_m < reading.sensor->max_range_m &&
          range_m < kMaxComparedM;
 }
-
-Pose2 step_between(const RangeReading& from, const RangeReading& to) {
-  return inverse(from.odom_from_robot) * to.odom_from_robot;
-}
-
-Pose2 reversed(const Pose2& step) { return {-step.x_m, -step.y_m, step.theta_rad}; }
 
 /// How a point is seen.
 struct Sighting {
@@ -45,7 +46,6 @@ std::vector<Point2> directions_of(const RangeSensor& sensor) {
 /// point lies outside of every beam.
 std::optional<Sighting> sighting_of(const RangeSensor& sensor, std::span<const Point2> directions,
                                     const Point2& point_robot) {
-  constexpr double kMaxOffRad = radians(2.0);
   double best_cosine = std::cos(std::max(sensor.half_cone_rad, kMaxOffRad));
   std::optional<Sighting> best;
   for (std::size_t i = 0; i < directions.size(); ++i) {
@@ -62,7 +62,7 @@ std::optional<Sighting> sighting_of(const RangeSensor& sensor, std::span<const P
 /// Mean log likelihood of `later`'s returns under a motion; nothing when too few can be compared.
 std::optional<double> agreement(const RangeReading& earlier, const RangeReading& later,
                                 const Pose2& earlier_from_later,
-                                const DeadReckonerOptions& options) {
+                                const DriveDirectionOptions& options) {
   const std::size_t beams = later.ranges_m.size();
   const std::size_t stride = std::max<std::size_t>(1, beams / kBeamsCompared);
   const std::vector<Point2> directions = directions_of(*earlier.sensor);
@@ -77,7 +77,6 @@ std::optional<double> agreement(const RangeReading& earlier, const RangeReading&
     sum -= std::min(sigmas * sigmas, kWorstSigmas * kWorstSigmas) / 2.0;
     ++compared;
   }
-  constexpr int kMinCompared = 4;
   if (compared < kMinCompared) return std::nullopt;
   return sum / compared;
 }
@@ -85,23 +84,25 @@ std::optional<double> agreement(const RangeReading& earlier, const RangeReading&
 }  // namespace
 
 double reverse_log_odds(const RangeReading& earlier, const RangeReading& later,
-                        const DeadReckonerOptions& options) {
-  const Pose2 step = step_between(earlier, later);
+                        const DriveDirectionOptions& options) {
+  const Pose2 step = reported_step(earlier, later);
   const auto reported = agreement(earlier, later, step, options);
-  const auto against = agreement(earlier, later, reversed(step), options);
+  const auto against = agreement(earlier, later, driven(step, DriveDirection::reversed), options);
   return reported && against ? kIndependentBeams * (*against - *reported) : 0.0;
 }
 
-bool DeadReckoner::is_clearly_reversed() const {
-  return log_odds_ > options_.flip_log_odds && log_odds_ > options_.flip_log_odds_per_pair * pairs_;
+DriveDirection DeadReckoner::decide() const {
+  const DriveDirection direction = decided(log_odds_, options_);
+  const bool is_clear = log_odds_ > options_.stream.flip_log_odds_per_pair * pairs_;
+  return direction == DriveDirection::reversed && !is_clear ? DriveDirection::undecided : direction;
 }
 
-std::vector<DeadReckoned> DeadReckoner::release(bool is_reversed) {
+std::vector<DeadReckoned> DeadReckoner::release(DriveDirection direction) {
   std::vector<DeadReckoned> released;
   for (RangeReading& reading : waiting_) {
     if (last_released_) {
-      const Pose2 step = step_between(*last_released_, reading);
-      reckoned_from_last_ = reckoned_from_last_ * (is_reversed ? reversed(step) : step);
+      const Pose2 step = reported_step(*last_released_, reading);
+      reckoned_from_last_ = reckoned_from_last_ * driven(step, direction);
     } else {
       reckoned_from_last_ = reading.odom_from_robot;
     }
@@ -112,46 +113,44 @@ std::vector<DeadReckoned> DeadReckoner::release(bool is_reversed) {
   return released;
 }
 
+void DeadReckoner::compare(const RangeReading& earlier, const RangeReading& later) {
+  if (!can_tell(reported_step(earlier, later).position().norm(), options_)) return;
+  log_odds_ += reverse_log_odds(earlier, later, options_);
+  ++pairs_;
+}
+
 std::vector<DeadReckoned> DeadReckoner::add(const RangeReading& reading) {
   const RangeReading* previous = !waiting_.empty() ? &waiting_.back()
                                  : last_released_  ? &*last_released_
                                                    : nullptr;
-  const Pose2 step = previous != nullptr ? step_between(*previous, reading) : Pose2{};
-  const bool stopped = step.position().norm() < options_.stop_step_m;
-  std::vector<DeadReckoned> released;
-  if (stopped || step.x_m < 0.0 || !options_.find_reverse) {
-    released = finish();  // the interval before ends here; this step goes the reported way
+  const Pose2 step = previous != nullptr ? reported_step(*previous, reading) : Pose2{};
+  if (is_stop(step, options_) || step.x_m < 0.0 || !options_.find_reverse) {
+    std::vector<DeadReckoned> released = finish();  // the drive before ends here
     waiting_.push_back(reading);
-    std::vector<DeadReckoned> now = release(false);
-    released.insert(released.end(), now.begin(), now.end());
+    std::vector<DeadReckoned> now = release(DriveDirection::as_reported);
+    std::move(now.begin(), now.end(), std::back_inserter(released));
     return released;
   }
   if (!decided_) {
-    const auto compare = [&](const RangeReading& earlier) {
-      const double apart_m = step_between(earlier, reading).position().norm();
-      if (apart_m < options_.min_apart_m || apart_m > options_.max_apart_m) return;
-      log_odds_ += reverse_log_odds(earlier, reading, options_);
-      ++pairs_;
-    };
-    if (last_released_) compare(*last_released_);  // where the interval began
-    for (const RangeReading& earlier : waiting_) compare(earlier);
+    if (last_released_) compare(*last_released_, reading);  // where the drive began
+    for (const RangeReading& earlier : waiting_) compare(earlier, reading);
   }
   waiting_.push_back(reading);
   const bool waited_enough = waiting_.size() >= kMaxWaiting;
   if (!decided_ && (std::abs(log_odds_) > kDecidedLogOdds || waited_enough)) {
-    decided_ = is_clearly_reversed();
-    if (*decided_) ++intervals_reversed_;
+    decided_ = decide();
+    if (*decided_ == DriveDirection::reversed) ++drives_reversed_;
   }
-  return decided_ ? release(*decided_) : released;
+  return decided_ ? release(*decided_) : std::vector<DeadReckoned>();
 }
 
 std::vector<DeadReckoned> DeadReckoner::finish() {
-  const bool is_reversed = decided_.value_or(is_clearly_reversed());
-  if (!decided_ && is_reversed) ++intervals_reversed_;
+  const DriveDirection direction = decided_.value_or(decide());
+  if (!decided_ && direction == DriveDirection::reversed) ++drives_reversed_;
   decided_.reset();
   log_odds_ = 0.0;
   pairs_ = 0;
-  return release(is_reversed);
+  return release(direction);
 }
 
 }  // namespace roomatlas

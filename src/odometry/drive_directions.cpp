@@ -5,17 +5,25 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
+
+#include "drives.hpp"
 
 namespace roomatlas {
 namespace {
 
-constexpr double kLeastRangeM = 0.2;
-constexpr double kMostRangeM = 4.0;
-constexpr double kSameThingM = 0.3;  // a return farther off under both motions tells nothing
-
-constexpr double kLeastIntervalS =
-    0.15;  // shorter steps of a fast sensor would all look like stops
+constexpr double kLeastRangeM = 0.2;  // nearer, a sonar hears its own ringing
+constexpr double kMostRangeM = 4.0;   // farther returns come from many things at once
+constexpr double kSameThingM = 0.3;   // a return farther off under both motions tells nothing
+constexpr double kMaxOffRad = radians(2.0);  // of a point from a beam without a cone
+constexpr double kLeastStepS = 0.15;  // shorter steps of a fast sensor would all look like stops
+constexpr double kBackwardM = -0.01;  // a step that odometry reports as backward; nearer 0 it may
+                                      // be a turn about another point than the robot's centre
+constexpr int kSignedSteps = 3;       // of these show that it does; fewer may be a jump of the
+                                      // encoders
+constexpr std::size_t kBefore = 3;    // readings of the stop that are compared too: where nothing
+constexpr std::size_t kBehind = 2;    // moved, a short drive has more pairs
 
 /// Readings of one sensor, not too close in time.
 struct Keys {
@@ -42,7 +50,7 @@ Keys keys_of(std::span<const RangeReading> mission) {
     if (mission[i].sensor != chosen->sensor) continue;
     const bool soon =
         !keys.readings.empty() &&
-        std::abs(mission[i].timestamp_s - keys.readings.back()->timestamp_s) < kLeastIntervalS;
+        std::abs(mission[i].timestamp_s - keys.readings.back()->timestamp_s) < kLeastStepS;
     if (soon) continue;
     keys.readings.push_back(&mission[i]);
     keys.number.push_back(i);
@@ -51,7 +59,7 @@ Keys keys_of(std::span<const RangeReading> mission) {
 }
 
 Pose2 step_to(const Readings& readings, std::size_t i) {
-  return inverse(readings[i - 1]->odom_from_robot) * readings[i]->odom_from_robot;
+  return reported_step(*readings[i - 1], *readings[i]);
 }
 
 /// By how much the range heard in the direction of a point differs from its distance; nothing
@@ -59,7 +67,7 @@ Pose2 step_to(const Readings& readings, std::size_t i) {
 std::optional<double> excess_m(const RangeReading& reading, const Point2& point_robot) {
   const RangeSensor& sensor = *reading.sensor;
   std::optional<double> excess;
-  double nearest = std::max(sensor.half_cone_rad, radians(2.0));
+  double nearest = std::max(sensor.half_cone_rad, kMaxOffRad);
   for (std::size_t i = 0; i < sensor.robot_from_beam.size(); ++i) {
     const double range_m = reading.ranges_m[i];
     if (!(range_m > kLeastRangeM) || !std::isfinite(range_m)) continue;
@@ -72,8 +80,6 @@ std::optional<double> excess_m(const RangeReading& reading, const Point2& point_
   }
   return excess;
 }
-
-Pose2 negated(const Pose2& step) { return {-step.x_m, -step.y_m, step.theta_rad}; }
 
 /// Log odds of reversed against reported, of one pair of readings.
 double log_odds(const RangeReading& earlier, const RangeReading& later,
@@ -90,23 +96,23 @@ double log_odds(const RangeReading& earlier, const RangeReading& later,
     if (std::min(std::abs(*reported), std::abs(*against)) > kSameThingM) continue;
     const auto log_likelihood = [&](double excess) {
       const double sigmas = excess / options.range_sigma_m;
-      return std::log(options.other_share + std::exp(-sigmas * sigmas / 2.0));
+      return std::log(options.mission.other_share + std::exp(-sigmas * sigmas / 2.0));
     };
     odds += log_likelihood(*against) - log_likelihood(*reported);
   }
   return odds;
 }
 
-/// Readings [first, last] between two stops, and their poses under both motions.
-class Interval {
+/// A drive: readings [first, last] around two stops, and their poses under both motions.
+class Drive {
  public:
-  Interval(const Readings& readings, std::size_t first, std::size_t last) : readings_(readings) {
+  Drive(const Readings& readings, std::size_t first, std::size_t last) : readings_(readings) {
     path_m_.push_back(0.0);
     for (auto& poses : poses_) poses.emplace_back();
     for (std::size_t i = first + 1; i <= last; ++i) {
       const Pose2 step = step_to(readings, i);
       poses_[0].push_back(poses_[0].back() * step);
-      poses_[1].push_back(poses_[1].back() * negated(step));
+      poses_[1].push_back(poses_[1].back() * driven(step, DriveDirection::reversed));
       path_m_.push_back(path_m_.back() + step.position().norm());
     }
     first_ = first;
@@ -117,15 +123,15 @@ class Interval {
     for (std::size_t u = 0; u < path_m_.size(); ++u) {
       for (std::size_t v = u + 1; v < path_m_.size(); ++v) {
         const double apart_m = path_m_[v] - path_m_[u];
-        if (apart_m < options.min_apart_m) continue;
         if (apart_m > options.max_apart_m) break;
+        if (!can_tell(apart_m, options)) continue;
         const std::array v_from_u = {inverse(poses_[0][v]) * poses_[0][u],
                                      inverse(poses_[1][v]) * poses_[1][u]};
-        if (std::abs(v_from_u[0].theta_rad) > options.max_turn_rad) break;
+        if (std::abs(v_from_u[0].theta_rad) > options.mission.max_turn_rad) break;
         odds += log_odds(*readings_[first_ + u], *readings_[first_ + v], v_from_u, options);
       }
     }
-    return options.independence * odds;
+    return options.mission.independence * odds;
   }
 
  private:
@@ -136,13 +142,25 @@ class Interval {
 };
 
 bool reports_backward_steps(const Readings& readings) {
-  constexpr double kBackwardM = -0.01;
-  constexpr int kEnough = 3;  // fewer may be a jump of the encoders
   int backward = 0;
   for (std::size_t i = 1; i < readings.size(); ++i) {
     if (step_to(readings, i).x_m < kBackwardM) ++backward;
   }
-  return backward >= kEnough;
+  return backward >= kSignedSteps;
+}
+
+/// Marks the steps of a drive that ends before key `end`; those into and out of the stops go the
+/// same way.
+void mark(std::span<const RangeReading> mission, const Keys& keys, std::size_t first,
+          std::size_t end, DriveDirection direction, DriveDirections& result) {
+  const std::size_t begin = std::max<std::size_t>(2, first) - 2;
+  const std::size_t last = keys.number[std::min(keys.readings.size() - 1, end)];
+  for (std::size_t i = keys.number[begin] + 1; i <= last; ++i) {
+    result.of_step[i] = std::max(result.of_step[i], direction);
+    if (direction != DriveDirection::undecided) continue;
+    result.undecided_m[i] =
+        (mission[i].odom_from_robot.position() - mission[i - 1].odom_from_robot.position()).norm();
+  }
 }
 
 }  // namespace
@@ -150,7 +168,7 @@ bool reports_backward_steps(const Readings& readings) {
 DriveDirections find_drive_directions(std::span<const RangeReading> mission,
                                       const DriveDirectionOptions& options) {
   DriveDirections result;
-  result.reversed.assign(mission.size(), false);
+  result.of_step.assign(mission.size(), DriveDirection::as_reported);
   result.undecided_m.assign(mission.size(), 0.0);
   if (mission.empty()) return result;
   const Keys keys = keys_of(mission);
@@ -159,36 +177,22 @@ DriveDirections find_drive_directions(std::span<const RangeReading> mission,
   result.odometry_is_signed = reports_backward_steps(readings);
   if (!options.find_reverse || result.odometry_is_signed) return result;
   const auto moves = [&](std::size_t k) {
-    return k < count && step_to(readings, k).position().norm() >= options.stop_step_m;
+    return k < count && !is_stop(step_to(readings, k), options);
   };
-  constexpr std::size_t kBefore = 3;  // readings of the stop that are compared too
-  constexpr std::size_t kBehind = 2;
-  std::vector<double> undecided_step_m(mission.size(), 0.0);
   for (std::size_t first = 1; first < count; ++first) {
     if (!moves(first)) continue;
     std::size_t end = first;
     while (moves(end)) ++end;
     const std::size_t from = first > kBefore ? first - kBefore : 0;
-    const Interval interval(readings, from, std::min(count - 1, end + kBehind));
-    const double odds = interval.log_odds_of_reverse(options);
-    const bool reversed = odds > options.flip_log_odds;
-    const bool undecided = !reversed && odds > options.undecided_log_odds;
-    if (reversed) ++result.intervals_reversed;
-    // the steps into and out of the stop go the same way
-    const std::size_t begin = std::max<std::size_t>(2, first) - 2;
-    const std::size_t last = keys.number[std::min(count - 1, end)];
-    for (std::size_t i = keys.number[begin] + 1; i <= last; ++i) {
-      result.reversed[i] = result.reversed[i] || reversed;
-      if (!undecided) continue;
-      undecided_step_m[i] =
-          (mission[i].odom_from_robot.position() - mission[i - 1].odom_from_robot.position())
-              .norm();
-    }
+    const Drive drive(readings, from, std::min(count - 1, end + kBehind));
+    const DriveDirection direction = decided(drive.log_odds_of_reverse(options), options);
+    if (direction == DriveDirection::reversed) ++result.drives_reversed;
+    mark(mission, keys, first, end, direction, result);
     first = end;
   }
-  for (std::size_t i = 1; i < mission.size(); ++i) {
-    result.undecided_m[i] = result.undecided_m[i - 1] + undecided_step_m[i];
-  }
+  // so far by step: summed up along the mission
+  std::partial_sum(result.undecided_m.begin(), result.undecided_m.end(),
+                   result.undecided_m.begin());
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <limits>
 
+#include "roomatlas/odometry/dead_reckoner.hpp"
 #include "roomatlas/pipeline/map_mission.hpp"
 
 namespace roomatlas {
@@ -50,7 +51,7 @@ MapSummary map_mission(MissionSource& mission, AsrSink& sink, const MapOptions& 
                        const Progress& progress) {
   constexpr int kReportEvery = 256;
   CountingSink counting(sink);
-  DeadReckoner reckoner(options.reckon);
+  DeadReckoner reckoner(options.directions);
   std::optional<AsrRecorder> recorder;  // made once the log has told the robot's footprint
   std::deque<DeadReckoned> waiting;
   const auto take = [&](std::vector<DeadReckoned> readings) {
@@ -88,7 +89,7 @@ MapSummary map_mission(MissionSource& mission, AsrSink& sink, const MapOptions& 
     }
   }
   finish();
-  counting.summary.intervals_reversed = reckoner.intervals_reversed();
+  counting.summary.drives_reversed = reckoner.drives_reversed();
   if (recorder) counting.summary.habits = recorder->habits();
   require_enough(mission.info(), counting.summary);
   return counting.summary;

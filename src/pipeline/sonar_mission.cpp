@@ -4,6 +4,7 @@
 
 #include "roomatlas/asr/load.hpp"
 #include "roomatlas/asr/record_again.hpp"
+#include "roomatlas/odometry/drive_directions.hpp"
 #include "strategies.hpp"
 
 namespace roomatlas {
@@ -25,8 +26,10 @@ CorrectedMission correct_sonar_mission(const AsrSource& source, const RobotFootp
                                        const Options& options, const Progress& progress) {
   report(progress, "correct sonars", 0.0);
   const std::vector<RangeReading> readings = readings_of(source);
-  SonarTrajectory trajectory = correct_sonar_trajectory(
-      readings, options.assemble.sonars, [&] { report(progress, "correct sonars", 0.0); });
+  const DriveDirections directions = find_drive_directions(readings, options.map.directions);
+  SonarTrajectory trajectory =
+      correct_sonar_trajectory(readings, directions, options.assemble.sonars,
+                               [&] { report(progress, "correct sonars", 0.0); });
   RecordedAgain again =
       record_again(readings, trajectory.map_from_robot, footprint, options.map.record);
   report(progress, "correct", 0.0);

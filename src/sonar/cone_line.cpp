@@ -8,6 +8,12 @@ namespace roomatlas {
 namespace {
 
 constexpr double kMaxOffEdgeRad = radians(80.0);  // a wall along the cone's edge is not heard
+constexpr double kLeastCosOff = 0.17;             // that angle's: flatter, residuals would explode
+constexpr double kHoldLine = 1e-9;                // of equations that returns leave open
+constexpr std::size_t kFewest = 3;                // returns of a line: two fit any
+constexpr int kMaxSteps = 8;                      // an end; a fit that has not settled is used
+constexpr double kTooFar = 1.0;                   // of a step, rad or m: the fit has lost the wall
+constexpr double kSettled = 1e-6;                 // of a step, rad and m
 
 /// How far off its axis a sonar hears a wall: the wall's normal, or the edge of the cone that is
 /// nearest to it.
@@ -39,9 +45,9 @@ ConeLine line_through(std::span<const ConeReturn> returns, const Point2& middle,
 
 /// Sums of one Gauss-Newton step about a pivot point: of normal angle and offset at the pivot.
 struct Equations {
-  double h00 = 1e-9;
+  double h00 = kHoldLine;
   double h01 = 0.0;
-  double h11 = 1e-9;
+  double h11 = kHoldLine;
   double g0 = 0.0;
   double g1 = 0.0;
   double squares = 0.0;
@@ -67,7 +73,7 @@ Equations equations_at(std::span<const ConeReturn> returns, double half_cone_rad
       const double turn = across > 0.0 ? -sin_half : sin_half;
       echo = {cos_half * axis.x() - turn * axis.y(), turn * axis.x() + cos_half * axis.y()};
     }
-    const double cos_off = std::max(normal.dot(echo), 0.17);
+    const double cos_off = std::max(normal.dot(echo), kLeastCosOff);
     const Point2 arm = one.sonar - pivot;
     const Point2 point = arm + one.range_m * echo;
     const double residual = (normal.dot(point) + normal.dot(pivot) - line.offset_m) / cos_off;
@@ -100,8 +106,6 @@ Point2 foot_of(const ConeReturn& from, double half_cone_rad, const ConeLine& lin
 }
 
 std::optional<ConeLine> fit_line(std::span<const ConeReturn> returns, double half_cone_rad) {
-  constexpr std::size_t kFewest = 3;
-  constexpr int kMaxSteps = 8;
   if (returns.size() < kFewest) return std::nullopt;
   Point2 middle = Point2::Zero();
   Point2 behind = Point2::Zero();
@@ -118,12 +122,12 @@ std::optional<ConeLine> fit_line(std::span<const ConeReturn> returns, double hal
     const double determinant = sums.h00 * sums.h11 - sums.h01 * sums.h01;
     const double turn = -(sums.h11 * sums.g0 - sums.h01 * sums.g1) / determinant;
     const double shift = -(sums.h00 * sums.g1 - sums.h01 * sums.g0) / determinant;
-    if (!(std::abs(turn) < 1.0 && std::abs(shift) < 1.0)) return std::nullopt;
+    if (!(std::abs(turn) < kTooFar && std::abs(shift) < kTooFar)) return std::nullopt;
     // the offset moves with the turn, since the line turns about the pivot
     const double at_pivot = line.offset_m - direction(line.normal_rad).dot(middle) + shift;
     line.normal_rad = wrap_angle(line.normal_rad + turn);
     line.offset_m = at_pivot + direction(line.normal_rad).dot(middle);
-    if (std::abs(turn) < 1e-6 && std::abs(shift) < 1e-6) break;
+    if (std::abs(turn) < kSettled && std::abs(shift) < kSettled) break;
   }
   return line;
 }

@@ -9,6 +9,10 @@
 namespace roomatlas {
 namespace {
 
+constexpr double kStepCells = 0.7;    // along a ray: a larger step leaps over corners of cells
+constexpr double kCosSameWay = 0.87;  // 30 degrees: faces that look elsewhere are other walls
+constexpr int kEnoughRays = 2;        // one may be a stray echo
+
 struct WallSample {
   Point2 point;
   Point2 normal;
@@ -73,7 +77,7 @@ void cross(const RangeReading& reading, const Pose2& map_from_robot, double path
     std::int64_t last_y = 0;
     bool first = true;
     for (double at_m = 0.0; at_m < range_m - options.short_of_return_m;
-         at_m += options.cell_m * 0.7) {
+         at_m += options.cell_m * kStepCells) {
       const Point2 point = beam.position() + at_m * ahead;
       const std::int64_t x = cells.column(point.x());
       const std::int64_t y = cells.column(point.y());
@@ -91,7 +95,6 @@ void cross(const RangeReading& reading, const Pose2& map_from_robot, double path
 
 bool is_confirmed(const WallSample& sample, const WallCells& cells,
                   const std::vector<WallSample>& samples, const ContradictionOptions& options) {
-  constexpr double kCosSameWay = 0.87;  // 30 degrees
   const std::int64_t x = cells.column(sample.point.x());
   const std::int64_t y = cells.column(sample.point.y());
   for (std::int64_t dx = -1; dx <= 1; ++dx) {
@@ -114,7 +117,6 @@ Contradiction contradiction_of(std::span<const RangeReading> readings,
                                std::span<const double> path_m,
                                std::span<const WallSegment> segments,
                                const ContradictionOptions& options) {
-  constexpr int kEnoughRays = 2;  // one may be a stray echo
   WallCells cells(options.cell_m);
   add_walls(map_from_robot, path_m, segments, options, cells);
   double next_m = 0.0;

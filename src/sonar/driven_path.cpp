@@ -39,8 +39,7 @@ DrivenPath driven_path(std::span<const RangeReading> readings, const DriveDirect
     } else {
       Pose2 step = inverse(reported_before) * reported;
       const double length_m = step.position().norm();
-      if (directions.reversed[i]) step = {-step.x_m, -step.y_m, step.theta_rad};
-      step = without_habits(step, habits);
+      step = without_habits(driven(step, directions.of_step[i]), habits);
       path.odom_from_robot.push_back(path.odom_from_robot.back() * step);
       path.path_m.push_back(path.path_m.back() + length_m);
       path.turned_rad.push_back(path.turned_rad.back() + std::abs(step.theta_rad));
@@ -81,13 +80,15 @@ std::vector<std::size_t> nodes_along(const DrivenPath& path, double step_m, doub
 
 double share_between(const DrivenPath& path, std::size_t from, std::size_t to,
                      std::size_t reading) {
-  constexpr double kMetresPerRad = 0.3;  // a turn counts as so much way
+  constexpr double kMetresPerRad = 0.3;  // a turn counts as so much way: else what is missing after
+                                         // a turn on the spot would jump there
   const auto way = [&](std::size_t until) {
     return path.path_m[until] - path.path_m[from] +
            kMetresPerRad * (path.turned_rad[until] - path.turned_rad[from]);
   };
   const double whole = way(to);
-  return whole > 1e-9 ? way(reading) / whole : 0.0;
+  constexpr double kNoWayM = 1e-9;  // nothing moved: no share
+  return whole > kNoWayM ? way(reading) / whole : 0.0;
 }
 
 }  // namespace roomatlas

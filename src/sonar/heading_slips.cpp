@@ -22,13 +22,13 @@ struct Crossing {
 
 /// All ways that wind a quarter turn more than the reference, and where they may do so.
 struct Windings {
-  const HeadingModel& model;
+  const HeadingChain& chain;
   StatesBeside states;
   HeadingWays until;
   HeadingWays since;
 
-  Windings(const HeadingModel& of, const std::vector<double>& reference_rad, int sign)
-      : model(of),
+  Windings(const HeadingChain& of, const std::vector<double>& reference_rad, int sign)
+      : chain(of),
         states(of, reference_rad, sign),
         until(ways_until(of, states)),
         since(ways_since(of, states)) {}
@@ -47,8 +47,8 @@ struct Windings {
 /// The likeliest that goes over on its way into a node.
 Crossing crossing_into(const Windings& windings, std::size_t node) {
   const StatesBeside& states = windings.states;
-  const std::vector<double>& kernel = windings.model.kernels[node];
-  const int width = static_cast<int>(kernel.size() / 2);
+  const HeadingDrift& moves = windings.chain.drift[node];
+  const int width = static_cast<int>(moves.size() / 2);
   const int drift = states.drift(node - 1, node);
   const auto row = static_cast<int>(states.row());
   Crossing best;
@@ -62,7 +62,7 @@ Crossing crossing_into(const Windings& windings, std::size_t node) {
       if (!states.is_near(from)) break;
       const double odds = windings.until.log_odds[node - 1][from] +
                           windings.since.log_odds[node][to] +
-                          std::log(kernel[static_cast<std::size_t>(stays_at - at + width)]);
+                          std::log(moves[static_cast<std::size_t>(stays_at - at + width)].share);
       if (odds > best.log_odds) best = {odds, node, from, to};
     }
   }
@@ -72,7 +72,7 @@ Crossing crossing_into(const Windings& windings, std::size_t node) {
 /// Marks the slope of a peak to one side: until the odds rise again from a valley.
 void mark_slope(const std::vector<Crossing>& crossings, std::size_t peak, int direction,
                 std::vector<char>& marked) {
-  constexpr double kValley = 2.0;  // of log odds
+  constexpr double kValley = 2.0;  // of log odds; less finds each place many times
   double lowest = crossings[peak].log_odds;
   const auto count = static_cast<std::ptrdiff_t>(crossings.size());
   for (auto k = static_cast<std::ptrdiff_t>(peak); k >= 0 && k < count; k += direction) {
@@ -103,9 +103,9 @@ std::vector<Crossing> peaks_of(const std::vector<Crossing>& crossings) {
 
 /// The way through a crossing, from where it leaves the reference to where it has turned by all.
 HeadingSlip slip_through(const Crossing& crossing, const Windings& windings) {
-  constexpr double kAgreeRad = radians(5.0);
+  constexpr double kAgreeRad = radians(5.0);  // nearer the reference, a way is the reference
   const StatesBeside& states = windings.states;
-  const double step_rad = windings.model.shape.step_rad();
+  const double step_rad = windings.chain.states.step_rad();
   const int agree = static_cast<int>(kAgreeRad / step_rad);
   std::vector<int> beyond;  // first backwards from the crossing, then on from it
   std::size_t node = crossing.node - 1;
@@ -118,7 +118,7 @@ HeadingSlip slip_through(const Crossing& crossing, const Windings& windings) {
   slip.log_odds = crossing.log_odds - windings.stays_log_odds();
   slip.first_node = crossing.node - beyond.size();
   std::reverse(beyond.begin(), beyond.end());
-  const std::size_t last_node = windings.model.walls.size() - 1;
+  const std::size_t last_node = windings.chain.evidence.size() - 1;
   node = crossing.node;
   for (std::size_t state = crossing.to;
        node < last_node && states.beyond(state) < states.quarter() - agree;) {
@@ -136,7 +136,7 @@ HeadingSlip slip_through(const Crossing& crossing, const Windings& windings) {
 
 bool are_one(const HeadingSlip& a, const HeadingSlip& b) {
   const auto are_together = [](std::size_t one, std::size_t other) {
-    constexpr std::size_t kTogether = 12;  // nodes
+    constexpr std::size_t kTogether = 12;  // nodes, 3.6 m; more takes two places for one
     return std::max(one, other) - std::min(one, other) < kTogether;
   };
   return a.more_rad.back() == b.more_rad.back() && are_together(a.first_node, b.first_node) &&
@@ -146,13 +146,13 @@ bool are_one(const HeadingSlip& a, const HeadingSlip& b) {
 std::vector<HeadingSlip> find_slips(std::span<const HeadingNode> nodes,
                                     std::span<const WallSighting> sightings,
                                     std::span<const double> directions_rad,
-                                    const HeadingChainOptions& options,
+                                    const SightingChainOptions& options,
                                     const std::vector<double>& correction_rad,
                                     double least_log_odds) {
-  const HeadingModel model = heading_model(nodes, sightings, directions_rad, options);
+  const HeadingChain chain = sighting_chain(nodes, sightings, directions_rad, options);
   std::vector<HeadingSlip> all;
   for (const int sign : {1, -1}) {
-    const Windings windings(model, correction_rad, sign);
+    const Windings windings(chain, correction_rad, sign);
     std::vector<Crossing> crossings;
     for (std::size_t node = 1; node < nodes.size(); ++node) {
       crossings.push_back(crossing_into(windings, node));

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "heading_chain.hpp"
+#include "sighting_chain.hpp"
 
 namespace roomatlas {
 
@@ -28,7 +28,7 @@ struct HeadingSlip {
 [[nodiscard]] std::vector<HeadingSlip> find_slips(std::span<const HeadingNode> nodes,
                                                   std::span<const WallSighting> sightings,
                                                   std::span<const double> directions_rad,
-                                                  const HeadingChainOptions& options,
+                                                  const SightingChainOptions& options,
                                                   const std::vector<double>& correction_rad,
                                                   double least_log_odds);
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The likeliest ways of the heading beside another one: Viterbi's passes (Viterbi 1967) over the
-// states of heading_beliefs.hpp, unwrapped.
+// states of the heading's chain, unwrapped.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "heading_beliefs.hpp"
+#include "roomatlas/odometry/heading_chain.hpp"
 
 namespace roomatlas {
 
@@ -17,13 +17,13 @@ class StatesBeside {
  public:
   /// @param reference_rad correction of the heading by node, unwrapped
   /// @param sign of the quarter turn, 1 or -1
-  StatesBeside(const HeadingModel& model, const std::vector<double>& reference_rad, int sign);
+  StatesBeside(const HeadingChain& chain, const std::vector<double>& reference_rad, int sign);
 
   [[nodiscard]] std::size_t size() const { return directions_ * row(); }
   [[nodiscard]] std::size_t row() const {
     return static_cast<std::size_t>(quarter_ + 2 * margin_ + 1);
   }
-  /// In steps of the model, towards the quarter turn.
+  /// In steps of the chain, towards the quarter turn.
   [[nodiscard]] int beyond(std::size_t state) const {
     return static_cast<int>(state % row()) - margin_;
   }
@@ -35,7 +35,7 @@ class StatesBeside {
   [[nodiscard]] int drift(std::size_t from_node, std::size_t to_node) const {
     return sign_ * (reference_[to_node] - reference_[from_node]);
   }
-  /// Place of a state in the model's beliefs.
+  /// Place of a state in the chain's beliefs.
   [[nodiscard]] std::size_t belief_at(std::size_t node, std::size_t state) const;
 
  private:
@@ -54,9 +54,9 @@ struct HeadingWays {
 };
 
 /// Ways from the first node, where they are near the reference, to each node.
-[[nodiscard]] HeadingWays ways_until(const HeadingModel& model, const StatesBeside& states);
+[[nodiscard]] HeadingWays ways_until(const HeadingChain& chain, const StatesBeside& states);
 
 /// Ways from each node to the last, where they are near the other winding.
-[[nodiscard]] HeadingWays ways_since(const HeadingModel& model, const StatesBeside& states);
+[[nodiscard]] HeadingWays ways_since(const HeadingChain& chain, const StatesBeside& states);
 
 }  // namespace roomatlas

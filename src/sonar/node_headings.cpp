@@ -10,12 +10,13 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kTileM = 1.0;
-constexpr double kMinRangeM = 0.2;
-constexpr double kMaxRangeM = 3.0;    // farther returns come from many things at once
-constexpr double kGateM = 0.15;       // a return farther off comes from something else
-constexpr double kBesideM = 0.1;      // of the stretch of wall that was seen
-constexpr double kMaxOffRad = 1.0;    // of a wall's normal from a sonar's axis
+constexpr double kTileM = 1.0;      // of the index of walls: time alone
+constexpr double kMinRangeM = 0.2;  // nearer, a sonar hears its own ringing
+constexpr double kMaxRangeM = 3.0;  // farther returns come from many things at once
+constexpr double kGateM = 0.15;     // a return farther off comes from something else
+constexpr double kBesideM = 0.1;    // beyond the ends of the stretch of wall that was seen
+constexpr double kMaxOffRad = 1.0;  // of a wall's normal from a sonar's axis: flatter ones send no
+                                    // echo back
 constexpr double kLeastSlopeM = 0.1;  // a radian: less says nothing of the heading
 constexpr double kSigmaM = 0.06;      // of a range, and of where the wall is
 constexpr double kShare = 0.2;        // of what a return would say alone: neighbours say the same
@@ -115,7 +116,7 @@ class Turns {
   void add(std::size_t node, const Evidence& evidence) {
     const double variance = kSigmaM * kSigmaM;
     const double chi = evidence.residual_m * evidence.residual_m / variance;
-    const double weight = kShare / (variance * (1.0 + chi / 4.0));  // Cauchy's
+    const double weight = kShare / (variance * (1.0 + chi / kRobust));  // Cauchy's
     diagonal_[node] += weight * evidence.slope_m_per_rad * evidence.slope_m_per_rad;
     right_[node] += weight * evidence.slope_m_per_rad * evidence.residual_m;
   }
@@ -147,7 +148,8 @@ class Turns {
   }
 
  private:
-  static constexpr double kHold = 1e-3;  // where no wall holds a heading, it stays
+  static constexpr double kHold = 1e-3;   // 1/rad^2: where no wall holds a heading, it stays
+  static constexpr double kRobust = 4.0;  // squared sigmas: returns off by more lose weight
 
   std::vector<double> diagonal_;
   std::vector<double> beside_;  ///< of each node with the next

@@ -11,11 +11,17 @@
 namespace roomatlas {
 namespace {
 
+constexpr double kContradictedCounts = 3.0;  // metres confirmed that one contradicted takes back:
+                                             // less lets a slip win that brings walls together by
+                                             // chance
+// A score is better from so many metres of wall, or such a share, on: less is noise.
+constexpr double kBetterShare = 0.02;
+constexpr double kBetterM = 10.0;
+
 /// One batch from the given poses, and its score.
 Attempt solve_from(const SonarMission& mission, const Idea& idea, const std::vector<Pose2>& start,
                    SonarBatchOptions batch_options) {
   if (mission.before_attempt) mission.before_attempt();
-  constexpr double kContradictedCounts = 3.0;
   Attempt attempt;
   const DrivenPath& path = idea.problem.path;
   SonarProblem problem = sonar_problem(mission.readings, path, mission.directions, start,
@@ -61,9 +67,7 @@ std::vector<double> by_reading(const HeadingProblem& problem, const std::vector<
 }
 
 bool is_better(const Attempt& attempt, const Attempt& than) {
-  constexpr double kShare = 0.02;
-  constexpr double kLeastM = 10.0;
-  return attempt.score_m > than.score_m + std::max(kLeastM, kShare * than.score_m);
+  return attempt.score_m > than.score_m + std::max(kBetterM, kBetterShare * than.score_m);
 }
 
 Attempt solve(const SonarMission& mission, const Idea& idea, std::string name,
@@ -92,8 +96,8 @@ Idea idea_of(const SonarMission& mission, const Calibration& calibration,
   idea.chain_options = calibration.doubting({});
   idea.problem =
       heading_problem(mission.readings, mission.directions, idea.habits, mission.options.segments);
-  idea.chain = smooth_heading(idea.problem.nodes, idea.problem.sightings, idea.directions_rad,
-                              idea.chain_options);
+  idea.heading = mission_heading(idea.problem.nodes, idea.problem.sightings, idea.directions_rad,
+                                 idea.chain_options);
   return idea;
 }
 

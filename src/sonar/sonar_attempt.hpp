@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "heading_chain.hpp"
+#include "mission_heading.hpp"
 #include "roomatlas/sonar/sonar_trajectory.hpp"
 #include "sonar_batch.hpp"
 #include "sonar_calibration.hpp"
@@ -43,10 +43,10 @@ struct Idea {
   OdometryHabits habits;
   double doubt = 1.0;
   bool is_odometry = false;  ///< the heading is odometry's, and walls follow no direction
-  HeadingChainOptions chain_options;
+  SightingChainOptions chain_options;
   std::vector<double> directions_rad;  ///< of the building's walls
   HeadingProblem problem;
-  HeadingChain chain;
+  MissionHeading heading;
   Attempt attempt;
 };
 

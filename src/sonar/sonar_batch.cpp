@@ -15,8 +15,20 @@ namespace {
 /// How far each round's scale has gone from the start's to the end's, on a logarithmic scale.
 constexpr std::array kShrunk = {0.0, 0.0,  0.0,  0.1, 0.1, 0.22, 0.22, 0.3, 0.3, 0.4,
                                 0.4, 0.52, 0.52, 0.7, 0.7, 0.82, 0.92, 1.0, 1.0};
-constexpr int kStepsARound = 3;
+constexpr int kStepsARound = 3;       // more settle on pairs that the next round drops
 constexpr double kFineScaleM = 0.15;  // below it walls count in full
+constexpr double kFirmly = 1e6;   // weight that holds the first node: more than all walls together
+constexpr double kStillM = 1e-4;  // root mean square of the moves at which a round ends
+constexpr double kEndsM = radians(1.0);  // over a wall's length: sigma of its direction by its ends
+constexpr double kFarSigmas = 2.0;  // from a direction: scale at which Geman and McClure let go
+
+/// Which walls are one, and how much that counts.
+struct Round {
+  double scale_m = 0.0;      ///< across, at which Geman and McClure let go of a pair
+  double wall_weight = 0.0;  ///< of a wall's partners together
+  std::vector<WallPair> pairs;
+  std::vector<int> partners;  ///< of each wall
+};
 
 /// What is solved for.
 struct Unknowns {
@@ -187,7 +199,7 @@ double strain_of(const SonarBatch& batch, const SonarBatchOptions& options,
 }
 
 double heading_sigma(const SeenWall& wall, const SonarBatchOptions& options) {
-  return std::hypot(options.wall_heading_rad, radians(1.0) / wall.length_m);
+  return std::hypot(options.wall_heading_rad, kEndsM / wall.length_m);
 }
 
 void add_headings(const SonarBatch& batch, const SonarBatchOptions& options,
@@ -197,63 +209,73 @@ void add_headings(const SonarBatch& batch, const SonarBatchOptions& options,
     const double off =
         wrap_quarter(poses[wall.node].theta_rad + wall.normal_rad - batch.direction_rad[i]);
     const double sigma = heading_sigma(wall, options);
-    equations.add_heading(
-        wall.node, off,
-        heading_information(wall, options) * geman_mcclure(off * off, 4.0 * sigma * sigma));
+    equations.add_heading(wall.node, off,
+                          heading_information(wall, options) *
+                              geman_mcclure(off * off, kFarSigmas * kFarSigmas * sigma * sigma));
   }
 }
 
-void add_pairs(const SonarBatch& batch, const SonarBatchOptions& options,
-               const std::vector<WallPair>& pairs, const std::vector<int>& partners, double scale_m,
-               double wall_weight, const std::vector<Pose2>& poses, Equations& equations) {
+void add_pairs(const SonarBatch& batch, const SonarBatchOptions& options, const Round& round,
+               const std::vector<Pose2>& poses, Equations& equations) {
+  const double scale_m = round.scale_m;
   const double coarse = std::max(1.0, (scale_m / kFineScaleM) * (scale_m / kFineScaleM));
   const double variance = options.wall_sigma_m * options.wall_sigma_m * coarse;
-  for (const WallPair& pair : pairs) {
+  for (const WallPair& pair : round.pairs) {
     const SeenWall& a = batch.walls[pair.first];
     const SeenWall& b = batch.walls[pair.second];
     if (a.node == b.node) continue;
     const PairResidual across = across_residual(poses[a.node], a, poses[b.node], b, pair.along_m);
     const double one_wall = geman_mcclure(across.value * across.value, scale_m * scale_m);
-    const double share =
-        wall_weight * 2.0 / (partners[pair.first] + partners[pair.second]) * one_wall;
+    const double share = round.wall_weight * 2.0 /
+                         (round.partners[pair.first] + round.partners[pair.second]) * one_wall;
     equations.add(a.node, b.node, across,
                   share * std::min({1.0, a.length_m, b.length_m}) / variance);
     const double turn =
         wrap_angle(poses[a.node].theta_rad + a.normal_rad - poses[b.node].theta_rad - b.normal_rad);
-    const double ends = std::hypot(radians(1.0) / a.length_m, radians(1.0) / b.length_m);
+    const double ends = std::hypot(kEndsM / a.length_m, kEndsM / b.length_m);
     const double sigma = std::hypot(options.wall_heading_rad, ends);
     const double parallel = options.parallel_weight * share / (sigma * sigma) *
-                            geman_mcclure(turn * turn, 4.0 * sigma * sigma);
+                            geman_mcclure(turn * turn, kFarSigmas * kFarSigmas * sigma * sigma);
     equations.add(a.node, b.node, {turn, {0.0, 0.0, 1.0}, {0.0, 0.0, -1.0}}, parallel);
   }
 }
 
+/// @param shrunk how far the scale has gone from the start's to the end's, [0, 1]
+Round round_at(double shrunk, const SonarBatch& batch, const SonarBatchOptions& options,
+               const std::vector<Pose2>& poses) {
+  Round round;
+  round.scale_m =
+      options.start_scale_m * std::pow(options.end_scale_m / options.start_scale_m, shrunk);
+  round.wall_weight =
+      options.start_wall_weight * std::pow(options.wall_weight / options.start_wall_weight, shrunk);
+  round.pairs = find_wall_pairs(batch.walls, poses, round.scale_m, options.pairs);
+  round.partners.assign(batch.walls.size(), 0);
+  for (const WallPair& pair : round.pairs) {
+    ++round.partners[pair.first];
+    ++round.partners[pair.second];
+  }
+  return round;
+}
+
 /// A few Gauss-Newton steps with the pairs as they are. False when a system was singular.
-bool settle(const SonarBatch& batch, const SonarBatchOptions& options,
-            const std::vector<WallPair>& pairs, double scale_m, double wall_weight,
+bool settle(const SonarBatch& batch, const SonarBatchOptions& options, const Round& round,
             Unknowns& unknowns) {
   const std::size_t nodes = unknowns.map_from_node.size();
-  std::vector<int> partners(batch.walls.size(), 0);
   std::vector<NodePair> coupled;
   for (std::size_t k = 1; k < nodes; ++k) {
     coupled.emplace_back(static_cast<std::int32_t>(k - 1), static_cast<std::int32_t>(k));
   }
-  for (const WallPair& pair : pairs) {
-    ++partners[pair.first];
-    ++partners[pair.second];
+  for (const WallPair& pair : round.pairs) {
     coupled.emplace_back(static_cast<std::int32_t>(batch.walls[pair.first].node),
                          static_cast<std::int32_t>(batch.walls[pair.second].node));
   }
   Equations equations(nodes, coupled);
-  constexpr double kFirmly = 1e6;
-  constexpr double kStillM = 1e-4;
   for (int step = 0; step < kStepsARound; ++step) {
     equations.clear();
     equations.hold(0, kFirmly);
     add_steps(batch, options, unknowns, equations);
     add_headings(batch, options, unknowns.map_from_node, equations);
-    add_pairs(batch, options, pairs, partners, scale_m, wall_weight, unknowns.map_from_node,
-              equations);
+    add_pairs(batch, options, round, unknowns.map_from_node, equations);
     Unknowns moved = unknowns;
     const double move = equations.solve(moved);
     if (move < 0.0) return false;
@@ -275,13 +297,9 @@ SonarBatchResult solve_sonar_batch(const SonarBatch& batch, const SonarBatchOpti
   Unknowns unknowns{batch.map_from_node};
   result.solved = true;
   for (const double shrunk : kShrunk) {
-    const double scale_m =
-        options.start_scale_m * std::pow(options.end_scale_m / options.start_scale_m, shrunk);
-    const auto pairs = find_wall_pairs(batch.walls, unknowns.map_from_node, scale_m, options.pairs);
-    result.pairs = pairs.size();
-    const double wall_weight = options.start_wall_weight *
-                               std::pow(options.wall_weight / options.start_wall_weight, shrunk);
-    if (!settle(batch, options, pairs, scale_m, wall_weight, unknowns)) {
+    const Round round = round_at(shrunk, batch, options, unknowns.map_from_node);
+    result.pairs = round.pairs.size();
+    if (!settle(batch, options, round, unknowns)) {
       result.solved = false;
       break;
     }

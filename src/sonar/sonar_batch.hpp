@@ -29,14 +29,18 @@ struct SonarBatchOptions {
   WallPairOptions pairs;
   double start_scale_m = 1.5;       ///< smaller misses loops that are farther apart
   double end_scale_m = 0.1;         ///< smaller lets noise decide which walls are one
-  double wall_sigma_m = 0.05;       ///< of one wall against all its partners
-  double start_wall_weight = 0.3;   ///< of a wall's partners together, in the first round ...
+  double wall_sigma_m = 0.05;       ///< of one wall against all its partners; smaller lets it bend
+                                    ///< odometry by its noise
+  double start_wall_weight = 0.3;   ///< of a wall's partners together, in the first round (with the
+                                    ///< last's, excursions are taken by the next room's wall) ...
   double wall_weight = 3.0;         ///< ... and in the last
-  double step_robust_sigmas = 3.0;  ///< Cauchy's loss of odometry
-  double heading_weight = 0.5;      ///< of a wall that follows the building
-  double parallel_weight = 0.3;     ///< of the partners' headings
-  double length_sigma = 0.003;      ///< of odometry's lengths as a whole, as a share: tight, since
-                                    ///< cones full of clutter make rooms look smaller
+  double step_robust_sigmas = 3.0;  ///< Cauchy's loss of odometry; larger does not give way where
+                                    ///< it jumped, smaller lets walls break it
+  double heading_weight = 0.5;   ///< of a wall that follows the building: the segments of one wall
+                                 ///< say the same, so that each counts half
+  double parallel_weight = 0.3;  ///< of the partners' headings, for the same reason
+  double length_sigma = 0.003;   ///< of odometry's lengths as a whole, as a share: tight, since
+                                 ///< cones full of clutter make rooms look smaller
   double wall_heading_rad = 0.035;  ///< sigma of a wall's direction, and one over its length more
 };
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "driven_path.hpp"
-#include "heading_chain.hpp"
+#include "mission_heading.hpp"
 
 namespace roomatlas {
 
@@ -23,9 +23,9 @@ struct Calibration {
   double doubt = 1.0;  ///< times the drift of odometry's heading that the chain allows, [1, inf)
 
   /// The chain's options with the drift that this mission's odometry has.
-  [[nodiscard]] HeadingChainOptions doubting(HeadingChainOptions chain) const {
-    chain.drift_rad_per_sqrt_m *= doubt;
-    chain.drift_per_turn *= doubt;
+  [[nodiscard]] SightingChainOptions doubting(SightingChainOptions chain) const {
+    chain.odometry.heading.per_sqrt_m *= doubt;
+    chain.odometry.heading.per_rad *= doubt;
     return chain;
   }
 };
@@ -40,12 +40,12 @@ struct Calibration {
 [[nodiscard]] Calibration calibrate_odometry(std::span<const RangeReading> readings,
                                              const DriveDirections& directions,
                                              const WallSegmentOptions& segments,
-                                             const HeadingChainOptions& chain);
+                                             const SightingChainOptions& chain);
 
 /// The directions, modulo 90 degrees, that the building's walls follow: 0, and others as long as
 /// each makes the walls clearly more likely. A wing at an angle is one of them; without it, the
 /// heading would be bent to make the wing's walls follow the rest.
 [[nodiscard]] std::vector<double> building_directions(const HeadingProblem& problem,
-                                                      HeadingChainOptions chain);
+                                                      SightingChainOptions chain);
 
 }  // namespace roomatlas

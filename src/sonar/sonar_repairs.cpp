@@ -23,10 +23,10 @@ std::vector<double> slipped(const Idea& idea, const HeadingSlip& slip) {
   for (WallSighting& wall : sightings) {
     wall.direction_rad = wrap_angle(wall.direction_rad + prior_rad[wall.node]);
   }
-  const HeadingChain chain =
-      smooth_heading(idea.problem.nodes, sightings, idea.directions_rad, idea.chain_options);
+  const MissionHeading smoothed =
+      mission_heading(idea.problem.nodes, sightings, idea.directions_rad, idea.chain_options);
   for (std::size_t k = 0; k < prior_rad.size(); ++k) {
-    prior_rad[k] += chain.correction_rad[k];
+    prior_rad[k] += smoothed.correction_rad[k];
   }
   return prior_rad;
 }
@@ -62,7 +62,7 @@ OdometryHabits learnt_habits(const SonarMission& mission, const Idea& idea) {
 /// The idea with other habits where its own were far off: those of a short mission, or of a heading
 /// that slipped.
 Idea with_learnt_habits(const SonarMission& mission, const Idea& idea) {
-  constexpr double kFarBias = radians(0.5);  // a metre
+  constexpr double kFarBias = radians(0.5);  // a metre; nearer, both are what the walls leave open
   constexpr double kFarGain = 0.03;
   const OdometryHabits habits = learnt_habits(mission, idea);
   Idea learnt = idea;
@@ -82,8 +82,8 @@ double merit(const Attempt& attempt) { return attempt.score_m - attempt.strain; 
 
 void repair_slips(const SonarMission& mission, Idea& idea, std::vector<Attempt>& others,
                   SonarTrajectory& result) {
-  constexpr double kLeastLogOdds = -60.0;
-  constexpr std::size_t kMostTries = 16;
+  constexpr double kLeastLogOdds = -60.0;  // of slips that are tried; the walls rule out the rest
+  constexpr std::size_t kMostTries = 16;   // batches: time alone
   std::size_t tries = 0;
   std::vector<HeadingSlip> refuted;
   const auto is_refuted = [&](const HeadingSlip& slip) {
@@ -122,12 +122,12 @@ void refine(const SonarMission& mission, Idea& idea, SonarTrajectory& result) {
   };
   const std::vector<double> heading_rad = idea.attempt.correction_rad;
   SonarBatchOptions wide;
-  wide.start_scale_m = 2.0;
+  wide.start_scale_m = 2.0;  // a corridor's width: more takes its sides for one wall
   SonarBatchOptions near;
-  near.start_scale_m = 0.5;
+  near.start_scale_m = 0.5;  // nearer than the wall of the room next door
   (void)offer(solve(mission, idea, "from 2 m", heading_rad, wide));
   (void)offer(solve(mission, idea, "from 0.5 m", heading_rad, near));
-  constexpr int kMostTimes = 2;
+  constexpr int kMostTimes = 2;  // time alone
   for (int times = 0; times < kMostTimes; ++times) {
     Idea learnt = with_learnt_habits(mission, idea);
     if (!offer(solve_again(mission, learnt, "walls extracted anew", near))) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -13,7 +14,8 @@
 namespace roomatlas {
 namespace {
 
-/// A change of odometry's habits. Where little is heard, the batch ends elsewhere from each.
+/// A change of odometry's habits, of about what the calibration's steps leave open. Where little is
+/// heard, the batch ends elsewhere from each.
 struct Change {
   const char* name;
   double bias_deg_per_m;
@@ -32,8 +34,9 @@ constexpr Change kChanges[] = {
 /// round hall they do not.
 bool walls_follow_directions(const HeadingProblem& problem,
                              const std::vector<double>& directions_rad,
-                             const HeadingChainOptions& chain) {
-  constexpr double kLeastASegment = 0.05;  // of log evidence
+                             const SightingChainOptions& chain) {
+  constexpr double kLeastASegment = 0.05;  // of log evidence; more takes the directions from short
+                                           // missions in cluttered rooms
   const double evidence = heading_evidence(problem.nodes, problem.sightings, directions_rad, chain);
   return !problem.sightings.empty() &&
          evidence > kLeastASegment * static_cast<double>(problem.sightings.size());
@@ -41,7 +44,7 @@ bool walls_follow_directions(const HeadingProblem& problem,
 
 /// Share of the readings whose headings part for good: by more than odds and ends of a turn.
 double share_turned(const std::vector<Pose2>& a, const std::vector<Pose2>& b) {
-  constexpr double kTurned = radians(30.0);
+  constexpr double kTurned = radians(30.0);  // a third of a slip
   const auto apart = [&](std::size_t i) { return wrap_angle(a[i].theta_rad - b[i].theta_rad); };
   const double middle = apart(a.size() / 2);
   std::size_t turned = 0;
@@ -53,9 +56,10 @@ double share_turned(const std::vector<Pose2>& a, const std::vector<Pose2>& b) {
 
 /// Of the readings. Without directions to follow walls cannot tell the heading: it counts as sure.
 double share_with_sure_heading(const Idea& idea) {
-  constexpr double kSure = radians(5.0);
+  constexpr double kSure = radians(5.0);  // sigmas are 1.5 to 2.5 degrees where walls are heard,
+                                          // and 4 to 9 where the heading may slip
   if (idea.is_odometry) return 1.0;
-  const std::vector<double> sigmas_rad = by_reading(idea.problem, idea.chain.sigma_rad);
+  const std::vector<double> sigmas_rad = by_reading(idea.problem, idea.heading.sigma_rad);
   const auto sure = std::count_if(sigmas_rad.begin(), sigmas_rad.end(),
                                   [](double sigma_rad) { return sigma_rad <= kSure; });
   return static_cast<double>(sure) / static_cast<double>(sigmas_rad.size());
@@ -66,8 +70,9 @@ double share_with_sure_heading(const Idea& idea) {
 bool is_verified(const Idea& idea, const std::vector<Attempt>& others,
                  const SonarTrajectoryOptions& options) {
   const Attempt& kept = idea.attempt;
-  constexpr double kLeastShare = 0.05;  // of the readings
-  constexpr double kCost = 0.2;         // of the score, for each share of the readings
+  constexpr double kLeastShare = 0.05;  // of the readings; what turns less is a corner of the plan
+  constexpr double kCost = 0.2;         // of the score, for each share of the readings turned: less
+                                        // proves nothing against the other winding
   const SonarVariant& variant = kept.variant;
   if (variant.compared_m < options.verified_m || variant.contradiction > options.verified_share ||
       share_with_sure_heading(idea) < options.verified_heading_share) {
@@ -111,7 +116,7 @@ std::string name_of(const std::vector<double>& walls_rad) {
 
 void consider(const SonarMission& mission, Idea idea, std::string name, Choice& choice,
               SonarTrajectory& result) {
-  idea.attempt = solve(mission, idea, std::move(name), idea.chain.correction_rad);
+  idea.attempt = solve(mission, idea, std::move(name), idea.heading.correction_rad);
   choice.offer(std::move(idea), result);
 }
 
@@ -120,7 +125,7 @@ Choice choose_heading(const SonarMission& mission, const Calibration& likely,
                       SonarTrajectory& result) {
   const HeadingProblem problem = heading_problem(mission.readings, mission.directions,
                                                  likely.habits, mission.options.segments);
-  const HeadingChainOptions chain = likely.doubting({});
+  const SightingChainOptions chain = likely.doubting({});
   const std::vector<double> walls_rad = building_directions(problem, chain);
   Choice choice;
   if (walls_follow_directions(problem, walls_rad, chain)) {
@@ -131,7 +136,7 @@ Choice choose_heading(const SonarMission& mission, const Calibration& likely,
     consider(mission, idea_of(mission, likely, {0.0}), name_of({0.0}), choice, result);
   }
   Idea odometry = idea_of(mission, {}, {0.0});
-  std::fill(odometry.chain.correction_rad.begin(), odometry.chain.correction_rad.end(), 0.0);
+  std::fill(odometry.heading.correction_rad.begin(), odometry.heading.correction_rad.end(), 0.0);
   odometry.is_odometry = true;
   consider(mission, std::move(odometry), "odometry's own heading", choice, result);
   return choice;
@@ -151,12 +156,15 @@ void consider_other_habits(const SonarMission& mission, const Calibration& likel
 }  // namespace
 
 SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
+                                         const DriveDirections& directions,
                                          const SonarTrajectoryOptions& options,
                                          const std::function<void()>& before_attempt) {
+  if (directions.of_step.size() != readings.size()) {
+    throw std::invalid_argument("correct_sonar_trajectory: not one direction of drive a reading");
+  }
   SonarTrajectory result;
   if (readings.empty()) return result;
-  const DriveDirections directions = find_drive_directions(readings, options.directions);
-  result.intervals_reversed = directions.intervals_reversed;
+  result.drives_reversed = directions.drives_reversed;
   result.undecided_m = directions.undecided_m.back();
   Calibration likely;
   if (options.calibrate) likely = calibrate_odometry(readings, directions, options.segments, {});
@@ -174,7 +182,7 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
   result.habits = best.habits;
   result.habits.length_scale *= best.attempt.length_scale;
   result.wall_directions_rad = best.directions_rad;
-  result.log_evidence = best.chain.log_evidence;
+  result.log_evidence = best.heading.log_evidence;
   result.segments = best.problem.segments.size();
   result.sure_heading_share = share_with_sure_heading(best);
   result.loops_verified = is_verified(best, choice.others, options);

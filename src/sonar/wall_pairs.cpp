@@ -10,7 +10,8 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kTileM = 3.0;  // a wall's middle and those it can be paired with
+constexpr double kTileM = 3.0;      // a wall's middle and those it can be paired with
+constexpr double kWideGateM = 0.4;  // wider ones ask no less overlap
 
 struct PlacedWall {
   Point2 middle;
@@ -53,7 +54,6 @@ std::optional<double> overlap_of(const SeenWall& a, const SeenWall& b, const Pla
   const double along = at_a.normal.x() * between.y() - at_a.normal.y() * between.x();
   const double low = std::max(-a.length_m / 2.0, along - b.length_m / 2.0);
   const double high = std::min(a.length_m / 2.0, along + b.length_m / 2.0);
-  constexpr double kWideGateM = 0.4;
   const double asked_m =
       options.min_overlap_m - options.overlap_per_gate * std::min(gate_m, kWideGateM);
   if (high - low < asked_m) return std::nullopt;

@@ -27,11 +27,14 @@ struct WallPair {
 };
 
 struct WallPairOptions {
-  double min_path_m = 1.0;        ///< nearer on the way: the same readings
-  double max_turn_rad = 0.175;    ///< between the normals
-  double near_gate_m = 0.1;       ///< across, of two stretches that were seen in one place
-  double gate_per_path = 0.04;    ///< and more for each metre of way between them
-  double min_overlap_m = 0.1;     ///< at a gate of 0
+  double min_path_m = 1.0;      ///< nearer on the way: the same readings
+  double max_turn_rad = 0.175;  ///< between the normals: 10 degrees. Larger pairs a wall with the
+                                ///< one that meets it at an angle
+  double near_gate_m = 0.1;     ///< across, of two stretches that were seen in one place; larger
+                                ///< pairs a cupboard with the wall behind it
+  double gate_per_path = 0.04;  ///< and more for each metre of way between them: as far as odometry
+                                ///< may have drifted
+  double min_overlap_m = 0.1;   ///< at a gate of 0; more loses walls that two visits saw in part
   double overlap_per_gate = 0.5;  ///< less of it is asked the wider the gate, up to 0.4 m
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -14,7 +15,7 @@ constexpr double kSeedMaxPathM = 1.2;     // of a seed; a longer one has gaps
 constexpr double kSeedMinPathM = 0.12;    // a shorter one shows no direction
 constexpr double kSigmaShare = 0.7;       // of the tolerance: largest sigma of a segment
 constexpr std::size_t kRefitAlways = 10;  // returns up to which each one is fitted anew
-constexpr std::size_t kRefitEvery = 4;
+constexpr std::size_t kRefitEvery = 4;    // beyond them; a fit costs more than it changes
 
 /// Readings of one sensor that are far enough apart to tell anything new.
 using KeyReadings = std::vector<std::size_t>;
@@ -136,8 +137,8 @@ class Grower {
   [[nodiscard]] std::optional<WallSegment> finished() const {
     const Point2 normal = direction(line_.normal_rad);
     const Point2 tangent(-normal.y(), normal.x());
-    double least = 1e300;
-    double most = -1e300;
+    double least = std::numeric_limits<double>::max();
+    double most = std::numeric_limits<double>::lowest();
     for (const ConeReturn& one : taken_) {
       const double at = tangent.dot(foot_of(one, beam_.half_cone_rad, line_));
       least = std::min(least, at);

@@ -15,11 +15,19 @@ apps::Settings parsed(const std::string& arguments) {
   return settings;
 }
 
-TEST(Settings, NoFindReverseHoldsForSonarsToo) {
+TEST(Settings, BelieveOdometrysDirectionsIfAsked) {
   const apps::Settings settings = parsed("--no-find-reverse");
-  EXPECT_FALSE(settings.map.reckon.find_reverse);
-  EXPECT_FALSE(settings.assemble.sonars.directions.find_reverse);
-  EXPECT_TRUE(parsed("").assemble.sonars.directions.find_reverse);
+  EXPECT_FALSE(settings.map.directions.find_reverse);
+  EXPECT_TRUE(parsed("").map.directions.find_reverse);
+}
+
+TEST(Settings, TakeAnglesInDegreesAndKeepThemInRadians) {
+  const MotionSigma given = parsed("--odometry-heading 2").assemble.correct.odometry.heading;
+  EXPECT_EQ(given.still, radians(2.0));
+  EXPECT_EQ(given.per_m, CorrectOptions().odometry.heading.per_m);
+  const std::string toml = parsed("").as_toml;
+  EXPECT_NE(toml.find("\nodometry-heading=1\n"), std::string::npos) << toml;
+  EXPECT_NE(toml.find("\nodometry-heading-rate=0.6\n"), std::string::npos);
 }
 
 TEST(Settings, KnowWhatWasGiven) {

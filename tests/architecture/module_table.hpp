@@ -22,7 +22,7 @@ inline const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"graph", {"core", "asr"}},
     {"solve", {"core"}},
     {"sonar", {"core", "mission", "odometry", "solve"}},
-    {"correct", {"core", "asr", "graph", "solve"}},
+    {"correct", {"core", "odometry", "asr", "graph", "solve"}},
     {"loops", {"core", "match", "asr", "solve", "correct"}},
     {"rooms", {"core", "plan", "grid", "polyline", "asr", "graph"}},
     {"planar", {"core"}},

@@ -71,11 +71,7 @@ struct ThereAndBack {
 /// Standard deviations that depend neither on the way driven nor on the length of walls.
 CorrectOptions constant_sigmas(CorrectionModel model) {
   CorrectOptions options = test::options_of(model);
-  options.odometry_position_m = 0.15;
-  options.odometry_position_m_per_m = 0.0;
-  options.odometry_heading_deg = 3.0;
-  options.odometry_heading_deg_per_m = 0.0;
-  options.odometry_heading_per_turn = 0.0;
+  options.odometry = {.position = {.still = 0.15}, .heading = {.still = radians(3.0)}};
   options.doorway_position_m = 0.1;
   options.doorway_heading_deg = 6.0;
   options.wall_heading_deg = 2.0;

@@ -88,7 +88,7 @@ TEST(Loops, ADoorwayMetFromTheOtherSideClosesALoopToo) {
   asrs[2].odom_from_asr = asrs[1].odom_from_asr * asrs[1].exits.back().frame_from_pivot;
   CorrectOptions options = without_walls(CorrectionModel::se2);
   options.doorway_position_m = 0.05;
-  options.odometry_position_m = 0.2;
+  options.odometry.position.still = 0.2;
   options.robust_sigmas = 10.0;
   const Correction correction = corrected(asrs, options, {same_doorway(2, 3, -kPi)});
   EXPECT_LT(apart_m(placement_of(correction), 2, 3), 0.1);

@@ -69,11 +69,8 @@ TEST(InformationOf, OtherEdgesFollowFromTheirSigmas) {
   options.localized_heading_deg = 0.7;
   options.doorway_position_m = 0.1;
   options.doorway_heading_deg = 3.0;
-  options.odometry_position_m = 0.05;
-  options.odometry_position_m_per_m = 0.01;
-  options.odometry_heading_deg = 1.0;
-  options.odometry_heading_deg_per_m = 0.5;
-  options.odometry_heading_per_turn = 0.1;
+  options.odometry = {.position = {.still = 0.05, .per_m = 0.01},
+                      .heading = {.still = radians(1.0), .per_m = radians(0.5), .per_rad = 0.1}};
   PassageEdge edge;
   edge.path_length_m = 10.0;
   edge.turning.absolute_rad = radians(30.0);

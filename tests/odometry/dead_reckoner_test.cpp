@@ -63,7 +63,8 @@ struct Result {
   std::size_t most_waiting = 0;
 };
 
-Result reckon(const std::vector<RangeReading>& readings, const DeadReckonerOptions& options = {}) {
+Result reckon(const std::vector<RangeReading>& readings,
+              const DriveDirectionOptions& options = {}) {
   DeadReckoner reckoner(options);
   Result result;
   std::size_t given = 0;
@@ -75,7 +76,7 @@ Result reckon(const std::vector<RangeReading>& readings, const DeadReckonerOptio
     result.most_waiting = std::max(result.most_waiting, ++given - result.readings.size());
   }
   take(reckoner.finish());
-  result.reversed = reckoner.intervals_reversed();
+  result.reversed = reckoner.drives_reversed();
   return result;
 }
 
@@ -97,6 +98,13 @@ TEST(DeadReckoner, TurnsRoundADriveThatWentBackwardsAndWasReportedForwards) {
   ASSERT_EQ(result.readings.size(), truth.size() + 1);
   EXPECT_NEAR(result.readings.back().reckoned_from_robot.x_m, 0.3, 1e-9);  // 1.5 - 1.2
   EXPECT_NEAR(result.readings[15].reckoned_from_robot.x_m, 1.5, 1e-9);
+}
+
+TEST(DeadReckoner, CountsAsTheWholeMissionDoesWhereBothCanTell) {
+  const auto forth_stop = joined(steps(15, 0.1), steps(2, 0.0));
+  const auto readings =
+      drive(joined(forth_stop, steps(12, -0.1)), joined(forth_stop, steps(12, 0.1)));
+  EXPECT_EQ(find_drive_directions(readings, {}).drives_reversed, reckon(readings).reversed);
 }
 
 TEST(DeadReckoner, LeavesHonestOdometryAlone) {
@@ -129,7 +137,7 @@ TEST(DeadReckoner, NeedsEvidenceFromEachPairOnAverageHoweverManyThereAre) {
   // what the pairs of the reversed interval say, each by itself; it begins at the last stop
   double sum = 0.0;
   int pairs = 0;
-  const DeadReckonerOptions usual;
+  const DriveDirectionOptions usual;
   for (std::size_t i = 17; i < readings.size(); ++i) {
     for (std::size_t k = i + 1; k < readings.size(); ++k) {
       const double apart_m = 0.1 * static_cast<double>(k - i);
@@ -139,8 +147,8 @@ TEST(DeadReckoner, NeedsEvidenceFromEachPairOnAverageHoweverManyThereAre) {
       EXPECT_GT(sum / pairs, 9.0) << "a true reversal is clear";
     }
   }
-  DeadReckonerOptions strict;
-  strict.flip_log_odds_per_pair = 1000.0;  // more than any pair can give
+  DriveDirectionOptions strict;
+  strict.stream.flip_log_odds_per_pair = 1000.0;  // more than any pair can give
   EXPECT_EQ(reckon(readings, usual).reversed, 1);
   EXPECT_EQ(reckon(readings, strict).reversed, 0);
 }

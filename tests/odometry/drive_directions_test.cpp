@@ -40,17 +40,19 @@ std::vector<RangeReading> there_and_back(bool reported_forwards) {
 
 TEST(DriveDirections, FindsTheDriveThatWasReportedTheWrongWayRound) {
   const auto directions = find_drive_directions(there_and_back(true), {});
-  EXPECT_EQ(directions.intervals_reversed, 1);
+  EXPECT_EQ(directions.drives_reversed, 1);
   EXPECT_FALSE(directions.odometry_is_signed);
-  ASSERT_EQ(directions.reversed.size(), 36U);
-  for (std::size_t i = 1; i <= 15; ++i) EXPECT_FALSE(directions.reversed[i]) << i;
-  for (std::size_t i = 21; i < 36; ++i) EXPECT_TRUE(directions.reversed[i]) << i;
+  ASSERT_EQ(directions.of_step.size(), 36U);
+  for (std::size_t i = 1; i <= 15; ++i)
+    EXPECT_EQ(directions.of_step[i], DriveDirection::as_reported) << i;
+  for (std::size_t i = 21; i < 36; ++i)
+    EXPECT_EQ(directions.of_step[i], DriveDirection::reversed) << i;
 }
 
 TEST(DriveDirections, BelievesOdometryThatReportsBackwardSteps) {
   const auto directions = find_drive_directions(there_and_back(false), {});
   EXPECT_TRUE(directions.odometry_is_signed);
-  EXPECT_EQ(directions.intervals_reversed, 0);
+  EXPECT_EQ(directions.drives_reversed, 0);
 }
 
 TEST(DriveDirections, CallsADriveWithoutReturnsUndecided) {
@@ -59,12 +61,23 @@ TEST(DriveDirections, CallsADriveWithoutReturnsUndecided) {
     std::fill(reading.ranges_m.begin(), reading.ranges_m.end(), 5.0F);
   }
   const auto directions = find_drive_directions(readings, {});
-  EXPECT_EQ(directions.intervals_reversed, 0);
+  EXPECT_EQ(directions.drives_reversed, 0);
+  EXPECT_EQ(directions.of_step.back(), DriveDirection::undecided);
   EXPECT_NEAR(directions.undecided_m.back(), 3.0, 1e-6);
 }
 
+TEST(DriveDirections, TurnRoundTheTranslationOfAReversedStepAlone) {
+  const Pose2 step{0.3, 0.1, 0.2};
+  EXPECT_EQ(driven(step, DriveDirection::as_reported).x_m, 0.3);
+  EXPECT_EQ(driven(step, DriveDirection::undecided).x_m, 0.3);
+  const Pose2 back = driven(step, DriveDirection::reversed);
+  EXPECT_EQ(back.x_m, -0.3);
+  EXPECT_EQ(back.y_m, -0.1);
+  EXPECT_EQ(back.theta_rad, 0.2);
+}
+
 TEST(DriveDirections, OfNothingAreNone) {
-  EXPECT_TRUE(find_drive_directions({}, {}).reversed.empty());
+  EXPECT_TRUE(find_drive_directions({}, {}).of_step.empty());
 }
 
 }  // namespace

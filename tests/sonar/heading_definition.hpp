@@ -8,17 +8,16 @@
 #include <cstddef>
 #include <vector>
 
-#include "../../src/sonar/heading_chain.hpp"
+#include "../../src/sonar/sighting_chain.hpp"
 #include "roomatlas/core/pose2.hpp"
-#include "roomatlas/correct/wall_direction.hpp"
 
 namespace roomatlas {
 
 /// Few states and no rounding of the kernel's tails, so that every path can be summed.
-inline HeadingChainOptions few_states() {
-  HeadingChainOptions options;
+inline SightingChainOptions few_states() {
+  SightingChainOptions options;
   options.states = 9;
-  options.drift_rad_per_sqrt_m = radians(12.0);
+  options.odometry.heading.per_sqrt_m = radians(12.0);
   options.segment_sigma_rad = radians(14.0);
   return options;
 }
@@ -26,7 +25,7 @@ inline HeadingChainOptions few_states() {
 struct HeadingDefinition {
   std::vector<HeadingNode> nodes;
   std::vector<WallSighting> walls;
-  HeadingChainOptions options;
+  SightingChainOptions options;
 
   [[nodiscard]] double seen(std::size_t node, int state) const {
     double product = 1.0;
@@ -46,9 +45,10 @@ struct HeadingDefinition {
   [[nodiscard]] double moves(std::size_t to_node, int steps) const {
     const HeadingNode& a = nodes[to_node - 1];
     const HeadingNode& b = nodes[to_node];
-    const double variance = std::pow(options.drift_rad_per_sqrt_m, 2) * (b.path_m - a.path_m) +
-                            std::pow(options.drift_per_turn * (b.turned_rad - a.turned_rad), 2) +
-                            std::pow(options.base_rad, 2);
+    const double variance =
+        std::pow(options.odometry.heading.per_sqrt_m, 2) * (b.path_m - a.path_m) +
+        std::pow(options.odometry.heading.per_rad * (b.turned_rad - a.turned_rad), 2) +
+        std::pow(options.odometry.heading.still, 2);
     const double cell = kPi / 2 / options.states;
     const int width = std::min(options.states / 3,
                                static_cast<int>(std::ceil(4 * std::sqrt(variance) / cell)) + 1);

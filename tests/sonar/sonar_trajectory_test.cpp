@@ -64,7 +64,8 @@ TEST(SonarTrajectory, TakesADriftOutOfASquareMission) {
   for (const double drift : {-2.5, 0.6}) {
     const Mission mission = square_corridor(drift);
     EXPECT_GT(largest_error(mission, odometry_of(mission)).position_m, 2.0);
-    const SonarTrajectory result = correct_sonar_trajectory(mission.readings, {});
+    const SonarTrajectory result =
+        correct_sonar_trajectory(mission.readings, find_drive_directions(mission.readings, {}), {});
     ASSERT_EQ(result.map_from_robot.size(), mission.truth.size());
     const Error error = largest_error(mission, result.map_from_robot);
     EXPECT_LT(error.position_m, 0.25) << drift;
@@ -92,7 +93,8 @@ TEST(SonarTrajectory, FindsThatOdometryTurnsTooLittle) {
   Mission mission = square_corridor(0.5);
   turn_by(mission.readings, 0.9);
   EXPECT_GT(largest_error(mission, odometry_of(mission)).heading_deg, 20.0);
-  const SonarTrajectory result = correct_sonar_trajectory(mission.readings, {});
+  const SonarTrajectory result =
+      correct_sonar_trajectory(mission.readings, find_drive_directions(mission.readings, {}), {});
   const Error error = largest_error(mission, result.map_from_robot);
   EXPECT_LT(error.position_m, 0.4);
   EXPECT_LT(error.heading_deg, 4.0);
@@ -124,10 +126,12 @@ TEST(SonarTrajectory, TurnsBackAQuarterThatItTookForTheLikelierWay) {
   EXPECT_GT(largest_error(mission, odometry_of(mission)).position_m, 5.0);
   SonarTrajectoryOptions once;
   once.repair_slips = false;
-  const SonarTrajectory unrepaired = correct_sonar_trajectory(mission.readings, once);
+  const SonarTrajectory unrepaired =
+      correct_sonar_trajectory(mission.readings, find_drive_directions(mission.readings, {}), once);
   EXPECT_GT(largest_error(mission, unrepaired.map_from_robot).heading_deg, 80.0);
 
-  const SonarTrajectory result = correct_sonar_trajectory(mission.readings, {});
+  const SonarTrajectory result =
+      correct_sonar_trajectory(mission.readings, find_drive_directions(mission.readings, {}), {});
   EXPECT_EQ(result.slips_repaired, 1);
   // nothing tells where it turned until walls were heard for a while
   std::vector<Pose2> heard = result.map_from_robot;
@@ -139,7 +143,8 @@ TEST(SonarTrajectory, TurnsBackAQuarterThatItTookForTheLikelierWay) {
 
 TEST(SonarTrajectory, LeavesTrueOdometryAlone) {
   const Mission mission = square_corridor(0.0);
-  const SonarTrajectory result = correct_sonar_trajectory(mission.readings, {});
+  const SonarTrajectory result =
+      correct_sonar_trajectory(mission.readings, find_drive_directions(mission.readings, {}), {});
   const Error error = largest_error(mission, result.map_from_robot);
   EXPECT_LT(error.position_m, 0.15);
   EXPECT_LT(error.heading_deg, 2.0);
@@ -187,7 +192,8 @@ Mission bent_corridor(double angle_deg) {
 TEST(SonarTrajectory, DoesNotBendABuildingWithWingsAtAnAngle) {
   for (const double angle_deg : {30.0, 45.0}) {
     const Mission mission = bent_corridor(angle_deg);
-    const SonarTrajectory result = correct_sonar_trajectory(mission.readings, {});
+    const SonarTrajectory result =
+        correct_sonar_trajectory(mission.readings, find_drive_directions(mission.readings, {}), {});
     const Error error = largest_error(mission, result.map_from_robot);
     EXPECT_LT(error.heading_deg, 5.0) << angle_deg;
     EXPECT_LT(error.position_m, 0.6) << angle_deg;
@@ -200,7 +206,8 @@ TEST(SonarTrajectory, DoesNotMakeARoundHallSquare) {
   for (int k = 0; k < 72; ++k) rim.push_back(8.0 * direction(radians(5.0 * k)));
   for (int k = 0; k <= 72; ++k) way.push_back(6.5 * direction(radians(10.0 * k)));
   const Mission mission = drive(test::walls_along(rim, true), way, 0.05);
-  const SonarTrajectory result = correct_sonar_trajectory(mission.readings, {});
+  const SonarTrajectory result =
+      correct_sonar_trajectory(mission.readings, find_drive_directions(mission.readings, {}), {});
   const Error odometry = largest_error(mission, odometry_of(mission));
   const Error error = largest_error(mission, result.map_from_robot);
   EXPECT_LT(error.heading_deg, odometry.heading_deg + 4.0);
@@ -209,14 +216,16 @@ TEST(SonarTrajectory, DoesNotMakeARoundHallSquare) {
 
 TEST(SonarTrajectory, IsTheSameEachTime) {
   const Mission mission = square_corridor(0.6);
-  const SonarTrajectory once = correct_sonar_trajectory(mission.readings, {});
-  const SonarTrajectory again = correct_sonar_trajectory(mission.readings, {});
+  const SonarTrajectory once =
+      correct_sonar_trajectory(mission.readings, find_drive_directions(mission.readings, {}), {});
+  const SonarTrajectory again =
+      correct_sonar_trajectory(mission.readings, find_drive_directions(mission.readings, {}), {});
   EXPECT_EQ(once.map_from_robot, again.map_from_robot);
   EXPECT_EQ(once.habits, again.habits);
 }
 
 TEST(SonarTrajectory, OfAnEmptyMissionIsEmpty) {
-  const SonarTrajectory result = correct_sonar_trajectory({}, {});
+  const SonarTrajectory result = correct_sonar_trajectory({}, {}, {});
   EXPECT_TRUE(result.map_from_robot.empty());
   EXPECT_FALSE(result.loops_verified);
 }
@@ -228,7 +237,8 @@ TEST(SonarTrajectory, OfARobotThatStandsIsItsPlace) {
   for (RangeReading& reading : mission.readings) {
     reading.odom_from_robot = mission.readings.front().odom_from_robot;
   }
-  const SonarTrajectory result = correct_sonar_trajectory(mission.readings, {});
+  const SonarTrajectory result =
+      correct_sonar_trajectory(mission.readings, find_drive_directions(mission.readings, {}), {});
   ASSERT_EQ(result.map_from_robot.size(), 30U);
   for (const Pose2& pose : result.map_from_robot) ASSERT_TRUE(std::isfinite(pose.theta_rad));
   const Error error = largest_error(mission, result.map_from_robot);
@@ -242,7 +252,8 @@ TEST(SonarTrajectory, WithoutReturnsIsOdometry) {
   for (RangeReading& reading : mission.readings) {
     std::fill(reading.ranges_m.begin(), reading.ranges_m.end(), 5.0F);
   }
-  const SonarTrajectory result = correct_sonar_trajectory(mission.readings, {});
+  const SonarTrajectory result =
+      correct_sonar_trajectory(mission.readings, find_drive_directions(mission.readings, {}), {});
   EXPECT_LT(largest_error(mission, result.map_from_robot).position_m, 1e-3);
   EXPECT_FALSE(result.loops_verified);
 }

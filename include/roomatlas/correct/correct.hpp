@@ -5,6 +5,7 @@
 #include "roomatlas/correct/correction.hpp"
 #include "roomatlas/correct/wall_direction.hpp"
 #include "roomatlas/graph/room_graph.hpp"
+#include "roomatlas/odometry/noise.hpp"
 
 namespace roomatlas {
 
@@ -22,24 +23,25 @@ struct CorrectOptions {
   WallDirectionOptions walls;
   bool use_heading_bias = true;  ///< estimate odometry's drift from the walls, and take it out
 
-  double odometry_position_m = 0.03;        ///< of a pivot, however short the way to it ...
-  double odometry_position_m_per_m = 0.02;  ///< ... plus this for each metre driven in the ASR
-  double odometry_heading_deg = 1.0;        ///< the same for its heading ...
-  double odometry_heading_deg_per_m = 0.6;  ///< ... a metre; smaller resists the walls' direction
-  double odometry_heading_per_turn = 0.03;  ///< ... and this share of the turns made
-  double localized_position_m = 0.03;       ///< of a passage where the robot was found in the
-                                            ///< room's map on both sides of it ...
-  double localized_heading_deg = 0.6;       ///< ... and of its heading
-  double doorway_position_m = 0.08;         ///< of a doorway seen twice
-  double doorway_heading_deg = 5.0;         ///< two jambs a metre apart, each half a cell off
-  double wall_heading_deg = 2.0;            ///< of a room's walls against the building's direction,
-                                            ///< however long they are ...
-  double wall_heading_deg_m = 15.0;         ///< ... with this over their length beside it
-  double wall_gate_deg = 25.0;              ///< walls farther off follow no building direction;
-                                            ///< at 45 a wing at an angle is bent into the rest
-  double passage_robust_sigmas = 5.0;       ///< where the robot was lost once, passages off by more
-                                            ///< lose weight too
-  double robust_sigmas = 2.0;               ///< doorways and walls off by more lose weight (Cauchy)
+  /// Of a pivot against the one before, over the whole way through an ASR. It grows with the way,
+  /// not its root: over a room what is left of the bias goes one way. Smaller resists the walls'
+  /// direction.
+  OdometryNoise odometry{
+      .position = {.still = 0.03, .per_m = 0.02},
+      .heading = {.still = radians(1.0), .per_m = radians(0.6), .per_rad = 0.03}};
+  double localized_position_m = 0.03;  ///< of a passage where the robot was found in the
+                                       ///< room's map on both sides of it ...
+  double localized_heading_deg = 0.6;  ///< ... and of its heading
+  double doorway_position_m = 0.08;    ///< of a doorway seen twice
+  double doorway_heading_deg = 5.0;    ///< two jambs a metre apart, each half a cell off
+  double wall_heading_deg = 2.0;       ///< of a room's walls against the building's direction,
+                                       ///< however long they are ...
+  double wall_heading_deg_m = 15.0;    ///< ... with this over their length beside it
+  double wall_gate_deg = 25.0;         ///< walls farther off follow no building direction;
+                                       ///< at 45 a wing at an angle is bent into the rest
+  double passage_robust_sigmas = 5.0;  ///< where the robot was lost once, passages off by more
+                                       ///< lose weight too
+  double robust_sigmas = 2.0;          ///< doorways and walls off by more lose weight (Cauchy)
   int max_iterations = 100;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "roomatlas/asr/asr.hpp"
+#include "roomatlas/odometry/habits.hpp"
 
 #include <optional>
 #include <string>
@@ -46,11 +47,10 @@ struct AsrCorrection {
   AsrId cause_asr = 0;  ///< on the other side of it; 0 for a wall direction
 };
 
-/// Systematic errors of the odometry's heading, as the mission itself shows them.
-struct HeadingBias {
-  double rad_per_m = 0.0;    ///< drift a metre driven; positive turns the path left
-  double rad_per_rad = 0.0;  ///< share by which turns are reported too large
-  int asrs = 0;              ///< with walls, that it was estimated from; 0: not estimated
+/// Odometry's habits as the walls of a mission's rooms show them: bias and gain of turns alone.
+struct EstimatedHabits {
+  OdometryHabits habits;
+  int asrs = 0;  ///< with walls, that they were estimated from; 0: not estimated, and none
 };
 
 /// The result of the offline correction, fit to be judged. Starts in a state that cannot pass
@@ -62,7 +62,7 @@ struct Correction {
   double initial_cost = -1.0;
   double final_cost = -1.0;
   int iterations = 0;
-  HeadingBias odometry_bias;
+  EstimatedHabits odometry;
   std::vector<AsrCorrection> asrs;    ///< ascending by ASR
   std::vector<FactorReport> factors;  ///< in the order in which they were added
 };

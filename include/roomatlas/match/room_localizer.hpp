@@ -8,6 +8,7 @@
 
 #include "roomatlas/match/align.hpp"
 #include "roomatlas/odometry/habits.hpp"
+#include "roomatlas/odometry/noise.hpp"
 
 namespace roomatlas {
 
@@ -17,16 +18,16 @@ struct LocalizeOptions {
   ScanOptions scan;
   AlignOptions align;
   CorrelateOptions correlate;
-  double step_sigma_m = 0.02;       ///< of odometry between two readings ...
-  double step_sigma_per_m = 0.1;    ///< ... plus this share of the step
-  double turn_sigma_rad = 0.02;     ///< the same for its heading ...
-  double turn_sigma_per_rad = 0.3;  ///< ... plus this share of the turn
-  double search_per_turn = 0.8;     ///< the heading is searched this share of the turn farther
-  int max_points = 180;             ///< of a sweep that are aligned
-  int min_matched = 20;             ///< fewer partners: odometry is believed
-  double min_matched_share = 0.3;   ///< so is it below this share of the sweep
-  double ease_share = 0.8;          ///< of the points on walls, with the pose this near to ...
-  double ease_sigmas = 1.5;         ///< ... odometry's: no need to search. Smaller searches more
+  /// Between two readings, parts added up: odometry that lags reports a turn too late, hence so
+  /// much of it. A position's 0.05 m lets corridors slip; 0.005 fails where odometry jumps.
+  OdometryNoise odometry{.position = {.still = 0.02, .per_m = 0.1},
+                         .heading = {.still = 0.02, .per_rad = 0.3}};
+  double search_per_turn = 0.8;    ///< the heading is searched this share of the turn farther
+  int max_points = 180;            ///< of a sweep that are aligned
+  int min_matched = 20;            ///< fewer partners: odometry is believed
+  double min_matched_share = 0.3;  ///< so is it below this share of the sweep
+  double ease_share = 0.8;         ///< of the points on walls, with the pose this near to ...
+  double ease_sigmas = 1.5;        ///< ... odometry's: no need to search. Smaller searches more
   double lost_share = 0.8;  ///< fewer of the points on walls: searched farther, since odometry
                             ///< may have slipped, or told a motion the wrong way round ...
   /// ... this far, plus twice the step

@@ -16,7 +16,8 @@ namespace roomatlas {
 struct MapSummary {
   std::int64_t asrs = 0;
   std::int64_t wall_vertices = 0;
-  int intervals_reversed = 0;  ///< drives between stops that odometry reported the wrong way round
+  int drives_reversed = 0;  ///< between stops, that odometry reported the wrong way round. Where
+                            ///< the mission is corrected as a whole (sonars), its own count holds
   std::optional<OdometryHabits> habits;  ///< of odometry, learnt and taken out by the way (laser)
 };
 

@@ -10,7 +10,7 @@
 #include "roomatlas/merge/merge.hpp"
 #include "roomatlas/merge/regular_walls.hpp"
 #include "roomatlas/mission/mission.hpp"
-#include "roomatlas/odometry/dead_reckoner.hpp"
+#include "roomatlas/odometry/drive_directions.hpp"
 #include "roomatlas/rooms/assign_rooms.hpp"
 #include "roomatlas/rooms/segment_rooms.hpp"
 #include "roomatlas/sonar/sonar_trajectory.hpp"
@@ -20,7 +20,8 @@ namespace roomatlas {
 /// How a mission becomes ASRs. A store's ASRs hang on these and on `MissionOptions` alone; the
 /// offline stage takes the same where it maps rooms again.
 struct MapOptions {
-  DeadReckonerOptions reckon;
+  DriveDirectionOptions directions;  ///< of drives: on the stream, and again for the whole of a
+                                     ///< mission with sonars
   LocalizeOptions localize;
   RecorderOptions record;
 };

@@ -10,15 +10,17 @@
 namespace roomatlas {
 
 struct ContradictionOptions {
-  double cell_m = 0.1;
-  double sample_m = 0.1;           ///< along walls
-  double ray_step_m = 0.15;        ///< of the robot, between readings that are looked at
-  double max_range_m = 3.0;        ///< of a return whose ray frees cells
-  double short_of_return_m = 0.3;  ///< where its ray ends
+  double cell_m = 0.1;             ///< larger takes a ray along a wall for one through it
+  double sample_m = 0.1;           ///< along walls; larger misses cells, smaller costs time
+  double ray_step_m = 0.15;        ///< of the robot, between readings that are looked at; smaller
+                                   ///< costs time
+  double max_range_m = 3.0;        ///< of a return whose ray frees cells; a longer one is a cone
+                                   ///< more than a metre wide
+  double short_of_return_m = 0.3;  ///< where its ray ends; nearer, it frees the wall that it hit
   double same_visit_m = 10.0;      ///< of way: nearer, walls and rays share their pose error
 };
 
-/// What the visits of a mission say of each other's walls.
+/// What the visits of a mission say of each other's walls. Without walls all is 0.
 struct Contradiction {
   double confirmed_m = 0.0;     ///< of wall that another visit heard too
   double contradicted_m = 0.0;  ///< of wall that no other visit heard and at least two rays crossed
@@ -32,7 +34,7 @@ struct Contradiction {
 
 /// Judges poses without truth: walls that one visit heard and others looked through. Doors,
 /// people and wide cones leave some of it however good the poses are.
-/// @param map_from_robot, path_m one a reading
+/// @param map_from_robot,path_m one a reading
 [[nodiscard]] Contradiction contradiction_of(std::span<const RangeReading> readings,
                                              std::span<const Pose2> map_from_robot,
                                              std::span<const double> path_m,

@@ -17,13 +17,13 @@
 namespace roomatlas {
 
 struct SonarTrajectoryOptions {
-  DriveDirectionOptions directions;
   WallSegmentOptions segments;
   bool calibrate = true;         ///< off: odometry's habits are taken to be none
   bool repair_slips = true;      ///< tries headings turned by 90 degrees where they are unsure
   double verified_m = 10.0;      ///< of wall that several visits must have seen; less proves no
                                  ///< loop
-  double verified_share = 0.06;  ///< contradiction above which loops count as not verified
+  double verified_share = 0.06;  ///< contradiction above which loops count as not verified; doors,
+                                 ///< people and wide cones leave 2 % of aces
   double verified_heading_share = 0.95;  ///< of readings with a sure heading; fewer verify nothing
 };
 
@@ -45,7 +45,7 @@ struct SonarTrajectory {
                                       ///< pi/4); none where walls follow no direction
   std::vector<double> wall_directions_rad;  ///< of the building, modulo 90 degrees, from the first
   double log_evidence = 0.0;                ///< of the headings, against "walls lie anyhow"
-  int intervals_reversed = 0;               ///< drives that odometry reported the wrong way round
+  int drives_reversed = 0;                  ///< that odometry reported the wrong way round
   double undecided_m = 0.0;                 ///< of path that could have gone either way
   std::size_t segments = 0;                 ///< stretches of wall
   double sure_heading_share = 0.0;  ///< of the readings: walls tell the heading to 5 degrees (one
@@ -64,10 +64,12 @@ struct SonarTrajectory {
 /// Buildings without a common direction keep odometry's heading. What a mission does not revisit
 /// is as good as odometry with the heading corrected. Deterministic; readings in file order, their
 /// times need not ascend. An empty mission gives an empty trajectory; lasers are not used.
+/// @param directions of the same readings, see `find_drive_directions`
 /// @param before_attempt called before each batch, of which there are up to thirty; to give up, it
 ///   throws
+/// @throws std::invalid_argument where there is not one direction a reading
 [[nodiscard]] SonarTrajectory correct_sonar_trajectory(
-    std::span<const RangeReading> readings, const SonarTrajectoryOptions& options,
-    const std::function<void()>& before_attempt = {});
+    std::span<const RangeReading> readings, const DriveDirections& directions,
+    const SonarTrajectoryOptions& options, const std::function<void()>& before_attempt = {});
 
 }  // namespace roomatlas

@@ -14,8 +14,8 @@ namespace roomatlas {
 /// One return of a sonar: where the sonar was and how far away it heard something.
 struct ConeReturn {
   Point2 sonar = Point2::Zero();
-  double axis_rad = 0.0;
-  double range_m = 0.0;
+  double axis_rad = 0.0;              ///< where it looked, in the same frame
+  double range_m = 0.0;               ///< above 0
   Point2 axis = direction(axis_rad);  ///< of unit length; asked for many times in each fit
 };
 
@@ -49,21 +49,22 @@ struct WallSegment {
   double normal_rad = 0.0;  ///< from the robot to the wall, [-pi, pi)
   Point2 middle_robot = Point2::Zero();
   double length_m = 0.0;
-  double sigma_m = 0.0;
+  double sigma_m = 0.0;  ///< root mean square of its returns' residuals
 };
 
 struct WallSegmentOptions {
-  double step_m = 0.04;        ///< readings nearer to the one before are passed over
+  double step_m = 0.04;        ///< readings nearer to the one before are passed over: they hear the
+                               ///< same noise again
   double turn_rad = 0.05;      ///< unless the robot has turned by this
   int min_returns = 4;         ///< fewer make walls out of furniture
   double tolerance_m = 0.05;   ///< of a return: 1.7 to 2.5 sigmas of the range noise
   double max_path_m = 2.0;     ///< longer bends by the drift of the heading
   double min_path_m = 0.3;     ///< shorter shows no direction
-  double max_turn_rad = 0.35;  ///< of the robot, along one segment
-  double min_length_m = 0.4;   ///< of the wall that was touched
-  double min_range_m = 0.15;
-  double max_range_m = 4.0;  ///< farther returns come from many things at once
-  int max_misses = 2;        ///< returns in a row that may lie elsewhere
+  double max_turn_rad = 0.35;  ///< of the robot, along one segment; more bends it
+  double min_length_m = 0.4;   ///< of the wall that was touched; shorter ones are furniture
+  double min_range_m = 0.15;   ///< nearer, a sonar hears its own ringing
+  double max_range_m = 4.0;    ///< farther returns come from many things at once
+  int max_misses = 2;          ///< returns in a row that may lie elsewhere; more joins two walls
 };
 
 /// Walls from consecutive returns of each sonar, ordered by reading. Lasers are passed over.

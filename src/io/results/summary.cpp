@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "plan_evaluation_json.hpp"
+#include "store/stored_habits.hpp"
 #include "text/json_number.hpp"
 
 namespace roomatlas {
@@ -120,6 +121,7 @@ Json json_of(const Correction& correction) {
                        {"chi_square_after", factor.chi_square_after},
                        {"weight", factor.weight}});
   }
+  const StoredHabits habits = stored(correction.odometry.habits);
   return {{"model", correction.model},
           {"converged", correction.converged},
           {"message", correction.message},
@@ -127,9 +129,9 @@ Json json_of(const Correction& correction) {
           {"final_cost", finite(correction.final_cost)},
           {"iterations", correction.iterations},
           {"odometry_bias",
-           {{"heading_deg_per_m", degrees(correction.odometry_bias.rad_per_m)},
-            {"heading_per_turn", correction.odometry_bias.rad_per_rad},
-            {"asrs", correction.odometry_bias.asrs}}},
+           {{"heading_deg_per_m", degrees(habits.drift_rad_per_m)},
+            {"heading_per_turn", habits.turns_more_per_rad},
+            {"asrs", correction.odometry.asrs}}},
           {"asrs", asrs},
           {"factors", factors}};
 }

@@ -4,6 +4,7 @@
 #include "geopackage_store_state.hpp"
 #include "geopackage_tables.hpp"
 #include "roomatlas/io/results/summary.hpp"
+#include "stored_habits.hpp"
 #include "stored_names.hpp"
 #include "wkb.hpp"
 
@@ -173,10 +174,11 @@ void write_results(Database& db, const Assembly& assembly) {
   const Correction& correction = assembly.correction;
   db.execute(kMatchedPathSql);  // a store that an earlier release made has none
   for (const char* table : kResultTables) db.execute("DELETE FROM " + std::string(table));
+  const StoredHabits habits = stored(correction.odometry.habits);
   db.run("INSERT INTO assembly VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", assembly.plan.title,
          correction.converged, correction.model, correction.message, correction.initial_cost,
-         correction.final_cost, correction.iterations, correction.odometry_bias.rad_per_m,
-         correction.odometry_bias.rad_per_rad, correction.odometry_bias.asrs);
+         correction.final_cost, correction.iterations, habits.drift_rad_per_m,
+         habits.turns_more_per_rad, correction.odometry.asrs);
   write_correction(db, correction);
   write_plan(db, assembly.plan);
   write_matched_path(db, assembly.paths);

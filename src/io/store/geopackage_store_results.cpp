@@ -2,6 +2,7 @@
 #include "former_rooms.hpp"
 #include "geopackage_store_state.hpp"
 #include "geopackage_tables.hpp"
+#include "stored_habits.hpp"
 #include "stored_names.hpp"
 #include "wkb.hpp"
 
@@ -142,9 +143,10 @@ Correction summary_of(Row& row) {
   correction.initial_cost = row.real();
   correction.final_cost = row.real();
   correction.iterations = static_cast<int>(row.integer());
-  correction.odometry_bias.rad_per_m = row.real();
-  correction.odometry_bias.rad_per_rad = row.real();
-  correction.odometry_bias.asrs = static_cast<int>(row.integer());
+  StoredHabits habits;
+  habits.drift_rad_per_m = row.real();
+  habits.turns_more_per_rad = row.real();
+  correction.odometry = {habits_of(habits), static_cast<int>(row.integer())};
   return correction;
 }
 

@@ -23,9 +23,8 @@ inline void expect_same(const Correction& a, const Correction& b) {
   EXPECT_EQ(a.initial_cost, b.initial_cost);
   EXPECT_EQ(a.final_cost, b.final_cost);
   EXPECT_EQ(a.iterations, b.iterations);
-  EXPECT_EQ(a.odometry_bias.rad_per_m, b.odometry_bias.rad_per_m);
-  EXPECT_EQ(a.odometry_bias.rad_per_rad, b.odometry_bias.rad_per_rad);
-  EXPECT_EQ(a.odometry_bias.asrs, b.odometry_bias.asrs);
+  EXPECT_EQ(a.odometry.habits, b.odometry.habits);
+  EXPECT_EQ(a.odometry.asrs, b.odometry.asrs);
   ASSERT_EQ(a.asrs.size(), b.asrs.size());
   for (std::size_t i = 0; i < a.asrs.size(); ++i) {
     EXPECT_EQ(a.asrs[i].asr, b.asrs[i].asr);

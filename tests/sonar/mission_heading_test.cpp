@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../../src/sonar/heading_chain.hpp"
+#include "../../src/sonar/mission_heading.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,6 @@
 
 #include "heading_definition.hpp"
 #include "roomatlas/core/pose2.hpp"
-#include "roomatlas/correct/wall_direction.hpp"
 
 namespace roomatlas {
 namespace {
@@ -19,7 +18,7 @@ const std::vector<double> kOne = {0.0};
 class BruteForce {
  public:
   BruteForce(std::vector<HeadingNode> nodes, std::vector<WallSighting> walls,
-             const HeadingChainOptions& options)
+             const SightingChainOptions& options)
       : definition_{std::move(nodes), std::move(walls), options} {
     weight_.assign(definition_.nodes.size(), std::vector<double>(count(), 0.0));
     std::vector<std::size_t> path;
@@ -60,15 +59,15 @@ class BruteForce {
   double total_ = 0.0;
 };
 
-TEST(HeadingChain, HasTheEvidenceOfAllPathsSummed) {
+TEST(MissionHeading, HasTheEvidenceOfAllPathsSummed) {
   const BruteForce oracle(four_nodes(), some_walls(), few_states());
   EXPECT_NEAR(heading_evidence(four_nodes(), some_walls(), kOne, few_states()),
               std::log(oracle.evidence()), 1e-9);
 }
 
-TEST(HeadingChain, HasTheMeanOfAllPathsAboutTheMode) {
+TEST(MissionHeading, HasTheMeanOfAllPathsAboutTheMode) {
   const BruteForce oracle(four_nodes(), some_walls(), few_states());
-  const HeadingChain chain = smooth_heading(four_nodes(), some_walls(), kOne, few_states());
+  const MissionHeading heading = mission_heading(four_nodes(), some_walls(), kOne, few_states());
   for (std::size_t node = 0; node < 4; ++node) {
     std::size_t mode = 0;
     for (std::size_t s = 1; s < 9; ++s) {
@@ -83,7 +82,7 @@ TEST(HeadingChain, HasTheMeanOfAllPathsAboutTheMode) {
       mean += share * step;
     }
     const double expected = (static_cast<double>(mode) + mean / weight) * radians(10.0);
-    EXPECT_NEAR(wrap_quarter(chain.correction_rad[node] - expected), 0.0, 1e-9) << node;
+    EXPECT_NEAR(wrap_quarter(heading.correction_rad[node] - expected), 0.0, 1e-9) << node;
   }
 }
 
@@ -101,23 +100,23 @@ std::vector<HeadingNode> every_third_of_a_metre(std::size_t nodes) {
   return result;
 }
 
-TEST(HeadingChain, FollowsADriftBeyondNinetyDegrees) {
-  const auto chain = smooth_heading(every_third_of_a_metre(300), drifting(300, 0.5), kOne, {});
-  const double turned = chain.correction_rad.back() - chain.correction_rad.front();
+TEST(MissionHeading, FollowsADriftBeyondNinetyDegrees) {
+  const auto heading = mission_heading(every_third_of_a_metre(300), drifting(300, 0.5), kOne, {});
+  const double turned = heading.correction_rad.back() - heading.correction_rad.front();
   EXPECT_NEAR(degrees(turned), -149.5, 4.0);  // the ends lag: drift is not foreseen
-  EXPECT_LT(degrees(chain.sigma_rad[150]), 2.0);
+  EXPECT_LT(degrees(heading.sigma_rad[150]), 2.0);
 }
 
-TEST(HeadingChain, KeepsOdometryWhereThereAreNoWalls) {
-  const auto chain = smooth_heading(every_third_of_a_metre(50), {}, kOne, {});
-  EXPECT_NEAR(chain.log_evidence, 0.0, 1e-9);
-  for (const double correction : chain.correction_rad) {
-    EXPECT_NEAR(correction, chain.correction_rad.front(), 1e-9);
+TEST(MissionHeading, KeepsOdometryWhereThereAreNoWalls) {
+  const auto heading = mission_heading(every_third_of_a_metre(50), {}, kOne, {});
+  EXPECT_NEAR(heading.log_evidence, 0.0, 1e-9);
+  for (const double correction : heading.correction_rad) {
+    EXPECT_NEAR(correction, heading.correction_rad.front(), 1e-9);
   }
-  EXPECT_GT(degrees(chain.sigma_rad[25]), 20.0);
+  EXPECT_GT(degrees(heading.sigma_rad[25]), 20.0);
 }
 
-TEST(HeadingChain, PrefersWallsThatAgree) {
+TEST(MissionHeading, PrefersWallsThatAgree) {
   const auto nodes = every_third_of_a_metre(100);
   const double agreed = heading_evidence(nodes, drifting(100, 0.0), kOne, {});
   EXPECT_GT(agreed, 100.0);
