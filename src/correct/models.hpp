@@ -90,8 +90,8 @@ struct ModelResult {
   State state;
   bool converged = false;
   std::string message;
-  double initial_cost = -1.0;
-  double final_cost = -1.0;
+  double initial_cost = -1.0;  ///< as in `Correction`
+  double final_cost = -1.0;    ///< as in `Correction`
   int iterations = 0;
   std::vector<FactorReport> factors;  ///< chi-square before is at odometry's poses
 };
