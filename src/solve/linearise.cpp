@@ -114,14 +114,18 @@ void add_forces(const SolverEdge& edge, const Terms& t, std::int32_t variables,
   }
 }
 
-void add_lower(double* block, std::ptrdiff_t stride, double xx, double yx, double tx, double yy,
-               double ty, double tt) {
-  block[0] += xx;
-  block[1] += yx;
-  block[2] += tx;
-  block[stride + 1] += yy;
-  block[stride + 2] += ty;
-  block[2 * stride + 2] += tt;
+/// The lower half of a symmetric block.
+struct Lower {
+  double xx, yx, tx, yy, ty, tt;
+};
+
+void add_lower(double* block, std::ptrdiff_t stride, const Lower& lower) {
+  block[0] += lower.xx;
+  block[1] += lower.yx;
+  block[2] += lower.tx;
+  block[stride + 1] += lower.yy;
+  block[stride + 2] += lower.ty;
+  block[2 * stride + 2] += lower.tt;
 }
 
 void add_blocks(const SolverEdge& edge, const Terms& t, const EdgePlaces& place,
@@ -130,14 +134,14 @@ void add_blocks(const SolverEdge& edge, const Terms& t, const EdgePlaces& place,
   const double* const w = t.w;
   if (edge.to < variables) {
     const BlockPlace to = equations.places.diagonal[at(edge.to)];
-    add_lower(values + to.offset, to.stride, w[0], w[1], w[3], w[2], w[4], w[5]);
+    add_lower(values + to.offset, to.stride, {w[0], w[1], w[3], w[2], w[4], w[5]});
   }
   if (edge.from >= variables) return;
   const double p[3] = {w[3] + t.q[0] * w[0] + t.q[1] * w[1], w[4] + t.q[0] * w[1] + t.q[1] * w[2],
                        w[5] + t.q[0] * w[3] + t.q[1] * w[4]};  // the last row of T'W
   const BlockPlace from = equations.places.diagonal[at(edge.from)];
-  add_lower(values + from.offset, from.stride, w[0], w[1], p[0], w[2], p[1],
-            p[2] + p[0] * t.q[0] + p[1] * t.q[1]);
+  add_lower(values + from.offset, from.stride,
+            {w[0], w[1], p[0], w[2], p[1], p[2] + p[0] * t.q[0] + p[1] * t.q[1]});
   if (place.between == -1) return;
   const double rows[3][3] = {{w[0], w[1], w[3]}, {w[1], w[2], w[4]}, {p[0], p[1], p[2]}};
   double* const between = values + place.between;
