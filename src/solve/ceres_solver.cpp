@@ -17,6 +17,9 @@ namespace {
 
 constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
+constexpr double kUnboundedRadius = 1e16;  // of the trust region: plain Gauss-Newton steps
+constexpr double kSettledShare = 1e-9;     // of the cost; larger falls count as steps to be taken
+
 /// Cost functions by address, losses with them: the problem owns neither.
 struct Factors {
   std::deque<RelativePoseFactor> edges;
@@ -77,11 +80,11 @@ CeresResult solve_with_ceres(const SolverGraph& graph, const PoseGraph& poses, c
   options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
   options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
   if (trust_region == TrustRegion::none) {
-    options.initial_trust_region_radius = 1e16;
-    options.max_trust_region_radius = 1e16;
+    options.initial_trust_region_radius = kUnboundedRadius;
+    options.max_trust_region_radius = kUnboundedRadius;
     options.jacobi_scaling = false;
   }
-  options.function_tolerance = 1e-9;
+  options.function_tolerance = kSettledShare;
   options.max_num_iterations = max_iterations;
   options.num_threads = 1;  // the order of sums must not change
   options.logging_type = ceres::SILENT;

@@ -10,7 +10,7 @@ namespace roomatlas {
 
 struct CeresResult {
   State state;
-  double chi_square = -1.0;
+  double chi_square = -1.0;  ///< weighted, at `state`; negative: not computed
   int iterations = 0;
   bool converged = false;
   std::string message;

@@ -15,6 +15,7 @@ constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(i
 /// Share of a measurement's variance that must be left after the fit. An accepted edge that the
 /// others hardly check would have none.
 constexpr double kLeastShare = 1e-6;
+constexpr double kLeastDeterminant = 1e-300;  // that has a logarithm
 
 /// The error in the frame of `from`, as SolverEdge has it.
 Eigen::Vector3d error_of(const SolverEdge& edge, const State& state) {
@@ -48,8 +49,8 @@ ClosureTest test(const SolverEdge& edge, const State& state, const SelectedInver
   result.distance =
       ((eigen.eigenvectors().transpose() * error).array().square() / values.array()).sum();
   const double spread = values.array().log().sum();
-  result.log_volume =
-      0.5 * ((accepted ? -spread : spread) - std::log(std::max(information.determinant(), 1e-300)));
+  result.log_volume = 0.5 * ((accepted ? -spread : spread) -
+                             std::log(std::max(information.determinant(), kLeastDeterminant)));
   return result;
 }
 

@@ -55,7 +55,7 @@ void SelectedInverse::gather(std::size_t s) {
 /// Y = L21 inverse(L11), and Z22 the inverse at all rows below them:
 ///   Z21 = -Z22 Y,  Z11 = inverse(L11 L11') - Y' Z21
 void SelectedInverse::invert(const BlockCholesky<3>& factor, std::size_t s) {
-  constexpr Index kChunk = 24;
+  constexpr Index kChunk = 24;  // eight nodes: fewer make small products, more spoil the cache
   const Index width = nodes_.width(s) * 3;
   const Index stride = width + Index{nodes_.row_count(s)} * 3;
   gather(s);

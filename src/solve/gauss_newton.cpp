@@ -12,7 +12,11 @@ namespace {
 constexpr double kNearlyThere = 1e-4;
 /// Share of chi-square that a step may promise for its promise to be trusted.
 constexpr double kShortStep = 1e-2;
-constexpr int kMostUphillSteps = 6;
+constexpr int kMostUphillSteps = 6;  // in all; then it goes nowhere
+/// An old factor goes on serving while each step promises less than this share of the one before.
+constexpr double kFallsFast = 0.1;
+constexpr double kSlowestFall = 0.9;  // steps that shrink by less: nine times the last gain is left
+constexpr double kExactEdge = 1e-12;  // chi-square an edge that is rounding, not a misfit
 
 /// Adds the step. @return the fall of chi-square that the linear model predicts
 double take(const std::vector<double>& step, const std::vector<double>& right_side, State& state) {
@@ -28,7 +32,7 @@ double take(const std::vector<double>& step, const std::vector<double>& right_si
 /// Chi-square that would still be gained after a step, if steps go on shrinking as they did.
 double left_after(double predicted, double predicted_before) {
   if (!std::isfinite(predicted)) return std::numeric_limits<double>::infinity();
-  const double ratio = std::clamp(predicted / predicted_before, 0.0, 0.9);
+  const double ratio = std::clamp(predicted / predicted_before, 0.0, kSlowestFall);
   return std::isfinite(predicted_before) ? predicted * ratio / (1.0 - ratio) : predicted;
 }
 
@@ -60,7 +64,7 @@ GaussNewton::GaussNewton(const SolverGraph& graph)
 GaussNewtonResult GaussNewton::solve(State state, std::span<const double> weights,
                                      StepSource source, double tolerance, int max_iterations) {
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
-  const double floor = 1e-12 * static_cast<double>(graph_.edges.size());
+  const double floor = kExactEdge * static_cast<double>(graph_.edges.size());
   GaussNewtonResult result;
   Best best(result);
   NormalEquations equations{matrix_, places_, right_side_};
@@ -98,7 +102,7 @@ GaussNewtonResult GaussNewton::solve(State state, std::span<const double> weight
     // Where the model holds to within the tolerance, what it leaves out is not worth a step either.
     // A long step may hit what it expected by chance.
     expected = predicted < kShortStep * now ? now - predicted : kUnknown;
-    old_factor = predicted < kNearlyThere * now && (!old_factor || predicted < 0.1 * before);
+    old_factor = predicted < kNearlyThere * now && (!old_factor || predicted < kFallsFast * before);
   }
 }
 

@@ -24,7 +24,7 @@ class GaussNewton {
   /// refusing them costs many iterations and they rarely matter.
   /// @param source of the first step: `measured` for a start of headings without positions
   /// @param tolerance stops when what is left to gain is estimated below this share of chi-square
-  [[nodiscard]] GaussNewtonResult solve(State start, std::span<const double> weights,
+  [[nodiscard]] GaussNewtonResult solve(State state, std::span<const double> weights,
                                         StepSource source, double tolerance = 1e-7,
                                         int max_iterations = 50);
 

@@ -2,6 +2,7 @@
 #include "least_squares.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ceres_solver.hpp"
@@ -20,12 +21,16 @@ constexpr double kTolerance = 1e-7;
 constexpr double kSameMinimum = 2e-5;
 /// Chi-square a degree of freedom of a guess that is near the minimum.
 constexpr double kGood = 1.0;
+/// Share of chi-square that a better solution gains at least: less is rounding.
+constexpr double kBetter = 1e-9;
+/// Weights of positions against headings in further global starts: each errs elsewhere.
+constexpr std::array kPositionShares = {0.1, 10.0};
 
 /// Takes over a solution that is better; iterations add up.
 void keep_better(Solved& best, Solved&& other) {
   const int iterations = best.iterations + other.iterations;
   if (!other.state.empty() &&
-      (best.state.empty() || other.chi_square < best.chi_square * (1.0 - 1e-9))) {
+      (best.state.empty() || other.chi_square < best.chi_square * (1.0 - kBetter))) {
     other.other_minimum = best.other_minimum;
     best = std::move(other);
   }
@@ -146,7 +151,7 @@ void LeastSquares::try_more_starts(Solved& best, const SpanningTree& tree, bool 
                                    std::span<const double> weights) {
   std::vector<double> ends;
   if (!from_guess) ends.push_back(best.chi_square);
-  const auto try_from = [&](State start, StepSource source) {
+  const auto try_from = [&](const State& start, StepSource source) {
     if (start.empty()) return;
     Solved other = local(start, weights, source);
     ends.push_back(other.chi_square);
@@ -162,8 +167,8 @@ void LeastSquares::try_more_starts(Solved& best, const SpanningTree& tree, bool 
 
   State by_winding = headings_by_winding(graph_, tree, weights);
   if (!by_winding.empty()) turn_to_headings(graph_, by_winding);
-  try_from(std::move(by_winding), StepSource::measured);
-  for (const double position_share : {0.1, 10.0}) {
+  try_from(by_winding, StepSource::measured);
+  for (const double position_share : kPositionShares) {
     try_from(joint_headings(graph_, weights, position_share), StepSource::measured);
   }
   if (!from_guess) try_from(guess_, StepSource::state);

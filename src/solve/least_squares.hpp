@@ -69,8 +69,8 @@ class LeastSquares {
   /// Where the frame of a state lies in that of the poses, for each component: at its fixed node,
   /// turned with it unless measured headings turn the component.
   std::vector<Pose2> frames_;
-  State guess_;  ///< empty where there is none
-  double initial_chi_square_ = -1.0;
+  State guess_;                       ///< empty where there is none
+  double initial_chi_square_ = -1.0;  ///< at the guess, else along odometry; negative: not computed
 };
 
 }  // namespace roomatlas
