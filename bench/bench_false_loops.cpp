@@ -40,12 +40,18 @@ Score score(const PoseGraph& clean, const PoseGraph& graph, const std::vector<Po
   return score;
 }
 
-void print(const std::string& name, const char* kind, double share, std::uint64_t seed,
-           const PoseGraph& clean, const PoseGraph& graph, const Score& s) {
-  std::printf("%-26s %-10s %3.0f %% %4d | %9.4f %5d of %4zu %5d %8s %8.2f\n", name.c_str(), kind,
-              100.0 * share, static_cast<int>(seed), s.rmse_m, s.false_kept,
-              graph.edges.size() - clean.edges.size(), s.true_rejected, s.warned ? "warned" : "-",
-              s.seconds);
+/// What was added to a graph.
+struct Added {
+  const char* kind = "none";
+  double share = 0.0;
+  std::uint64_t seed = 0;
+  std::size_t edges = 0;
+};
+
+void print(const std::string& name, const Added& added, const Score& s) {
+  std::printf("%-26s %-10s %3.0f %% %4d | %9.4f %5d of %4zu %5d %8s %8.2f\n", name.c_str(),
+              added.kind, 100.0 * added.share, static_cast<int>(added.seed), s.rmse_m, s.false_kept,
+              added.edges, s.true_rejected, s.warned ? "warned" : "-", s.seconds);
   std::fflush(stdout);
 }
 
@@ -71,12 +77,13 @@ int main(int argc, char** argv) {
     const PoseGraph clean = read_pose_graph(file).graph;
     const std::vector<Pose2> best = optimize(clean, {}).poses;
     const std::string name = bench::short_name(file);
-    print(name, "none", 0.0, 0, clean, clean, score(clean, clean, best));
+    print(name, {}, score(clean, clean, best));
     for (const double share : {0.1, 0.3}) {
       for (const auto& [kind, kind_name] : kKinds) {
         for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(seeds); ++seed) {
           const PoseGraph graph = test::with_false_loops(clean, share, kind, seed);
-          print(name, kind_name, share, seed, clean, graph, score(clean, graph, best));
+          const std::size_t added = graph.edges.size() - clean.edges.size();
+          print(name, {kind_name, share, seed, added}, score(clean, graph, best));
         }
       }
     }

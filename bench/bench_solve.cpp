@@ -49,6 +49,7 @@ struct AutodiffError {
   const PoseEdge* edge;
   Eigen::Matrix3d root;
   template <typename T>
+  // Ceres passes each block by itself. NOLINTNEXTLINE(readability-function-size)
   bool operator()(const T* xa, const T* ya, const T* ta, const T* xb, const T* yb, const T* tb,
                   T* residual) const {
     const T c = ceres::cos(*ta);

@@ -14,6 +14,9 @@ constexpr int kAngles = 11;           // chord directions, within ...
 constexpr double kMaxSkewDeg = 40.0;  // ... this angle of the perpendicular to the motion
 constexpr double kMinJambM = 0.15;    // a jamb nearer than this would touch the robot
 constexpr double kSideReachM = 1.5;   // how wide the space ahead and behind is measured
+constexpr double kSideFromM = 0.4;    // off the chord: nearer is still inside a thick wall ...
+constexpr double kSideToM = 0.85;     // ... farther (0.8, and a rounding) is past a narrow lobby
+constexpr double kSideEveryM = 0.1;   // a cell
 
 /// Distance from `from` along `along` to the first obstacle; nothing within `reach_m`.
 std::optional<double> first_obstacle(const HimmGrid& grid, const Point2& from, const Point2& along,
@@ -65,7 +68,7 @@ double width_beside(const HimmGrid& grid, const Point2& middle, const Point2& al
                     double occupied_value) {
   const Point2 left(-along.y(), along.x());
   double widest = 0.0;
-  for (double off_m = 0.4; off_m < 0.85; off_m += 0.1) {
+  for (double off_m = kSideFromM; off_m < kSideToM; off_m += kSideEveryM) {
     const Point2 at = middle + off_m * along;
     const double width =
         first_obstacle(grid, at, left, kSideReachM, occupied_value).value_or(kSideReachM) +

@@ -14,13 +14,14 @@ namespace {
 constexpr int kCloseCells = 2;         // gaps between neighbouring beams
 constexpr double kHalfPassageM = 0.5;  // what is seen through narrower gaps is another room
 constexpr double kRegrowM = 0.25;      // gives corners back that the opening rounds off
-constexpr double kBeyondDepthM = 0.8;  // how far the path's footprint reaches over a door line
+constexpr double kBeyondDepthM = 0.8;  // how far the path's footprint reaches over a door line ...
+constexpr double kBeyondAsideM = 0.3;  // ... and past a jamb; larger cuts off floor beside the door
 
 /// True for cells on the far side of a doorway, within reach of the robot's footprint.
 bool is_beyond(const Exit& exit, const Point2& point_asr) {
   const Point2 relative = inverse(exit.frame_from_pivot) * point_asr;
   return relative.x() > 0.0 && relative.x() < kBeyondDepthM &&
-         std::abs(relative.y()) < exit.width_m / 2.0 + 0.3;
+         std::abs(relative.y()) < exit.width_m / 2.0 + kBeyondAsideM;
 }
 
 bool is_beyond_any(const std::vector<Exit>& exits, const Point2& point_asr) {

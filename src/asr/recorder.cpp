@@ -300,7 +300,7 @@ class AsrRecorder::State {
     Pose2 reckoned_from_robot;
   };
 
-  AsrId next_id_ = 1;
+  AsrId next_id_ = 1;  ///< of the ASR to be handed over next
   std::optional<LastReading> last_;
   Pose2 odom_from_asr_;
   std::optional<Exit> entry_;

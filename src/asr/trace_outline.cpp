@@ -11,12 +11,13 @@ namespace roomatlas {
 namespace {
 
 constexpr double kJambReachM = 0.35;  // an outline point this near a jamb becomes the jamb
+constexpr double kSamePointM = 1e-9;  // cells that share a wall cell give its point again
 
 Ring boundary_points(const CellBoundary& boundary, const WallNear& wall_near) {
   Ring ring;
   for (std::size_t i = 0; i < boundary.edge_midpoints.size(); ++i) {
     const Point2 point = wall_near(boundary.outside_cells[i]).value_or(boundary.edge_midpoints[i]);
-    if (ring.empty() || (point - ring.back()).norm() > 1e-9) ring.push_back(point);
+    if (ring.empty() || (point - ring.back()).norm() > kSamePointM) ring.push_back(point);
   }
   return ring;
 }
@@ -63,7 +64,7 @@ Ring simplified(Ring ring, const std::vector<Point2>& jambs, const RoomMapOption
 
 std::optional<Cell> nearest_wall_cell(const Cell& outside,
                                       const std::function<bool(const Cell&)>& is_wall) {
-  constexpr int kReach = 2;
+  constexpr int kReach = 2;  // cells: hits raise a band three wide; farther is another wall
   std::optional<Cell> nearest;
   double nearest_cells = std::numeric_limits<double>::infinity();
   for_each_cell(

@@ -12,7 +12,7 @@ double wrap_angle(double angle_rad) {
 }
 
 double wrap_quarter(double angle_rad) {
-  constexpr double kQuarter = kPi / 2.0;
+  constexpr double kQuarter = kPi / 2.0;  // of a turn
   return angle_rad - kQuarter * std::floor(angle_rad / kQuarter + 0.5);
 }
 

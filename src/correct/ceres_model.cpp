@@ -4,6 +4,11 @@
 #include <ceres/solver.h>
 
 namespace roomatlas {
+namespace {
+
+constexpr double kSettledShare = 1e-9;  // of the cost; larger ends before small falls are taken
+
+}  // namespace
 
 double chi_square(const ceres::Problem& problem, const ReportedFactor& factor) {
   double half_chi_square = 0.0;
@@ -17,7 +22,7 @@ void solve(ceres::Problem& problem, std::vector<ReportedFactor>& factors,
   solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
   solver.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
   solver.max_num_iterations = options.max_iterations;
-  solver.function_tolerance = 1e-9;
+  solver.function_tolerance = kSettledShare;
   solver.num_threads = 1;  // the sum's order, and with it the last bits, must not change
   solver.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;

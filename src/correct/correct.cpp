@@ -10,7 +10,7 @@ namespace roomatlas {
 namespace {
 
 /// Turns each component about its fixed ASR so that its walls' direction is the x axis.
-void align_with_walls(const Measurements& measurements, const State& state,
+void align_with_walls(const Measurements& measurements, const PlacedAsrs& state,
                       std::vector<AsrCorrection>& asrs) {
   std::map<int, Pose2> aligned_from_building;
   for (std::size_t i = 0; i < asrs.size(); ++i) {
@@ -30,7 +30,7 @@ void align_with_walls(const Measurements& measurements, const State& state,
 /// The direction of each component's walls, more finely than from one direction a room.
 /// @param asrs in the order of the measurements
 void settle_directions(const std::vector<Asr>& asrs, const Measurements& measurements,
-                       const CorrectOptions& options, State& state) {
+                       const CorrectOptions& options, PlacedAsrs& state) {
   for (std::size_t component = 0; component < state.direction_rad.size(); ++component) {
     std::vector<const Asr*> rooms;
     std::vector<double> heading_rad;
@@ -102,7 +102,7 @@ Correction correct(const std::vector<Asr>& asrs, const RoomGraph& graph,
     return correction;
   }
   const Measurements measurements = measurements_of(asrs, graph, options);
-  const State start = initial_guess(measurements, options, known);
+  const PlacedAsrs start = initial_guess(measurements, options, known);
   ModelResult solved = is_se2 ? solve_se2(measurements, start, options)
                               : solve_rotation_only(measurements, start, options);
   correction.converged = solved.converged;
@@ -136,7 +136,7 @@ Correction correct_to(const std::vector<Asr>& asrs, const RoomGraph& graph,
   CorrectOptions as_measured = options;
   as_measured.use_heading_bias = false;
   const Measurements measurements = measurements_of(asrs, graph, as_measured);
-  State state = initial_guess(measurements, as_measured, placement);
+  PlacedAsrs state = initial_guess(measurements, as_measured, placement);
   for (double& direction_rad : state.direction_rad) {
     direction_rad = walls_rad.value_or(direction_rad);
   }

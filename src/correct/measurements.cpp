@@ -57,7 +57,7 @@ HeadingAndPosition sigmas_of(const PassageEdge& edge, const CorrectOptions& opti
       plain_sum(options.odometry.position, edge.path_length_m, turned_rad)};
 }
 
-std::optional<double> wall_offset(const Measurements& measurements, const State& state,
+std::optional<double> wall_offset(const Measurements& measurements, const PlacedAsrs& state,
                                   std::size_t index, const CorrectOptions& options) {
   if (!measurements.walls[index]) return std::nullopt;
   const auto component = static_cast<std::size_t>(measurements.component[index]);
@@ -85,14 +85,14 @@ Eigen::Matrix3d information_of(const PassageEdge& edge, const CorrectOptions& op
   return Eigen::Vector3d(position, position, heading).asDiagonal();
 }
 
-State initial_guess(const Measurements& measurements, const CorrectOptions& options,
-                    const Placement& known) {
+PlacedAsrs initial_guess(const Measurements& measurements, const CorrectOptions& options,
+                         const Placement& known) {
   std::vector<const Measurements::Edge*> driven_into(measurements.ids.size(), nullptr);
   for (const Measurements::Edge& edge : measurements.driven) driven_into[edge.to] = &edge;
   const std::vector<double> turn =
       asr_headings(measurements, {}, options).correction_rad;  // `driven` has no habits any more
 
-  State state{measurements.odom_from_asr, {}};
+  PlacedAsrs state{measurements.odom_from_asr, {}};
   std::vector<Point2> direction_votes;  // of each component, at four times the angle
   for (std::size_t i = 0; i < state.building_from_asr.size(); ++i) {
     const auto component = static_cast<std::size_t>(measurements.component[i]);

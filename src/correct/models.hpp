@@ -33,21 +33,21 @@ struct Measurements {
                                            const CorrectOptions& options);
 
 /// Poses, and the direction of the walls of each component.
-struct State {
+struct PlacedAsrs {
   std::vector<Pose2> building_from_asr;
   std::vector<double> direction_rad;
 };
 
 /// Where to start: odometry from one ASR to the next, each turned as `asr_headings` says.
 /// Without walls this is odometry. @param known where ASRs are known to be already; may be empty
-[[nodiscard]] State initial_guess(const Measurements& measurements, const CorrectOptions& options,
-                                  const Placement& known);
+[[nodiscard]] PlacedAsrs initial_guess(const Measurements& measurements,
+                                       const CorrectOptions& options, const Placement& known);
 
 /// The angle to add to an ASR's heading to compare it with the building's direction: its walls'
 /// direction plus as many quarter turns as lie between at `state`. Nothing where the ASR's walls
 /// are farther off than the gate.
 [[nodiscard]] std::optional<double> wall_offset(const Measurements& measurements,
-                                                const State& state, std::size_t index,
+                                                const PlacedAsrs& state, std::size_t index,
                                                 const CorrectOptions& options);
 
 /// Standard deviation of a wall direction: long walls tell it well.
@@ -64,18 +64,19 @@ struct HeadingAndPosition {
 [[nodiscard]] HeadingAndPosition sigmas_of(const PassageEdge& edge, const CorrectOptions& options);
 
 struct ModelResult {
-  State state;
+  PlacedAsrs state;
   bool converged = false;
   std::string message;
-  double initial_cost = -1.0;
-  double final_cost = -1.0;
+  double initial_cost = -1.0;  ///< as in `Correction`
+  double final_cost = -1.0;    ///< as in `Correction`
   int iterations = 0;
   std::vector<FactorReport> factors;  ///< chi-square before is at odometry's poses
 };
 
-[[nodiscard]] ModelResult solve_se2(const Measurements& measurements, const State& start,
+[[nodiscard]] ModelResult solve_se2(const Measurements& measurements, const PlacedAsrs& start,
                                     const CorrectOptions& options);
-[[nodiscard]] ModelResult solve_rotation_only(const Measurements& measurements, const State& start,
+[[nodiscard]] ModelResult solve_rotation_only(const Measurements& measurements,
+                                              const PlacedAsrs& start,
                                               const CorrectOptions& options);
 
 }  // namespace roomatlas

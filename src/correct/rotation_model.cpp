@@ -56,76 +56,112 @@ std::vector<Pose2> poses_of(const Measurements& measurements, const std::vector<
 
 std::vector<double> headings_of(const std::vector<Pose2>& poses) {
   std::vector<double> headings;
+  headings.reserve(poses.size());
   for (const Pose2& pose : poses) headings.push_back(pose.theta_rad);
   return headings;
 }
 
-}  // namespace
+/// The least-squares problem of the headings. Ceres knows them by their addresses: they stay put.
+class RotationProblem {
+ public:
+  RotationProblem(const Measurements& measurements, const PlacedAsrs& start,
+                  const CorrectOptions& options)
+      : measurements_(measurements),
+        start_(start),
+        options_(options),
+        headings_(headings_of(start.building_from_asr)),
+        directions_(start.direction_rad),
+        into_(edges_into(measurements)) {
+    for (double& heading : headings_) problem_.AddParameterBlock(&heading, 1);
+    for (const auto& edge : measurements.driven) add_heading(edge, FactorKind::odometry, nullptr);
+    for (const auto& edge : measurements.recognised) {
+      add_heading(edge, kind_of(edge.measured), robust());
+      add_loop(edge);
+    }
+    for (std::size_t i = 0; i < headings_.size(); ++i) add_walls(i);
+    for (std::size_t i = 0; i < headings_.size(); ++i) {
+      if (measurements.is_fixed[i]) problem_.SetParameterBlockConstant(&headings_[i]);
+    }
+  }
 
-ModelResult solve_rotation_only(const Measurements& measurements, const State& start,
-                                const CorrectOptions& options) {
-  std::vector<double> headings = headings_of(start.building_from_asr);
-  std::vector<double> directions = start.direction_rad;
-  const auto into = edges_into(measurements);
-  ceres::Problem problem;
-  std::vector<ReportedFactor> factors;
-  const auto robust = [&] { return new ceres::CauchyLoss(options.robust_sigmas); };
+  ModelResult solve() {
+    report_before();
+    ModelResult result;
+    roomatlas::solve(problem_, factors_, options_, result);
+    result.state = {poses_of(measurements_, headings_), directions_};
+    return result;
+  }
 
-  for (double& heading : headings) problem.AddParameterBlock(&heading, 1);
-  const auto add_heading = [&](const Measurements::Edge& edge, FactorKind kind, bool is_robust) {
+ private:
+  [[nodiscard]] ceres::LossFunction* robust() const {
+    return new ceres::CauchyLoss(options_.robust_sigmas);
+  }
+
+  void add_heading(const Measurements::Edge& edge, FactorKind kind, ceres::LossFunction* loss) {
     auto* cost = new RelativeHeadingFactor(edge.measured.from_from_to.theta_rad,
-                                           sigmas_of(edge.measured, options).heading_rad);
-    const auto block = problem.AddResidualBlock(cost, is_robust ? robust() : nullptr,
-                                                &headings[edge.from], &headings[edge.to]);
-    factors.push_back({block, report_of(measurements, edge, kind), is_robust});
-  };
-  for (const auto& edge : measurements.driven) add_heading(edge, FactorKind::odometry, false);
-  for (const auto& edge : measurements.recognised) {
-    add_heading(edge, kind_of(edge.measured), true);
-    const auto chain = chain_between(into, edge.from, edge.to);
-    if (chain.empty()) continue;
+                                           sigmas_of(edge.measured, options_).heading_rad);
+    const auto block =
+        problem_.AddResidualBlock(cost, loss, &headings_[edge.from], &headings_[edge.to]);
+    factors_.push_back({block, report_of(measurements_, edge, kind), loss != nullptr});
+  }
+
+  /// The steps from pivot to pivot lead to where the edge says; nothing where no chain leads there.
+  void add_loop(const Measurements::Edge& edge) {
+    const auto chain = chain_between(into_, edge.from, edge.to);
+    if (chain.empty()) return;
     std::vector<Point2> steps_m;
     std::vector<double*> along;
     double variance_m2 = position_variance_m2(edge.measured);
     for (const Measurements::Edge* step : chain) {
       steps_m.push_back(step->measured.from_from_to.position());
-      along.push_back(&headings[step->from]);
-      const double sigma_m = sigmas_of(step->measured, options).position_m;
+      along.push_back(&headings_[step->from]);
+      const double sigma_m = sigmas_of(step->measured, options_).position_m;
       variance_m2 += sigma_m * sigma_m;
     }
     steps_m.front() -= edge.measured.from_from_to.position();
-    const auto block = problem.AddResidualBlock(
+    const auto block = problem_.AddResidualBlock(
         new PivotLoopFactor(std::move(steps_m), std::sqrt(variance_m2)), robust(), along);
-    factors.push_back({block, report_of(measurements, edge, kind_of(edge.measured)), true});
+    factors_.push_back({block, report_of(measurements_, edge, kind_of(edge.measured)), true});
   }
-  for (std::size_t i = 0; i < headings.size(); ++i) {
-    const auto offset = wall_offset(measurements, start, i, options);
-    if (!offset) continue;
-    const auto component = static_cast<std::size_t>(measurements.component[i]);
-    const auto block = problem.AddResidualBlock(
-        new WallDirectionFactor<1>(*offset, wall_sigma_rad(*measurements.walls[i], options)),
-        robust(), &headings[i], &directions[component]);
+
+  void add_walls(std::size_t i) {
+    const auto offset = wall_offset(measurements_, start_, i, options_);
+    if (!offset) return;
+    const auto component = static_cast<std::size_t>(measurements_.component[i]);
+    const auto block = problem_.AddResidualBlock(
+        new WallDirectionFactor<1>(*offset, wall_sigma_rad(*measurements_.walls[i], options_)),
+        robust(), &headings_[i], &directions_[component]);
     FactorReport report;
     report.kind = FactorKind::wall_direction;
-    report.from = measurements.ids[i];
-    factors.push_back({block, report, true});
-  }
-  for (std::size_t i = 0; i < headings.size(); ++i) {
-    if (measurements.is_fixed[i]) problem.SetParameterBlockConstant(&headings[i]);
+    report.from = measurements_.ids[i];
+    factors_.push_back({block, report, true});
   }
 
-  // Values change in place: Ceres knows the parameters by their addresses.
-  const std::vector<double> at_start = headings;
-  std::ranges::copy(headings_of(measurements.odom_from_asr), headings.begin());
-  for (ReportedFactor& factor : factors) {
-    factor.report.chi_square_before = chi_square(problem, factor);
+  /// Chi-square of each factor at odometry's headings.
+  void report_before() {
+    const std::vector<double> at_start = headings_;
+    std::ranges::copy(headings_of(measurements_.odom_from_asr), headings_.begin());
+    for (ReportedFactor& factor : factors_) {
+      factor.report.chi_square_before = chi_square(problem_, factor);
+    }
+    std::ranges::copy(at_start, headings_.begin());
   }
-  std::ranges::copy(at_start, headings.begin());
 
-  ModelResult result;
-  solve(problem, factors, options, result);
-  result.state = {poses_of(measurements, headings), directions};
-  return result;
+  const Measurements& measurements_;
+  const PlacedAsrs& start_;
+  const CorrectOptions& options_;
+  std::vector<double> headings_;
+  std::vector<double> directions_;
+  std::vector<const Measurements::Edge*> into_;
+  ceres::Problem problem_;
+  std::vector<ReportedFactor> factors_;
+};
+
+}  // namespace
+
+ModelResult solve_rotation_only(const Measurements& measurements, const PlacedAsrs& start,
+                                const CorrectOptions& options) {
+  return RotationProblem(measurements, start, options).solve();
 }
 
 }  // namespace roomatlas

@@ -23,7 +23,7 @@ std::vector<PoseBlock> blocks_of(const std::vector<Pose2>& poses) {
 
 }  // namespace
 
-ModelResult solve_se2(const Measurements& measurements, const State& start,
+ModelResult solve_se2(const Measurements& measurements, const PlacedAsrs& start,
                       const CorrectOptions& options) {
   std::vector<PoseBlock> poses = blocks_of(start.building_from_asr);
   std::vector<double> directions = start.direction_rad;

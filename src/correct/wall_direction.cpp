@@ -2,10 +2,16 @@
 #include "roomatlas/correct/wall_direction.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace roomatlas {
 namespace {
+
+constexpr double kWindowRad = radians(6.0);  // walls this near follow a room's direction: wider
+                                             // takes in curves, narrower loses what odometry bent
+// Windows one after the other: the last ones settle on straight walls.
+constexpr std::array kShrinkingDeg = {6.0, 3.0, 1.5, 1.5, 1.5};
 
 struct Edge {
   double angle_rad = 0.0;
@@ -53,7 +59,7 @@ double settled_direction(double about_rad, const std::vector<const Asr*>& rooms,
       edges.push_back({heading_rad[i] + edge.angle_rad, edge.length_m});
     }
   }
-  for (const double window_deg : {6.0, 3.0, 1.5, 1.5, 1.5}) {
+  for (const double window_deg : kShrinkingDeg) {
     about_rad += support_of(edges, about_rad, radians(window_deg)).mean_offset_rad;
   }
   return about_rad;
@@ -61,7 +67,6 @@ double settled_direction(double about_rad, const std::vector<const Asr*>& rooms,
 
 std::optional<WallDirection> wall_direction(const std::vector<WallPolyline>& walls,
                                             const WallDirectionOptions& options) {
-  constexpr double kWindowRad = radians(6.0);
   const std::vector<Edge> edges = edges_of(walls, options.min_edge_m);
   double total_m = 0.0;
   for (const Edge& edge : edges) total_m += edge.length_m;

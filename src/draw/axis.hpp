@@ -9,7 +9,7 @@ namespace roomatlas::drawing {
 /// A scale from values to [0, 1], and the values that are written beside it.
 struct Axis {
   double low = 0.0;
-  double high = 1.0;
+  double high = 1.0;  ///< more than `low`
   bool is_logarithmic = false;
   std::vector<double> ticks;
 

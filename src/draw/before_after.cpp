@@ -14,12 +14,13 @@ namespace {
 
 using namespace drawing;
 
+// Sizes on the page.
 constexpr double kGutter_mm = 6.0;
 constexpr double kCaption_mm = 9.0;
 constexpr double kFooter_mm = 14.0;
 constexpr double kInner_mm = 4.0;  // between a panel's frame and what it shows
 constexpr double kTallestPanel_mm = 180.0;
-constexpr double kLowestPanel_mm = 50.0;
+constexpr double kLowestPanel_mm = 50.0;  // a caption and a path fit in
 constexpr double kPanelWidth_mm = (kComparison_mm - 2.0 * kComparisonEdge_mm - kGutter_mm) / 2.0;
 
 Polyline finite_part(const Polyline& line) {
@@ -39,8 +40,8 @@ Box2 box_of(const WallSketch& sketch) {
 
 /// Fits both sketches into panels of one size.
 struct Panels {
-  int scale = 50;
-  double height_mm = kLowestPanel_mm;
+  int scale = 50;                      ///< 1 to this
+  double height_mm = kLowestPanel_mm;  ///< of a panel
 };
 
 Panels panels_for(const Point2& largest_m) {

@@ -9,7 +9,7 @@
 namespace roomatlas::drawing {
 namespace {
 
-constexpr double kText_mm = 2.6;
+constexpr double kText_mm = 2.6;  // height of letters
 
 /// Text whose middle is at `centre`.
 void add_letter(pugi::xml_node parent, const Point2& centre, const char* letter) {
@@ -19,6 +19,7 @@ void add_letter(pugi::xml_node parent, const Point2& centre, const char* letter)
 
 /// Half black and half white, as on maps.
 void add_north(pugi::xml_node parent, const Point2& centre, double north_deg) {
+  // From the middle.
   constexpr double kTip_mm = 5.2;
   constexpr double kTail_mm = 4.2;
   constexpr double kHalfWidth_mm = 2.2;
@@ -43,6 +44,7 @@ void add_north(pugi::xml_node parent, const Point2& centre, double north_deg) {
 
 void add_axis(pugi::xml_node parent, const Point2& origin, const Point2& along,
               const char* letter) {
+  // From the corner of both axes.
   constexpr double kLength_mm = 9.0;
   constexpr double kLetter_mm = 11.2;
   const Point2 tip = origin + kLength_mm * along;

@@ -12,6 +12,7 @@
 namespace roomatlas::drawing {
 namespace {
 
+// Of the text, and around it.
 constexpr double kSize_mm = 1.6;
 constexpr double kAir_mm = 0.3;
 

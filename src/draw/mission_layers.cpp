@@ -12,8 +12,8 @@
 namespace roomatlas::drawing {
 namespace {
 
-constexpr double kPathStep_mm = 0.25;  // nearer points of a path are not drawn
-constexpr double kShortestArrow_mm = 0.3;
+constexpr double kPathStep_mm = 0.25;      // nearer points of a path are not drawn
+constexpr double kShortestArrow_mm = 0.3;  // shorter ones look like specks
 
 /// The path on paper, without the points that nobody could tell apart.
 Polyline thinned(const Polyline& trajectory, const Sheet& sheet) {

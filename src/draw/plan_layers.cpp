@@ -10,7 +10,7 @@
 namespace roomatlas::drawing {
 namespace {
 
-constexpr double kNodeRadius_mm = 0.8;
+constexpr double kNodeRadius_mm = 0.8;  // of a room in the graph
 
 void add_tooltip(pugi::xml_node node, const std::string& text) {
   node.append_child("title").text() = text.c_str();

@@ -10,6 +10,7 @@
 namespace roomatlas::drawing {
 namespace {
 
+// Sizes on the page.
 constexpr double kPageWidth_mm = 200.0;
 constexpr double kPlotHeight_mm = 90.0;
 constexpr double kLeft_mm = 22.0;
@@ -29,6 +30,7 @@ double median_of(std::vector<double> values) {
 }  // namespace
 
 std::string series_colour(std::size_t number) {
+  // Told apart by every kind of colour vision (Okabe and Ito).
   constexpr std::array kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                    "#e69f00", "#56b4e9", "#000000"};
   return kColours[number % kColours.size()];
@@ -58,7 +60,7 @@ std::optional<Axis> value_axis(const std::vector<PlotSeries>& series, int most) 
   }
   if (medians.empty()) return std::nullopt;
   const double least_median = *std::min_element(medians.begin(), medians.end());
-  constexpr double kVeryDifferent = 100.0;
+  constexpr double kVeryDifferent = 100.0;  // times the least median: then powers of ten
   if (low >= 0.0 && least_median > 0.0 && high > kVeryDifferent * least_median) {
     return logarithmic_axis(least_median / 10.0, high);  // single tiny values would stretch it
   }

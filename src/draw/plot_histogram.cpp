@@ -11,7 +11,7 @@ using namespace drawing;
 
 /// The limits of the bins: between the axis's ticks, so that they are round too.
 std::vector<double> limits_of(const Axis& axis) {
-  constexpr int kBinsBetweenTicks = 5;
+  constexpr int kBinsBetweenTicks = 5;  // more make the bins of few errors ragged
   std::vector<double> limits;
   for (std::size_t tick = 0; tick + 1 < axis.ticks.size(); ++tick) {
     const double low = axis.ticks[tick];

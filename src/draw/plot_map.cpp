@@ -13,19 +13,21 @@ namespace {
 
 using namespace drawing;
 
+// Sizes on the page.
 constexpr double kPageWidth_mm = 200.0;
 constexpr double kEdge_mm = 8.0;
 constexpr double kTop_mm = 14.0;
-constexpr double kBar_mm = 22.0;     // the colour bar with its numbers, on the right
-constexpr double kFooter_mm = 10.0;  // the bar of lengths
-constexpr double kTallest_mm = 190.0;
-constexpr int kColours = 24;
+constexpr double kBar_mm = 22.0;       // the colour bar with its numbers, on the right
+constexpr double kFooter_mm = 10.0;    // the bar of lengths
+constexpr double kTallest_mm = 190.0;  // map
+constexpr int kColours = 24;           // steps of the bar; more make many short lines of a path
 
 /// From yellow over grey to dark blue, evenly darker, readable for every kind of colour vision.
 std::string colour_at(double share) {
   struct Rgb {
     double r, g, b;
   };
+  // Evenly spaced along the bar.
   constexpr std::array kStops = {Rgb{225, 200, 70}, Rgb{165, 156, 116}, Rgb{112, 113, 120},
                                  Rgb{59, 73, 108}, Rgb{0, 34, 78}};
   const double place = std::clamp(share, 0.0, 1.0) * (kStops.size() - 1);

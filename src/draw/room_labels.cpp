@@ -12,11 +12,11 @@
 namespace roomatlas::drawing {
 namespace {
 
-constexpr std::array<double, 5> kNameSizes_mm = {3.6, 3.1, 2.6, 2.2, 1.9};
-constexpr double kSmallestName_mm = 1.7;
-constexpr double kAreaToName = 0.78;  // font sizes
-constexpr double kAir_mm = 0.5;       // around the text
-constexpr int kMaxNameLines = 3;
+constexpr std::array<double, 5> kNameSizes_mm = {3.6, 3.1, 2.6, 2.2, 1.9};  // the largest that fits
+constexpr double kSmallestName_mm = 1.7;  // beside a room; smaller cannot be read on paper
+constexpr double kAreaToName = 0.78;      // font sizes
+constexpr double kAir_mm = 0.5;           // around the text
+constexpr int kMaxNameLines = 3;          // more look like a list
 
 /// The widest line when `words` are broken into `count` lines as evenly as a greedy fill can.
 std::vector<std::string> broken(const std::string& name, int count, double size_mm) {
@@ -113,7 +113,7 @@ Point2 centroid(const Ring& ring) {
 /// The eye expects a label in the middle. The centre of the largest circle, which may be anywhere
 /// along a rectangle, is the better place only where the centroid is near a wall or outside.
 Point2 visual_centre(const Polygon& room_mm, const Point2& label_point_mm) {
-  constexpr double kCloseToBest = 0.7;
+  constexpr double kCloseToBest = 0.7;  // of the best clearance: less puts labels on walls
   const Point2 middle = centroid(room_mm.outer);
   const bool is_good =
       contains(room_mm, middle) &&
@@ -123,7 +123,7 @@ Point2 visual_centre(const Polygon& room_mm, const Point2& label_point_mm) {
 
 /// Positions in the room to try, from `start_mm` outwards.
 std::vector<Point2> positions(const Polygon& room_mm, const Point2& start_mm) {
-  constexpr int kSteps = 24;
+  constexpr int kSteps = 24;  // across the room, each way
   const Box2 box = bounds(room_mm.outer);
   std::vector<Point2> found;
   for (int i = 1; i < kSteps; ++i) {
@@ -154,8 +154,8 @@ bool place_inside(const Polygon& room_mm, const std::vector<Point2>& positions_m
 /// Looks for room outside of the building on rings of growing radius.
 bool place_outside(const Point2& label_point_mm, const Sheet& sheet, const LabelSpace& space,
                    RoomLabel& label) {
-  constexpr double kFarthest_mm = 120.0;
-  constexpr int kDirections = 32;
+  constexpr double kFarthest_mm = 120.0;  // a longer leader cannot be followed
+  constexpr int kDirections = 32;         // tried on each ring
   for (double radius = 4.0; radius < kFarthest_mm; radius += 2.0) {
     for (int i = 0; i < kDirections; ++i) {
       label.center_mm = label_point_mm + radius * direction(2.0 * kPi * i / kDirections);

@@ -14,7 +14,7 @@ namespace roomatlas::drawing {
 
 struct LabelLine {
   std::string text;
-  double size_mm = 2.5;
+  double size_mm = 2.5;  ///< of the name's letters
   Weight weight = Weight::normal;
 };
 

@@ -14,12 +14,13 @@ namespace {
 
 using namespace drawing;
 
+// Sizes on the page.
 constexpr double kGutter_mm = 5.0;
 constexpr double kTitle_mm = 9.0;
 constexpr double kCaption_mm = 10.0;
 constexpr double kFooter_mm = 12.0;
 constexpr double kTallestPanel_mm = 120.0;
-constexpr double kPanelWidth_mm =
+constexpr double kPanelWidth_mm =  // three in a row
     (kComparison_mm - 2.0 * kComparisonEdge_mm - 2.0 * kGutter_mm) / 3.0;
 constexpr const char* kPointStroke = "#0072b2";
 
@@ -75,7 +76,7 @@ class Layout {
 
  private:
   Box2 room_m_;
-  int scale_ = 50;
+  int scale_ = 50;  ///< 1 to this
   double height_mm_ = 0.0;
 };
 

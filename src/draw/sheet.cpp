@@ -8,7 +8,7 @@
 namespace roomatlas::drawing {
 namespace {
 
-constexpr double kStripGap_mm = 2.0;
+constexpr double kStripGap_mm = 2.0;        // between the drawing and the title block
 constexpr int kLargestScale = 50;           // 1:50 shows all that a robot can measure
 constexpr int kSmallestScale = 1000000000;  // beyond any building
 
@@ -18,6 +18,7 @@ struct Paper {
   double height_mm;
 };
 
+/// ISO 216, the smallest first.
 constexpr std::array<Paper, 8> kPapers = {{{"A4 landscape", 297, 210},
                                            {"A4 portrait", 210, 297},
                                            {"A3 landscape", 420, 297},

@@ -19,7 +19,7 @@ constexpr double kComparisonEdge_mm = 6.0;  // ... and what they leave blank aro
 
 /// Building metres to millimetres on paper: y turns from up to down.
 struct PaperTransform {
-  double mm_per_m = 10.0;
+  double mm_per_m = 10.0;  ///< of the scale
   Point2 offset_mm = Point2::Zero();
 
   [[nodiscard]] Point2 operator()(const Point2& point_m) const;

@@ -44,7 +44,7 @@ pugi::xml_node add_rectangle(pugi::xml_node parent, const Box2& box, const Attri
 enum class Anchor { start, middle, end };
 
 struct TextStyle {
-  double size_mm = 2.5;
+  double size_mm = 2.5;  ///< of letters
   Weight weight = Weight::normal;
   Anchor anchor = Anchor::start;
   std::string fill = "#1f2933";

@@ -12,10 +12,10 @@
 namespace roomatlas::drawing {
 namespace {
 
-constexpr double kInset_mm = 3.0;
-constexpr double kLine_mm = 4.9;  // between lines of text
-constexpr double kText_mm = 2.4;
-constexpr std::array<double, 4> kCellShares = {0.29, 0.24, 0.21, 0.26};
+constexpr double kInset_mm = 3.0;                                        // of text in its cell
+constexpr double kLine_mm = 4.9;                                         // between lines of text
+constexpr double kText_mm = 2.4;                                         // height of letters
+constexpr std::array<double, 4> kCellShares = {0.29, 0.24, 0.21, 0.26};  // of the strip's width
 
 /// A cell of the strip, and where its next line of text goes.
 struct Cell {
@@ -138,7 +138,7 @@ std::vector<LegendEntry> legend_of(const FloorPlan& plan, bool has_unexplored,
 }
 
 void add_legend(pugi::xml_node parent, const Cell& cell, const std::vector<LegendEntry>& entries) {
-  constexpr double kSwatch_mm = 4.5;
+  constexpr double kSwatch_mm = 4.5;  // width of a sample in the legend
   const int count = static_cast<int>(entries.size());
   const int rows = std::max(5, (count + 1) / 2);  // of two columns
   const double pitch_mm = 5.0 * kLine_mm / rows;
@@ -161,6 +161,7 @@ void add_legend(pugi::xml_node parent, const Cell& cell, const std::vector<Legen
 }  // namespace
 
 void add_scale_bar(pugi::xml_node parent, const Point2& at, double longest_mm, double mm_per_m) {
+  // Of the bar.
   constexpr double kHeight_mm = 1.6;
   constexpr int kParts = 4;
   const double length_m = round_length_m(longest_mm / mm_per_m);

@@ -16,8 +16,8 @@ struct Corner {
 };
 
 struct CornerOptions {
-  double simplify_m = 0.15;
-  double min_turn_rad = 0.5;
+  double simplify_m = 0.15;   ///< to which boundaries are simplified first: steps are no corners
+  double min_turn_rad = 0.5;  ///< a boundary that turns less has no corner there
 };
 
 [[nodiscard]] std::vector<Corner> corners_of(const std::vector<Ring>& rings,

@@ -8,8 +8,9 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kAgree_s = 0.04;  // loggers are late by as much, and scans are farther apart
-constexpr std::size_t kMostAsked = 200;
+constexpr double kAgree_s = 0.04;        // loggers are late by as much, and scans are farther apart
+constexpr double kLeastShare = 0.5;      // of the truth's times: an offset that fits fewer is none
+constexpr std::size_t kMostAsked = 200;  // times of the truth, each against all of the trajectory's
 
 /// At most `kMostAsked` of the times, evenly spread, without those that are not finite.
 std::vector<double> some_of(const std::vector<double>& times_s) {
@@ -50,7 +51,7 @@ std::optional<TimeOffset> fitting_offset(const std::vector<double>& trajectory_s
   if (most == 0) return std::nullopt;
   const double share =
       std::min(1.0, static_cast<double>(most) / static_cast<double>(asked_s.size()));
-  if (share < 0.5 || most < 2) return std::nullopt;
+  if (share < kLeastShare || most < 2) return std::nullopt;
   return TimeOffset{best_s, share};
 }
 

@@ -15,6 +15,9 @@ namespace {
 constexpr std::size_t kStartPoints = 600;   ///< of the plan, that a start is judged by
 constexpr std::size_t kClimbPoints = 4000;  ///< of the plan, that each step of climbing looks at
 constexpr std::size_t kBestStarts = 20;     ///< that are refined
+constexpr double kFirstStepM = 0.8;         ///< of climbing; halved until ...
+constexpr double kLastStepM = 0.04;         ///< ... below this, half a cell of the lattice or so
+constexpr double kTurnDegPerM = 5.0;        ///< a turn moves what is 11 m from the middle as far
 
 /// Both plans as lattices.
 struct Lattices {
@@ -151,8 +154,8 @@ PlanAlignment climbed(const Lattices& lattices, PlanAlignment best, std::size_t 
   const Point2 middle = centre_of(all_points(lattices.plan));
   const Pose2 about{middle.x(), middle.y(), 0.0};  // turns are about the plan's middle
   double top = overlap_of(best.truth_from_building);
-  for (double step_m = 0.8; step_m > 0.04; step_m /= 2.0) {
-    const double turn_rad = radians(step_m * 5.0);
+  for (double step_m = kFirstStepM; step_m > kLastStepM; step_m /= 2.0) {
+    const double turn_rad = radians(step_m * kTurnDegPerM);
     for (bool moved = true; moved;) {
       moved = false;
       for (const Pose2& step :
@@ -198,6 +201,7 @@ PlanAlignment align_plan(const FloorPlan& plan, const FloorPlan& truth,
 
   const std::size_t stride = std::max<std::size_t>(1, points / kStartPoints);
   std::vector<double> judged;
+  judged.reserve(starts.size());
   for (const Pose2& start : starts) judged.push_back(judge_start(lattices, start, stride));
   std::vector<std::size_t> order(starts.size());
   std::iota(order.begin(), order.end(), 0);

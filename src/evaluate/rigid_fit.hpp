@@ -11,7 +11,7 @@ namespace roomatlas {
 struct PointPair {
   Point2 from = Point2::Zero();
   Point2 to = Point2::Zero();
-  double weight = 1.0;
+  double weight = 1.0;  ///< over those of the other pairs
 };
 
 /// The rigid motion `to_from_from` with the least weighted sum of squared distances (Umeyama 1991,

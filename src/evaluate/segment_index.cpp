@@ -8,7 +8,7 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kBucketM = 1.0;
+constexpr double kBucketM = 1.0;  // larger holds more edges, smaller makes more buckets
 
 std::int64_t index_of(double metres) {
   return static_cast<std::int64_t>(std::floor(metres / kBucketM));

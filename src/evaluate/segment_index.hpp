@@ -24,8 +24,8 @@ class SegmentIndex {
 
   std::vector<Segment2> segments_;
   std::map<Bucket, std::vector<std::size_t>> buckets_;
-  Bucket min_{0, 0};
-  Bucket max_{0, 0};
+  Bucket min_{0, 0};  ///< of the buckets with edges
+  Bucket max_{0, 0};  ///< likewise
 };
 
 }  // namespace roomatlas

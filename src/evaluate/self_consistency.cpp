@@ -15,6 +15,7 @@ struct FigureFacts {
   double typical;  ///< of a map with errors that one can see
 };
 
+/// The typical sizes weigh the figures in the sum: docs/evaluation.md, "Without truth".
 constexpr std::array<FigureFacts, kConsistencyFigures> kFacts = {{
     {"overlap of rooms", "", 0.05},
     {"negative walls", "m", 0.02},

@@ -19,12 +19,15 @@ struct TimeUnit {
   const char* name;
   double per_second;
 };
+/// Earlier first times do not count from 1970, but from the start of a program.
+constexpr double kFromZero_s = 1000.0;
+/// From fine to coarse.
 constexpr std::array kUnits = {TimeUnit{"nanoseconds", 1e9}, TimeUnit{"microseconds", 1e6},
                                TimeUnit{"milliseconds", 1e3}};
 
 /// The unit in which times of our age are this large; null for seconds.
 const TimeUnit* unit_of(double largest) {
-  constexpr double kYear2200_s = 7.3e9;
+  constexpr double kYear2200_s = 7.3e9;  // since 1970
   const TimeUnit* found = nullptr;
   for (const TimeUnit& unit : kUnits) {  // the coarsest in which they are of our age
     if (largest > kYear2200_s && largest / unit.per_second <= kYear2200_s) found = &unit;
@@ -123,7 +126,7 @@ std::string explain_mismatch(const std::vector<double>& trajectory_s,
               "). They last " + text_of("%.0f", length_s(trajectory)) + " s and " +
               text_of("%.0f", length_s(truth)) + " s: is it the same recording?";
   }
-  if (trajectory.first_s < 1000.0 && trajectory.first_s < truth.first_s) {
+  if (trajectory.first_s < kFromZero_s && trajectory.first_s < truth.first_s) {
     advice += " Times that count from 0 may be a logger's: --stamps-from LOG takes the log's own";
   }
   return advice;

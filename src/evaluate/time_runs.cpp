@@ -8,9 +8,9 @@
 namespace roomatlas::evaluation {
 namespace {
 
-/// Two times are the same when these are. Beyond the limit a double is coarser than this.
+/// Two times are the same when these are.
 std::optional<long long> microseconds(double time_s) {
-  constexpr double kLimit_s = 9e12;
+  constexpr double kLimit_s = 9e12;  // a long long holds no more microseconds
   if (!(std::abs(time_s) < kLimit_s)) return std::nullopt;
   return std::llround(time_s * 1e6);
 }

@@ -129,7 +129,7 @@ struct Pair {
 
 /// Slope of ours over truth by least squares; NaN where the truth hardly spreads.
 Stretch stretch_of(const std::vector<Pair>& pairs) {
-  constexpr double kLeastSpreadM = 0.5;
+  constexpr double kLeastSpreadM = 0.5;  // of the places along an axis: with less a slope is noise
   Stretch stretch;
   stretch.pairs = std::ssize(pairs);
   if (pairs.size() < 3) return stretch;
@@ -197,7 +197,7 @@ WallErrors wall_errors(const FloorPlan& plan, const FloorPlan& truth,
       pairs.push_back({our_corners[match.ours].point, true_corners[match.theirs].point});
     }
   }
-  constexpr std::size_t kEnoughCorners = 4;
+  constexpr std::size_t kEnoughCorners = 4;  // with fewer, doors tell more
   const bool by_doors = pairs.size() < kEnoughCorners;
   result.stretch =
       stretch_of(by_doors ? door_pairs(plan, truth, truth_from_building, errors) : pairs);

@@ -7,7 +7,7 @@
 namespace roomatlas {
 namespace {
 
-constexpr std::uint16_t kMost = std::numeric_limits<std::uint16_t>::max();
+constexpr std::uint16_t kMost = std::numeric_limits<std::uint16_t>::max();  // a count holds no more
 
 /// One more; a full cell is halved, which keeps its share.
 void count(CellCounts& counts, std::uint16_t CellCounts::*which) {

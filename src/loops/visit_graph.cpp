@@ -68,7 +68,7 @@ namespace {
 /// What the residuals say of the measurements' covariances: the variance factor of surveyors. Few
 /// loops cannot show that measurements are better than stated.
 double variance_factor(const OptimizeResult& solved) {
-  constexpr std::int64_t kEnough = 20;
+  constexpr std::int64_t kEnough = 20;  // degrees of freedom; with fewer a small factor is chance
   const std::int64_t degrees_of_freedom = solved.expected.degrees_of_freedom;
   if (degrees_of_freedom <= 0) return 1.0;
   const double factor = solved.chi_square / static_cast<double>(degrees_of_freedom);
@@ -78,8 +78,8 @@ double variance_factor(const OptimizeResult& solved) {
 /// The directions of walls that the correction used, each as sure as 10 m of wall make it.
 void add_wall_directions(const Correction& correction, const CorrectOptions& options,
                          PoseGraph& graph) {
-  constexpr double kWall_m = 10.0;
-  constexpr double kUsed = 0.5;  // weight of a factor that counts
+  constexpr double kWall_m = 10.0;  // for every room, since a report does not tell its length
+  constexpr double kUsed = 0.5;     // weight of a factor that counts
   const double sigma_deg =
       std::hypot(options.wall_heading_deg, options.wall_heading_deg_m / kWall_m);
   std::map<AsrId, std::int32_t> index_of;

@@ -8,8 +8,8 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kAlikeM = 0.6;
-constexpr double kAlikeRad = radians(3.0);
+constexpr double kAlikeM = 0.6;             // moves that end this near to each other are one ...
+constexpr double kAlikeRad = radians(3.0);  // ... and turn alike. Larger believes two errors as one
 
 Pose2 motion_of(const WiderMatch& wider) {
   return wider.building_from_is * inverse(wider.building_from_was);

@@ -12,8 +12,8 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kCloseM = 0.05;
-constexpr double kSettledShare = 0.6;    // of the iterations: by then the gate is at its smallest
+constexpr double kCloseM = 0.05;       // looked around first. It saves time and changes no partner
+constexpr double kSettledShare = 0.6;  // of the iterations: by then the gate is at its smallest
 constexpr double kNearlySettled = 1e-3;  // m and rad; after smaller steps the gate shrinks at once
 constexpr double kSettled = 1e-5;        // m and rad; smaller steps end the iteration
 

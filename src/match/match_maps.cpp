@@ -9,10 +9,14 @@
 namespace roomatlas {
 namespace {
 
-constexpr std::int8_t kOnFace = 100;
-constexpr std::int8_t kBesideFace = 60;
-constexpr std::int8_t kSeenFree = -30;
-constexpr int kMargin = 8;             // cells around the map: the largest square reaches 7 out
+constexpr std::int8_t kOnFace = 100;     // what a point scores in a cell with a face ...
+constexpr std::int8_t kBesideFace = 60;  // ... beside one: less asks for more than the raster tells
+constexpr std::int8_t kOnFree = -30;  // ... where free space was seen: nearer to 0 lets rooms lie
+                                      // on each other, farther forgives no moved furniture
+constexpr int kMargin = 8;            // cells around the map: the largest square reaches 7 out
+constexpr double kNoScore = -1e18;    // below any
+// What no wall fixes can still be inverted; 1/m^2 and 1/rad^2.
+constexpr double kLeastInformation = 1e-6;
 constexpr double kWindowSigmas = 3.0;  // the window's rim counts as this many sigmas off the guess
 constexpr double kPenalty = 0.5;       // of the score, which lies in [-30, 100], a square sigma
 
@@ -28,9 +32,9 @@ std::vector<Point> evenly(const std::vector<Point>& points, int count) {
 
 /// The heading changes so little that the farthest point moves by about a cell.
 double angle_step(const std::vector<ScanPoint>& points, double cell_m) {
-  constexpr double kMinRad = radians(0.4);
-  constexpr double kNearM = 5.0;
-  constexpr double kFarM = 12.0;
+  constexpr double kMinRad = radians(0.4);  // not finer, however small the cells
+  constexpr double kNearM = 5.0;  // small rooms are turned as if they reached this far: not coarser
+  constexpr double kFarM = 12.0;  // farther points may skip cells: a long corridor would take long
   double farthest_m = kNearM;
   for (const ScanPoint& point : points) farthest_m = std::max(farthest_m, point.position.norm());
   return std::max(kMinRad, cell_m / std::min(farthest_m, kFarM));
@@ -39,10 +43,11 @@ double angle_step(const std::vector<ScanPoint>& points, double cell_m) {
 /// 0, 1, -1, 2, -2 ...: the likeliest first.
 int nth_from_middle(int n) { return (n + 1) / 2 * (n % 2 == 1 ? 1 : -1); }
 
-struct Candidate {
-  double score = 0.0;
-  Cell shift;
-};
+/// What a place off the guess costs; nothing where there is no window.
+double penalty(double off, double reached) {
+  const double sigmas = reached > 0.0 ? kWindowSigmas * off / reached : 0.0;
+  return kPenalty * sigmas * sigmas;
+}
 
 }  // namespace
 
@@ -53,7 +58,7 @@ SearchableMap::SearchableMap(const LocalMap& map, const MatchMapsOptions& option
           {inner.max.x + kMargin, inner.max.y + kMargin}};
   std::vector<std::int8_t> base(box_.count(), 0);
   map.for_each_known_cell(
-      options.min_face_hits, [&](const Cell& cell) { base[box_.index_of(cell)] = kSeenFree; },
+      options.min_face_hits, [&](const Cell& cell) { base[box_.index_of(cell)] = kOnFree; },
       [&](const Cell& face) {
         for_each_cell({{face.x - 1, face.y - 1}, {face.x + 2, face.y + 2}}, [&](const Cell& cell) {
           std::int8_t& value = base[box_.index_of(cell)];
@@ -102,71 +107,72 @@ double SearchableMap::score(int level, const std::vector<Cell>& cells, const Cel
   return static_cast<double>(sum) / static_cast<double>(cells.size());
 }
 
+void SearchableMap::add_squares(int level, const CellBox& shifts, const std::vector<Cell>& cells,
+                                std::vector<Candidate>& stack) const {
+  const int side = 1 << level;
+  for (int x = shifts.min.x; x < shifts.max.x; x += side) {
+    for (int y = shifts.min.y; y < shifts.max.y; y += side) {
+      stack.push_back({score(level, cells, {x, y}), {x, y}});
+    }
+  }
+  std::stable_sort(stack.begin(), stack.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
+}
+
+void SearchableMap::search_shifts(const std::vector<Cell>& cells, const Turned& turned,
+                                  const SearchWindow& window, Best& best) const {
+  constexpr int kTop = kLevels - 1;  // the level of the largest squares
+  const double cell_m = map_.frame().cell_m;
+  const int reach = static_cast<int>(std::ceil(window.reach_m / cell_m));
+  std::vector<std::vector<Candidate>> open(kLevels);  // one stack a level, best at the back
+  add_squares(kTop, {{-reach, -reach}, {reach + 1, reach + 1}}, cells, open[kTop]);
+  int level = kTop;
+  while (level <= kTop) {
+    auto& stack = open[static_cast<std::size_t>(level)];
+    if (stack.empty()) {
+      ++level;
+      continue;
+    }
+    const Candidate candidate = stack.back();
+    if (candidate.score <= best.score) {
+      stack.clear();
+      continue;
+    }
+    stack.pop_back();
+    const Cell& shift = candidate.shift;
+    if (level == 0) {
+      const double off_m = std::hypot(shift.x, shift.y) * cell_m;
+      const double value = candidate.score - penalty(off_m, window.reach_m) -
+                           penalty(turned.by_rad, window.reach_rad);
+      if (value <= best.score) continue;
+      best = {{turned.pose.x_m + shift.x * cell_m, turned.pose.y_m + shift.y * cell_m,
+               turned.pose.theta_rad},
+              value};
+      continue;
+    }
+    const int side = 1 << level;
+    --level;
+    add_squares(level,
+                {shift, {std::min(shift.x + side, reach + 1), std::min(shift.y + side, reach + 1)}},
+                cells, open[static_cast<std::size_t>(level)]);
+  }
+}
+
 Pose2 SearchableMap::search(const std::vector<ScanPoint>& points, const Pose2& guess,
                             const SearchWindow& window) const {
-  const double cell_m = map_.frame().cell_m;
-  const double step_rad = angle_step(points, cell_m);
+  const double step_rad = angle_step(points, map_.frame().cell_m);
   const int turns = static_cast<int>(std::ceil(window.reach_rad / step_rad));
-  const int reach = static_cast<int>(std::ceil(window.reach_m / cell_m));
-  const auto penalty = [](double off, double reached) {
-    const double sigmas = reached > 0.0 ? kWindowSigmas * off / reached : 0.0;
-    return kPenalty * sigmas * sigmas;
-  };
-  constexpr int kTop = kLevels - 1;
-  double best_score = -1e18;
-  Pose2 best = guess;
+  Best best{guess, kNoScore};
   std::vector<Cell> cells(points.size());
   for (int n = 0; n <= 2 * turns; ++n) {
-    const double turn = nth_from_middle(n) * step_rad;
-    const Pose2 turned{guess.x_m, guess.y_m, wrap_angle(guess.theta_rad + turn)};
+    const double turn_rad = nth_from_middle(n) * step_rad;
+    const Pose2 turned{guess.x_m, guess.y_m, wrap_angle(guess.theta_rad + turn_rad)};
     std::transform(points.begin(), points.end(), cells.begin(), [&](const ScanPoint& point) {
       return map_.frame().cell_of(turned * point.position);
     });
-    std::vector<std::vector<Candidate>> open(kLevels);  // one stack a level, best at the back
-    const auto by_score = [](const Candidate& a, const Candidate& b) { return a.score < b.score; };
-    for (int x = -reach; x <= reach; x += 1 << kTop) {
-      for (int y = -reach; y <= reach; y += 1 << kTop) {
-        open[kTop].push_back({score(kTop, cells, {x, y}), {x, y}});
-      }
-    }
-    std::stable_sort(open[kTop].begin(), open[kTop].end(), by_score);
-    int level = kTop;
-    while (level <= kTop) {
-      if (open[static_cast<std::size_t>(level)].empty()) {
-        ++level;
-        continue;
-      }
-      auto& stack = open[static_cast<std::size_t>(level)];
-      const Candidate candidate = stack.back();
-      if (candidate.score <= best_score) {
-        stack.clear();
-        continue;
-      }
-      stack.pop_back();
-      if (level == 0) {
-        const double off_m = std::hypot(candidate.shift.x, candidate.shift.y) * cell_m;
-        const double value =
-            candidate.score - penalty(off_m, window.reach_m) - penalty(turn, window.reach_rad);
-        if (value > best_score) {
-          best_score = value;
-          best = {turned.x_m + candidate.shift.x * cell_m, turned.y_m + candidate.shift.y * cell_m,
-                  turned.theta_rad};
-        }
-        continue;
-      }
-      --level;
-      auto& finer = open[static_cast<std::size_t>(level)];
-      const int half = 1 << level;
-      for (int x = candidate.shift.x; x <= candidate.shift.x + half; x += half) {
-        for (int y = candidate.shift.y; y <= candidate.shift.y + half; y += half) {
-          if (x > reach || y > reach) continue;
-          finer.push_back({score(level, cells, {x, y}), {x, y}});
-        }
-      }
-      std::stable_sort(finer.begin(), finer.end(), by_score);
-    }
+    search_shifts(cells, {turned, turn_rad}, window, best);
   }
-  return best;
+  return best.pose;
 }
 
 void SearchableMap::judge(const std::vector<ScanPoint>& points, MapMatch& match) const {
@@ -214,7 +220,7 @@ MapMatch SearchableMap::find(const std::vector<ScanPoint>& points, const Pose2& 
   const double variance =
       options_.point_sigma_m * options_.point_sigma_m * options_.points_per_sample / all_over_some;
   const Eigen::Matrix3d information =
-      aligned.hessian / variance + 1e-6 * Eigen::Matrix3d::Identity();
+      aligned.hessian / variance + kLeastInformation * Eigen::Matrix3d::Identity();
   Eigen::Matrix3d covariance = information.inverse();
   const double floor_m = options_.floor_position_m;
   const double floor_rad = radians(options_.floor_heading_deg);

@@ -11,7 +11,7 @@ constexpr int kAtOnce = 4;           // sweeps of a room entered that are drawn 
 constexpr double kFade = 0.5;        // of recent turns, at each reading
 constexpr double kMaxLostM = 1.5;    // a wide search goes no farther
 constexpr double kLostSigmaM = 0.1;  // of a pose that a wide search found
-constexpr double kLostSigmaRad = radians(2.0);
+constexpr double kLostSigmaRad = radians(2.0);  // ... and of its heading
 
 }  // namespace
 

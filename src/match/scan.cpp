@@ -7,7 +7,7 @@
 namespace roomatlas {
 namespace {
 
-constexpr std::size_t kMinPoints = 4;
+constexpr std::size_t kMinPoints = 4;   // fewer beams tell no direction
 constexpr double kMaxFlatness = 0.15;   // spread across the line over spread along it
 constexpr double kStraightM = 0.03;     // a line this straight ...
 constexpr double kRoughFlatness = 0.1;  // ... may be less elongated than one that is not

@@ -11,9 +11,12 @@
 namespace roomatlas {
 namespace {
 
+constexpr double kAtJambM = 0.15;         // ends of a threshold are this near to its jambs; larger
+                                          // leaves corners beside doors cut off
+constexpr double kRightAngleSine = 0.99;  // 8 degrees off at most
+
 /// Whether an edge runs from jamb to jamb.
 bool is_threshold(const Point2& a, const Point2& b, const std::vector<Door>& doors) {
-  constexpr double kAtJambM = 0.15;
   const auto are_at = [&](const Point2& first, const Point2& second) {
     return (a - first).norm() < kAtJambM && (b - second).norm() < kAtJambM;
   };
@@ -39,7 +42,7 @@ std::optional<Point2> corner_cut_off(const Ring& ring, std::size_t edge,
     return std::nullopt;
   }
   const double turn = cross(first->line.along, second->line.along);
-  if (turn < 0.99) return std::nullopt;  // no right angle to the left: floor inside it
+  if (turn < kRightAngleSine) return std::nullopt;  // no right angle to the left: floor inside it
   const double on_m = cross(to - from, second->line.along) / turn;
   const Point2 corner = from + on_m * first->line.along;
   const bool is_beyond = on_m > 0.0 && second->line.along.dot(to - corner) > 0.0;

@@ -4,31 +4,36 @@
 #include "roomatlas/planar/millimetre_grid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 namespace roomatlas::planar {
 namespace {
 
-constexpr double kReach_mm = 600.0;
+constexpr double kReach_mm = 600.0;           // across the door line: floor farther off is not the
+                                              // door's; less loses floor behind a thick wall
 constexpr double kMaxAside_mm = 240.0;        // lines beside the door, from its jambs
 constexpr double kSliver_mm = 20.0;           // narrower floor is none
 constexpr double kNotch_mm = 150.0;           // one line may reach this much deeper than the middle
 constexpr double kMaxBesideDepth_mm = 600.0;  // a wall beside the door is not thicker
+constexpr double kSlack_mm = 1.0;             // lines at the rim miss no edge by a rounding
+constexpr std::array kAcross = {0.1, 0.3, 0.5, 0.7, 0.9};  // of the door's width: lines that tell
+                                                           // how deep it is, none at a jamb
 
 /// The stretch without floor across the door line, as offsets along the normal.
 struct Gap {
   double low_mm = 0.0;
   double high_mm = 0.0;
-  int room_low = -1;  ///< the floor below `low_mm`; -1: none within reach
-  int room_high = -1;
+  int room_low = -1;   ///< the floor below `low_mm`; -1: none within reach
+  int room_high = -1;  ///< the floor above `high_mm`
 };
 
 /// A stretch of one room's floor.
 struct Stretch {
   double low_mm = 0.0;
   double high_mm = 0.0;
-  int room = -1;
+  int room = -1;  ///< its position among the rooms
 };
 
 /// An edge of an outline near the door.
@@ -49,8 +54,8 @@ struct Probe {
 /// is inside or outside of an outline follows from all that it meets.
 std::vector<NearEdge> edges_across(const FloorLookup& floors, const Segment2& jambs_mm) {
   const Point2 unit = (jambs_mm.b - jambs_mm.a).normalized();
-  const double low = -kMaxAside_mm - 1.0;
-  const double high = (jambs_mm.b - jambs_mm.a).norm() + kMaxAside_mm + 1.0;
+  const double low = -kMaxAside_mm - kSlack_mm;
+  const double high = (jambs_mm.b - jambs_mm.a).norm() + kMaxAside_mm + kSlack_mm;
   Box2 box;
   for (const Point2& jamb : {jambs_mm.a, jambs_mm.b}) {
     box.extend(jamb + Point2::Constant(kReach_mm));
@@ -226,7 +231,7 @@ Ring door_opening(const Segment2& jambs_mm, const FloorLookup& floors, int first
   const Point2 normal(-unit.y(), unit.x());
   const std::vector<NearEdge> near = edges_across(floors, jambs_mm);
   Ends between;
-  for (const double fraction : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+  for (const double fraction : kAcross) {
     add(gap_at_door({floors, near, jambs_mm.a + fraction * along, normal}, first, second), between);
   }
   Ends beside;

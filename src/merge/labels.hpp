@@ -11,9 +11,9 @@ namespace roomatlas::planar {
 /// What a region is. Rooms count from 0 in the order of their ids; all else is negative, so that
 /// labels are groups for `PlanarMap::trace`.
 using Label = int;
-constexpr Label kUnknown = -1;
-constexpr Label kWall = -2;
-constexpr Label kDoor = -3;
+constexpr Label kUnknown = -1;  ///< nobody saw it, or it is outside
+constexpr Label kWall = -2;     ///< inside an outline that was widened by walls, and no floor
+constexpr Label kDoor = -3;     ///< inside a door opening
 
 /// A planar map, and which of its regions lie side by side. Keeps a reference to the map.
 class RegionMap {

@@ -21,12 +21,12 @@ using planar::MillimetreGrid;
 using planar::Outlines;
 using planar::PlanarMap;
 
-constexpr double kMillimetres = 1000.0;
-constexpr double kSquareMillimetres = 1e6;
-constexpr double kMinDoorWidth_m = 0.01;
-constexpr double kWallCrumb_mm2 = 1e4;  // 10 cm x 10 cm
-constexpr double kWallRoughness =
-    1.0 / 3.0;                             // of the thickness: what the outside of a wall smooths
+constexpr double kMillimetres = 1000.0;     // in a metre
+constexpr double kSquareMillimetres = 1e6;  // in a square metre
+constexpr double kMinDoorWidth_m = 0.01;    // narrower has no direction that can be told
+constexpr double kWallCrumb_mm2 = 1e4;      // 10 cm x 10 cm
+// Of the thickness: what the outside of a wall smooths. Less shows each step of an outline there.
+constexpr double kWallRoughness = 1.0 / 3.0;
 constexpr double kShapeTolerance_m = 0.1;  // for judging a room's shape
 
 MillimetreGrid grid_around(const std::vector<PlacedOutline>& outlines,
@@ -165,13 +165,14 @@ std::vector<std::vector<Polygon>> traced(const PlanarMap& map, const std::vector
 
 /// Well inside the part: its clearance is the greatest but for a third of the usual one.
 Point2 label_point(const Polygon& part, const Polygon& smooth_part, double area_m2) {
-  constexpr double kOfWidth = 0.3;
+  constexpr double kOfWidth = 0.3;    // of area over perimeter, half of a strip's width: finer ...
+  constexpr double kFinest_m = 0.05;  // ... costs time, and nobody sees a label that much off
   double perimeter_m = 0.0;
   for (std::size_t i = 0; i < part.outer.size(); ++i) {
     perimeter_m += (part.outer[(i + 1) % part.outer.size()] - part.outer[i]).norm();
   }
   const Point2 point =
-      interior_point(smooth_part, std::max(0.05, kOfWidth * area_m2 / perimeter_m));
+      interior_point(smooth_part, std::max(kFinest_m, kOfWidth * area_m2 / perimeter_m));
   return contains(part, point) ? point : interior_point(part);
 }
 

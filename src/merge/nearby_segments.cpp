@@ -8,7 +8,7 @@ namespace roomatlas {
 namespace {
 
 std::int64_t key_of(double column, double row) {
-  constexpr std::int64_t kStride = std::int64_t{1} << 32;
+  constexpr std::int64_t kStride = std::int64_t{1} << 32;  // more than there are rows
   return static_cast<std::int64_t>(column) * kStride + static_cast<std::int64_t>(row);
 }
 

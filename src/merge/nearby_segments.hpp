@@ -22,7 +22,7 @@ class NearbySegments {
   [[nodiscard]] bool crosses(const Segment2& probe) const;
 
  private:
-  static constexpr double kCell_m = 1.0;
+  static constexpr double kCell_m = 1.0;  ///< also the longest reach; larger asks more segments
   using Key = std::int64_t;
 
   template <typename Test>

@@ -63,7 +63,7 @@ RingsOfRooms rings_of(std::vector<PlacedOutline>& outlines) {
 
 void turn_into_wall(Door& door, const RingsOfRooms& rings,
                     const std::vector<double>& directions_rad, const RegularWallOptions& options) {
-  constexpr double kSame_m = 1e-3;
+  constexpr double kSame_m = 1e-3;  // a vertex this near to a jamb is that jamb
   const std::vector<Ring*> beside = rings_beside(door, rings);
   const auto along = wall_direction_at(door, beside, directions_rad, options);
   if (!along) return;

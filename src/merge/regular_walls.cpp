@@ -9,6 +9,7 @@
 #include "roomatlas/planar/union.hpp"
 #include "wall_lines.hpp"
 
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -17,6 +18,12 @@ namespace {
 
 constexpr double kMoveOverDistance = 1.5;  // of a corner, whose two walls both moved
 constexpr double kMaxAreaChange = 0.1;     // share of a ring's area; more is no straightening
+// A curve's chords turn by more than noise, and by no more than an octagon's sides. A wider range
+// leaves rough walls as they are, a narrower one makes stairs of curves.
+constexpr double kLeastCurveRad = radians(4.0);
+constexpr double kMostCurveRad = radians(46.0);
+// Edges at least this long move, in turn: the fewer, the less a ring crosses itself.
+constexpr std::array kLeastMovedM = {0.0, 1.0, 2.0};
 
 /// Whether the ring turns a little, the same way, at both ends of the edge: then it is part of a
 /// curve.
@@ -29,7 +36,7 @@ bool is_in_curve(const Ring& ring, std::size_t edge) {
   const double before = turn(along(edge + count - 1), along(edge));
   const double after = turn(along(edge), along(edge + 1));
   const auto is_slight = [](double angle) {
-    return std::abs(angle) > radians(4.0) && std::abs(angle) < radians(46.0);
+    return std::abs(angle) > kLeastCurveRad && std::abs(angle) < kMostCurveRad;
   };
   return before * after > 0.0 && is_slight(before) && is_slight(after);
 }
@@ -110,7 +117,7 @@ Ring regular_ring(const Ring& ring, EdgeNumbers numbers, const std::vector<Regul
 
 /// The outline without crossings, spikes and repeated vertices; as it is where that leaves parts.
 Polygon healed(const Polygon& outline) {
-  constexpr double kCrumb_m2 = 0.1;
+  constexpr double kCrumb_m2 = 0.1;  // parts this small may be lost; larger ones may not
   if (planar::is_simple(outline)) return outline;
   std::vector<Polygon> parts = union_of({outline});
   if (parts.empty()) return outline;
@@ -130,7 +137,7 @@ bool is_acceptable(const Polygon& before, const Polygon& after) {
 std::optional<Polygon> regular_outline(const Polygon& outline, std::vector<EdgeNumbers> numbers,
                                        const std::vector<RegularEdge>& edges,
                                        const RegularWallOptions& options) {
-  for (const double least_m : {0.0, 1.0, 2.0}) {
+  for (const double least_m : kLeastMovedM) {
     for (EdgeNumbers& of_ring : numbers) {
       for (int& edge : of_ring) {
         if (edge >= 0 && edges[static_cast<std::size_t>(edge)].length_m() < least_m) edge = -1;

@@ -10,11 +10,12 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kCorridorAspect = 3.0;
-constexpr double kCorridorWidth_m = 3.5;
-constexpr double kWideShare = 0.05;  // of a corridor: where corridors cross, or a lobby
-constexpr double kEnclosing = 1.5;   // with holes filled, over without: a loop
-constexpr double kHallArea_m2 = 80.0;
+constexpr double kCorridorAspect = 3.0;   // length over width; less takes oblong offices for one
+constexpr double kCorridorWidth_m = 3.5;  // wider is a hall or a room, however long
+constexpr double kWideShare = 0.05;       // of a corridor: where corridors cross, or a lobby
+constexpr double kEnclosing = 1.5;        // with holes filled, over without: a loop
+constexpr double kHallArea_m2 = 80.0;     // larger rooms that are no corridors are halls
+constexpr double kSameArea = 1e-6;  // of a box: a rounding must not decide which side is longer
 
 /// Convex hull, counter-clockwise (Andrew's monotone chain).
 Ring convex_hull(Ring points) {
@@ -48,7 +49,7 @@ double long_side(const Ring& outer) {
     for (const Point2& point : hull) box.extend({point.dot(along), point.dot(across)});
     const double area = box.size().prod();
     const double side = box.size().maxCoeff();
-    const double slack = 1e-6 * area;
+    const double slack = kSameArea * area;
     if (area < smallest_area - slack || (area < smallest_area + slack && side > longest)) {
       smallest_area = std::min(area, smallest_area);
       longest = side;
@@ -64,7 +65,7 @@ struct Width {
 };
 
 Width width_of(const Polygon& polygon) {
-  constexpr double kFinest_m = 0.25;
+  constexpr double kFinest_m = 0.25;  // between samples: a tenth of a corridor or so
   constexpr double kMaxSteps = 20.0;  // across a square of the polygon's area
   const double step_m = std::max(kFinest_m, std::sqrt(area(polygon)) / kMaxSteps);
   const Box2 box = bounds(polygon.outer);

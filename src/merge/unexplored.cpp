@@ -9,8 +9,9 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kStep_m = 0.1;    // between the places that are tried
-constexpr double kStart_m = 0.02;  // a probe starts so far outside, to be off its own edge
+constexpr double kStep_m = 0.1;         // between the places that are tried
+constexpr double kStart_m = 0.02;       // a probe starts so far outside, to be off its own edge
+constexpr double kStraightSine = 1e-6;  // a vertex that turns by no more is on a line
 
 /// A short piece of a ring, and whether free space ends there without a wall.
 struct Piece {
@@ -59,7 +60,7 @@ Polyline without_steps(const Polyline& line) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     const bool is_end = i == 0 || i + 1 == line.size();
     if (is_end || std::abs(cross((line[i] - kept.back()).normalized(),
-                                 (line[i + 1] - line[i]).normalized())) > 1e-6) {
+                                 (line[i + 1] - line[i]).normalized())) > kStraightSine) {
       kept.push_back(line[i]);
     }
   }

@@ -2,14 +2,17 @@
 #include "wall_lines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
 namespace roomatlas {
 namespace {
 
-constexpr double kSameLine_m = 1e-6;
+constexpr double kSameLine_m = 1e-6;       // offsets on one line differ by roundings alone
 constexpr double kLeastCornerSine = 0.34;  // lines that meet under 20 degrees make no corner
+// Of the greatest distance: the nearest lines join first, so that a far one cannot take them apart.
+constexpr std::array kJoinShares = {0.25, 0.5, 1.0};
 
 /// Edges on one line, or about to be.
 struct Group {
@@ -48,7 +51,7 @@ bool join(Group& group, const Group& other, double max_gap_m) {
 
 /// Joins groups with those of near offsets, the nearest first.
 void join_groups(std::vector<Group>& groups, double max_distance_m, double max_gap_m) {
-  for (const double share : {0.25, 0.5, 1.0}) {
+  for (const double share : kJoinShares) {
     std::sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) {
       return a.offset_m != b.offset_m ? a.offset_m < b.offset_m : a.edges < b.edges;
     });

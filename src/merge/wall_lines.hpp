@@ -32,7 +32,7 @@ struct RegularEdge {
   [[nodiscard]] double length_m() const { return (evidence.b - evidence.a).norm(); }
 };
 
-inline constexpr double kQuarter_rad = kPi / 2.0;
+inline constexpr double kQuarter_rad = kPi / 2.0;  ///< a right angle
 
 /// Angle modulo a quarter turn, [0, pi/2).
 [[nodiscard]] double quarter_angle(const Point2& along);

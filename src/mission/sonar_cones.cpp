@@ -10,9 +10,10 @@
 namespace roomatlas::io {
 namespace {
 
+// Where a Pioneer 2 has its sonars, front and rear, and how wide they hear.
 constexpr double kHalfConeRad = radians(10.0);
-constexpr std::array kFrontDeg = {90.0, 50.0, 30.0, 10.0, -10.0, -30.0, -50.0, -90.0};
-constexpr std::array kRearDeg = {-90.0, -130.0, -150.0, -170.0, 170.0, 150.0, 130.0, 90.0};
+constexpr std::array kFrontDeg = {90.0, 50.0, 30.0, 10.0, -10.0, -30.0, -50.0, -90.0};  // clockwise
+constexpr std::array kRearDeg = {-90.0, -130.0, -150.0, -170.0, 170.0, 150.0, 130.0, 90.0};  // too
 constexpr double kLeastRangeM = 0.1;  // nearer: the robot itself, or dust
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -42,7 +43,7 @@ bool is_echo(const SonarCones& cones, double range_m) {
 bool throws_back(const SonarCones& cones, const std::vector<float>& ranges_m, std::size_t beam,
                  double limit_rad) {
   constexpr double kBaseRad = radians(2.0);  // to either side, over which a surface is flat
-  constexpr double kEdgeM = 0.3;
+  constexpr double kEdgeM = 0.3;  // a step in range that is an edge, not a surface at a flat angle
   const auto& poses = cones.laser->robot_from_beam;
   const auto neighbour = [&](int step) {
     std::size_t at = beam;

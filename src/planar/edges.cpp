@@ -8,7 +8,7 @@
 namespace roomatlas::planar {
 namespace {
 
-constexpr std::size_t kMinSlots = 16;
+constexpr std::size_t kMinSlots = 16;  // of a hash table, so that an empty one can be asked
 
 }  // namespace
 

@@ -7,8 +7,11 @@
 namespace roomatlas::planar {
 namespace {
 
-constexpr double kMillimetres = 1000.0;
-constexpr double kEarthRadius_m = 1e7;  // rounded up
+constexpr double kMillimetres = 1000.0;  // in a metre
+constexpr double kEarthRadius_m = 1e7;   // rounded up
+constexpr int kBits = 50;  // of a double's 53 that a coordinate takes; more would round differences
+constexpr int kCoarsest = 16;  // 2^-16 mm: as far away as the Earth is large
+constexpr int kFinest = 34;    // 2^-34 mm: finer than anything needs
 
 Ring on_grid(const MillimetreGrid& grid, const Ring& ring_m, Dropped& dropped) {
   Ring ring_mm;
@@ -49,8 +52,7 @@ MillimetreGrid::MillimetreGrid(const Box2& around) {
   const double reach_mm =
       std::max({1.0, around.min.cwiseAbs().maxCoeff(), around.max.cwiseAbs().maxCoeff()}) *
       kMillimetres;
-  constexpr int kBits = 50;
-  fine_ = std::exp2(std::clamp(kBits - std::ilogb(reach_mm) - 1, 16, 34));
+  fine_ = std::exp2(std::clamp(kBits - std::ilogb(reach_mm) - 1, kCoarsest, kFinest));
 }
 
 Point2 MillimetreGrid::to_grid(const Point2& point) const {

@@ -14,7 +14,7 @@ namespace roomatlas::planar {
 /// `EdgeSet`, whose differences doubles hold exactly: then each product is off by half a unit in
 /// its last place, and their difference by as much again.
 [[nodiscard]] inline int orientation(const Point2& a, const Point2& b, const Point2& c) {
-  constexpr double kRounding = 0x1p-51;
+  constexpr double kRounding = 0x1p-51;  // twice what these add up to
   const double left = (b.x() - a.x()) * (c.y() - a.y());
   const double right = (b.y() - a.y()) * (c.x() - a.x());
   const double difference = left - right;

@@ -42,9 +42,9 @@ class SegmentGrid {
   void for_each_cell(const Point2& a, const Point2& b, Visit visit) const;
 
   Point2 low_ = Point2::Zero();
-  double cell_ = 1.0;
-  int columns_ = 1;
-  int rows_ = 1;
+  double cell_ = 1.0;       ///< side of a cell, mm
+  int columns_ = 1;         ///< one or more
+  int rows_ = 1;            ///< one or more
   std::vector<int> first_;  ///< of each cell in `entries_`, and one more
   std::vector<int> entries_;
 };

@@ -6,7 +6,7 @@
 namespace roomatlas {
 namespace {
 
-constexpr Cell kSides[4] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+constexpr Cell kSides[4] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};  // east, north, west, south
 
 Cell moved(const Cell& cell, const Cell& step) { return {cell.x + step.x, cell.y + step.y}; }
 

@@ -9,10 +9,12 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kLatticeM = 0.2;
+constexpr double kLatticeM = 0.2;       // of points that tell shares of areas and paths; larger is
+                                        // faster and misjudges small rooms
 constexpr double kDoorwayReachM = 0.8;  // path nearer to a doorway tells little about the room
 constexpr double kTellingPathM = 0.8;   // shorter paths tell nothing
 constexpr double kWallReachM = 0.25;    // evidence for wall beside a jamb may be this far off
+constexpr double kAskEveryM = 0.1;      // along the line beside a jamb, from there on
 
 /// Sets of ASRs that belong together.
 class SameSet {
@@ -68,7 +70,7 @@ double wall_share(const PlacedWalls& walls, const Pose2& building_from_pivot, do
                   double side, const RoomOptions& options) {
   int seen = 0;
   int asked = 0;
-  for (double off_m = 0.1; off_m <= options.wall_beside_door_m; off_m += 0.1) {
+  for (double off_m = kAskEveryM; off_m <= options.wall_beside_door_m; off_m += kAskEveryM) {
     ++asked;
     if (walls.has_wall_near(building_from_pivot * Point2(0.0, side * (width_m / 2.0 + off_m)))) {
       ++seen;

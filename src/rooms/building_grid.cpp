@@ -7,12 +7,14 @@
 namespace roomatlas {
 namespace {
 
-constexpr int kBorderCells = 2;  // so that nothing that is grown touches the box
+constexpr int kBorderCells = 2;       // so that nothing that is grown touches the box
+constexpr double kInnerShare = 0.35;  // of the footprint's shorter side, each way; 0.5 is its rim,
+                                      // and would free jambs that a pose is a little off
 
 /// The cells under the inner part of the footprint: the rim may touch a door's jamb.
 std::vector<Cell> cells_under(const Pose2& building_from_robot, const RobotFootprint& footprint,
                               const CellFrame& frame) {
-  const double half_m = 0.35 * std::min(footprint.length_m, footprint.width_m);
+  const double half_m = kInnerShare * std::min(footprint.length_m, footprint.width_m);
   const double step_m = frame.cell_m / 2.0;
   std::vector<Cell> cells;
   for (double x = -half_m; x <= half_m; x += step_m) {

@@ -9,7 +9,8 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kSameDoorM = 0.8;
+constexpr double kSameDoorM = 0.8;  // crossings between two rooms this near are one door; larger
+                                    // joins two doors side by side
 
 /// One crossing, as the first draft of a door.
 struct Crossing {

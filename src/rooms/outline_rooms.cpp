@@ -59,12 +59,9 @@ std::vector<Exit> other_doors_of(const Asr& asr, RoomId room, const Pose2& build
   return others;
 }
 
-/// The ASR's outline, cut at every door of its room.
-Polygon outline_cut_at_doors(const AsrSource& source, const Asr& asr, RoomId room,
-                             const Pose2& building_from_asr, const DoorsOfRooms& doors,
-                             const RobotFootprint& footprint, const OutlineRoomOptions& options) {
-  const std::vector<Exit> others =
-      options.map_again ? other_doors_of(asr, room, building_from_asr, doors) : std::vector<Exit>{};
+/// The ASR's outline, cut at these doors too.
+Polygon outline_cut_at(const std::vector<Exit>& others, const Asr& asr, const AsrSource& source,
+                       const RobotFootprint& footprint, const OutlineRoomOptions& options) {
   if (others.empty()) return asr.outline_asr;
   const Asr whole = source.get(asr.id, AsrDetail::readings);
   if (whole.readings.empty()) return asr.outline_asr;
@@ -87,8 +84,9 @@ MappedBuilding rooms_by_outlines(const AsrSource& source, const std::vector<Asr>
     report(progress, "outline", share_of(building.outlines.size(), asrs.size()));
     const RoomId room = building.room_of_asr.at(asr.id);
     const Pose2& building_from_asr = placement.at(asr.id);
-    const Polygon outline = outline_cut_at_doors(source, asr, room, building_from_asr,
-                                                 doors_of_rooms, footprint, options);
+    std::vector<Exit> others;
+    if (options.map_again) others = other_doors_of(asr, room, building_from_asr, doors_of_rooms);
+    const Polygon outline = outline_cut_at(others, asr, source, footprint, options);
     building.outlines.push_back({asr.id, room, transformed(building_from_asr, outline)});
   }
   return building;

@@ -18,7 +18,10 @@ namespace {
 constexpr double kCutBeyondM = 0.2;    // on either side of an opening that cuts the floor
 constexpr double kHalfPassageM = 0.3;  // what is seen through narrower gaps is not the room's
 constexpr double kOneJambM = 0.5;      // jambs this near are one
-constexpr int kMostRounds = 50;
+constexpr double kBesideFromM = 0.2;   // an opening's own room is looked up this far off its line:
+constexpr double kBesideToM = 0.6;     // nearer lies the cut, farther another room
+constexpr int kMostRounds = 50;        // each opens or joins something; only to be sure of an end
+// Over edges, not corners.
 constexpr std::array<Cell, 4> kSides = {Cell{1, 0}, Cell{0, 1}, Cell{-1, 0}, Cell{0, -1}};
 
 /// Free space that is wide enough to be part of a room, or that the robot drove through.
@@ -151,7 +154,7 @@ class Rooms {
   [[nodiscard]] std::optional<RoomId> beside(const RoomSegmentation& rooms, const Doorway& opening,
                                              double sign) const {
     const Point2 along = sign * direction(opening.frame_from_pivot.theta_rad);
-    for (double off_m = 0.2; off_m < 0.6; off_m += grid_.frame.cell_m / 2.0) {
+    for (double off_m = kBesideFromM; off_m < kBesideToM; off_m += grid_.frame.cell_m / 2.0) {
       const RoomId room =
           rooms.at(grid_.frame.cell_of(opening.frame_from_pivot.position() + off_m * along));
       if (room != 0) return room;

@@ -9,8 +9,8 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kLeastOverlap_m2 = 0.1;
-constexpr std::size_t kNamesListed = 5;
+constexpr double kLeastOverlap_m2 = 0.1;  // of two rooms; less is careless drawing
+constexpr std::size_t kNamesListed = 5;   // in a message
 
 std::string title_of(const PlanRoom& room) {
   const std::string number = std::to_string(room.id);

@@ -9,19 +9,20 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kMapEveryM = 0.02;
-constexpr double kMapEveryDeg = 1.5;
-constexpr double kTrackEveryM = 0.05;
+constexpr double kMapEveryM = 0.02;       // a sweep is mapped after this much motion ...
+constexpr double kMapEveryDeg = 1.5;      // ... or turn; rarer: it meets what is not mapped yet
+constexpr double kTrackEveryM = 0.05;     // between the points of the track
 constexpr std::size_t kAnchorEvery = 10;  // of the track's points
 constexpr double kLookBehindM = 0.6;      // both jambs have been seen by then
-constexpr double kProgressM = 0.1;
-constexpr double kProgressDeg = 15.0;
-constexpr double kPatienceS = 4.0;
-constexpr double kShuffleS = 1.0;
-constexpr double kCaughtM = 0.5;  // so far away it is free again
-constexpr int kCalmShuffles = 4;  // caught oftener in one place, it goes back
-constexpr double kLeastRetreatM = 0.15;
-constexpr double kRetreatM = 1.0;  // at most
+constexpr std::size_t kLeastBehind = 6;   // points behind that, so that the way has a direction
+constexpr double kProgressM = 0.1;        // a robot that moved so far ...
+constexpr double kProgressDeg = 15.0;     // ... or turned so much is not caught
+constexpr double kPatienceS = 4.0;        // without progress: then it is. Less mistakes slow turns
+constexpr double kShuffleS = 1.0;         // how long it goes back or ahead to get away
+constexpr double kCaughtM = 0.5;          // so far away it is free again
+constexpr int kCalmShuffles = 4;          // caught oftener in one place, it goes back
+constexpr double kLeastRetreatM = 0.15;   // back at least so far, and to where it can turn
+constexpr double kRetreatM = 1.0;         // at most
 
 }  // namespace
 
@@ -136,7 +137,7 @@ void Explorer::follow_rooms(const Pose2& map_from_robot) {
 /// Doorways that were not seen ahead are found once the robot is through.
 void Explorer::look_behind(const Pose2& map_from_robot) {
   const auto back = static_cast<std::size_t>(kLookBehindM / kTrackEveryM);
-  if (track_.size() < back + 6) return;
+  if (track_.size() < back + kLeastBehind) return;
   const Pose2 at = pose_on_way(track_, track_.size() - 1 - back);
   const auto doorway = seen_doorway(map_, at);
   if (!doorway) return;

@@ -7,13 +7,15 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kRenewEveryS = 0.6;  // ways are found anew on what has been seen since
-constexpr double kRenewShare = 0.1;   // ... and the rarer the longer they are: they cost more
-constexpr double kAtGoalM = 0.12;
+constexpr double kRenewEveryS = 0.6;   // ways are found anew on what has been seen since
+constexpr double kRenewShare = 0.1;    // ... and the rarer the longer they are: they cost more
+constexpr double kAtGoalM = 0.12;      // so near, it is there; less lets it dance about a goal
 constexpr double kGiveUpM = 0.3;       // frontiers this near to a hopeless one are hopeless too
 constexpr double kDoorSkipM = 0.2;     // of the way ahead, beside the robot itself
 constexpr double kBeyondDoorM = 0.45;  // how far behind a door its way ends
-constexpr int kStuckGoals = 10;
+constexpr int kStuckGoals = 10;        // given up one after the other: then it is stuck
+constexpr double kGoalS = 15.0;        // what a goal may take at least, to turn and get clear ...
+constexpr double kSlowness = 4.0;      // ... and beside it so many times what the bare way takes
 
 }  // namespace
 
@@ -22,7 +24,7 @@ bool Explorer::is_wanted_frontier(const Cell& cell) const {
 }
 
 double Explorer::deadline_s(const Polyline& way) const {
-  return time_s_ + 15.0 + 4.0 * length(way) / options_.speed_m_per_s;
+  return time_s_ + kGoalS + kSlowness * length(way) / options_.speed_m_per_s;
 }
 
 /// When nothing is left, what was given up is tried once more: it may be clearer now.

@@ -8,19 +8,19 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kCellM = 0.05;        // a door's jambs leave room for the robot between them
-constexpr double kObstacle = 5.0;      // C: two hits; one may be crosstalk
-constexpr double kSonarHitM = 0.8;     // farther echoes are too vague: they would close doors
-constexpr double kSonarNoEchoM = 0.5;  // a flat wall gives none
-constexpr double kConeFreeM = 1.5;     // how far the whole cone counts as free
-constexpr double kConeShare = 0.7;     // of the half cone
-constexpr double kEchoClearanceM = 0.1;
-constexpr double kLaserM = 5.0;
+constexpr double kCellM = 0.05;            // a door's jambs leave room for the robot between them
+constexpr double kObstacle = 5.0;          // C: two hits; one may be crosstalk
+constexpr double kSonarHitM = 0.8;         // farther echoes are too vague: they would close doors
+constexpr double kSonarNoEchoM = 0.5;      // a flat wall gives none
+constexpr double kConeFreeM = 1.5;         // how far the whole cone counts as free
+constexpr double kConeShare = 0.7;         // of the half cone
+constexpr double kEchoClearanceM = 0.1;    // before an echo nothing is freed: its wall stays
+constexpr double kLaserM = 5.0;            // how far a laser is mapped, echo or not
 constexpr double kTouchingMarginM = 0.04;  // beyond the robot's half width
 constexpr double kTurningMarginM = 0.05;   // beyond the robot's half diagonal
-constexpr int kLookAroundCells = 2;
-constexpr int kNarrowCells = 2;           // to each side
-constexpr double kBesideM = 0.7;          // as far as jambs are from the middle of a door
+constexpr int kLookAroundCells = 2;  // how far a frontier looks for unknown cells, to each side
+constexpr int kNarrowCells = 2;      // to each side
+constexpr double kBesideM = 0.7;     // as far as jambs are from the middle of a door
 constexpr int kFrontierUnknownCells = 6;  // of the 24 around; fewer may be specks between beams ...
 constexpr int kGapUnknownCells = 3;       // ... unless they belong to something large:
 constexpr std::size_t kLargeUnknownCells = 120;  // 0.3 m2

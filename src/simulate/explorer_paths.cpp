@@ -10,14 +10,14 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kStartFreedomM = 0.35;  // how far the robot may go to where it may be
-constexpr float kImpassablePrice = 20.0F;
-constexpr float kTightPrice = 8.0F;
+constexpr double kStartFreedomM = 0.35;    // how far the robot may go to where it may be
+constexpr float kImpassablePrice = 20.0F;  // a metre there costs so many: out of it by the shortest
+constexpr float kTightPrice = 8.0F;        // where it cannot turn; less lets it scrape along walls
 
 }  // namespace
 
 Pose2 pose_on_way(const Polyline& way, std::size_t i) {
-  constexpr std::size_t kReach = 5;
+  constexpr std::size_t kReach = 5;  // points each way; fewer follow the raster's steps
   const Point2& from = way[i - std::min(i, kReach)];
   const Point2& to = way[std::min(i + kReach, way.size() - 1)];
   return {way[i].x(), way[i].y(), std::atan2(to.y() - from.y(), to.x() - from.x())};

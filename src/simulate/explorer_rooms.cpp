@@ -12,7 +12,7 @@ constexpr double kSameDoorM = 0.6;   // doorways whose middles are nearer are on
 constexpr double kClosedM = 0.075;   // half the breadth of a closed door
 constexpr double kJambReachM = 0.1;  // it is closed into its jambs
 constexpr double kZoneM = 0.3;       // half the breadth of a door's zone
-constexpr int kMaxFailures = 2;
+constexpr int kMaxFailures = 2;      // to reach a door; then it is left
 
 Segment2 longer(const Segment2& segment, double by_m) {
   const Point2 along = (segment.b - segment.a).normalized();

@@ -7,8 +7,9 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kBucketM = 2.0;
-constexpr double kTouchM = 0.01;
+constexpr double kBucketM = 2.0;  // side of a cell of the index; smaller visits more, larger asks
+                                  // more edges in each
+constexpr double kTouchM = 0.01;  // edges this near to a corner meet in it
 constexpr double kLeastCornerRad = 0.6;  // turns of a curved wall are no corners
 
 Ring normalized(Ring ring, bool counter_clockwise) {

@@ -10,16 +10,31 @@
 namespace roomatlas::random_building_layout {
 namespace {
 
-constexpr std::int64_t kRoomsPerBlock =
-    20;                          // blocks have this many or, so that all are equal, fewer
-constexpr double kPitchM = 5.2;  // mean width of a room with its wall
-constexpr double kLeastWidthM = 2.4;
-constexpr double kLinkWidthM = 2.2;
+// Blocks have this many or, so that all are equal, fewer.
+constexpr std::int64_t kRoomsPerBlock = 20;
+constexpr double kPitchM = 5.2;       // mean width of a room with its wall
+constexpr double kLeastWidthM = 2.4;  // of a room; a door and wall on both sides of it fit in
+constexpr double kLinkWidthM = 2.2;   // of the room that leads to the next row of blocks
 constexpr double kDepthsM = 11.0;     // of the rooms on both sides together
 constexpr double kLeastDepthM = 4.3;  // of one side
 constexpr double kDoorMarginM = 0.6;  // from the jamb to the corner: a door needs wall beside it
 constexpr double kPassageM = 0.95;    // width of doors between blocks
-constexpr double kStripM = kDepthsM + kCorridorM + 3.0 * kWallM;
+constexpr double kStripM = kDepthsM + kCorridorM + 3.0 * kWallM;  // rooms, corridor, rooms
+constexpr double kHall_m2 = 60.0;                                 // larger rooms are halls
+constexpr double kJoinedShare = 0.35;  // of rooms that may have a door to the one before ...
+constexpr double kInnerShare = 0.2;    // ... and of these, with none to the corridor
+
+/// How wide rooms are: a kind for each share of them, evenly between two widths.
+struct WidthsOfKind {
+  double up_to;  // of all rooms
+  double low_m;
+  double high_m;
+};
+constexpr WidthsOfKind kOffice{0.65, 3.0, 4.5};      // most rooms
+constexpr WidthsOfKind kLaboratory{0.92, 5.0, 8.0};  // about a quarter
+constexpr WidthsOfKind kHall{1.0, 9.0, 13.0};        // the rest
+constexpr double kLeastDoorM = 0.8;                  // width of doors inside a block ...
+constexpr double kMostDoorM = 1.0;                   // ... evenly between these
 
 double between(RandomStream& random, double low, double high) {
   return low + (high - low) * random.uniform();
@@ -27,10 +42,11 @@ double between(RandomStream& random, double low, double high) {
 
 /// Inner width of a room before the row is fitted to its block.
 double drawn_width_m(RandomStream& random) {
-  const double kind = random.uniform();
-  if (kind < 0.65) return between(random, 3.0, 4.5);  // office
-  if (kind < 0.92) return between(random, 5.0, 8.0);  // laboratory
-  return between(random, 9.0, 13.0);                  // hall
+  const double share = random.uniform();
+  for (const WidthsOfKind& kind : {kOffice, kLaboratory}) {
+    if (share < kind.up_to) return between(random, kind.low_m, kind.high_m);
+  }
+  return between(random, kHall.low_m, kHall.high_m);
 }
 
 /// Widths that fill a row; none is under the least.
@@ -46,7 +62,7 @@ std::vector<double> widths_m(RandomStream& random, std::size_t count, double ava
   return widths;
 }
 
-double door_width_m(RandomStream& random) { return between(random, 0.8, 1.0); }
+double door_width_m(RandomStream& random) { return between(random, kLeastDoorM, kMostDoorM); }
 
 /// Where a door's middle may be between two corners.
 double door_place(RandomStream& random, double low, double high, double width_m) {
@@ -63,7 +79,7 @@ void add_door(Block& block, std::size_t from, std::size_t to, const Pose2& out, 
 }
 
 RoomKind kind_of(const Box2& box) {
-  return box.size().prod() > 60.0 ? RoomKind::hall : RoomKind::room;
+  return box.size().prod() > kHall_m2 ? RoomKind::hall : RoomKind::room;
 }
 
 }  // namespace
@@ -159,8 +175,8 @@ void Layout::add_row(Block& block, const Row& row) const {
     const std::size_t space = heading > 0 ? add_space(at, at + width) : add_space(at - width, at);
     const double wall_x = at - heading * kWallM / 2.0;  // towards the room before
     at += heading * (width + kWallM);
-    const bool is_joined = can_be_joined && row.random.uniform() < 0.35;
-    const bool is_inner = is_joined && row.random.uniform() < 0.2;
+    const bool is_joined = can_be_joined && row.random.uniform() < kJoinedShare;
+    const bool is_inner = is_joined && row.random.uniform() < kInnerShare;
     if (is_joined) {
       const double door_m = door_width_m(row.random);
       const double y = door_place(row.random, row.low_y, row.high_y, door_m);

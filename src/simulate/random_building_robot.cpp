@@ -8,7 +8,7 @@ namespace roomatlas::random_building_layout {
 namespace {
 
 constexpr double kBesideDoorM = 0.1;  // the first sample behind a door, and the last before it
-constexpr double kCellM = 0.1;
+constexpr double kCellM = 0.1;        // of the grid that a room would have had
 constexpr double kCellsOfWall = 3.0;  // raised across a wall: a hit raises its neighbours
 
 Exit passage_at(PassageKind kind, const Pose2& frame_from_pivot, double width_m) {

@@ -19,10 +19,10 @@ constexpr std::array<Sonar, 4> kFrontLeft = {{
     {0.190, 0.080, 30.0},
     {0.210, 0.025, 10.0},
 }};
-constexpr double kRealHalfLength_m = 0.210;
-constexpr double kRealHalfWidth_m = 0.130;
+constexpr double kRealHalfLength_m = 0.210;  // of the outermost of these
+constexpr double kRealHalfWidth_m = 0.130;   // likewise
 
-constexpr double kLaserForwardM = 0.1;
+constexpr double kLaserForwardM = 0.1;  // ahead of the robot's middle
 
 }  // namespace
 

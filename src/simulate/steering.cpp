@@ -11,21 +11,23 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kLookAheadM = 0.45;  // along the way; more cuts corners
-constexpr double kWindowM = 0.9;      // of the polar histogram; more shies from far walls
-constexpr double kSectorDeg = 5.0;
-constexpr double kMaxDeviationDeg = 30.0;
+constexpr double kLookAheadM = 0.45;       // along the way; more cuts corners
+constexpr double kWindowM = 0.9;           // of the polar histogram; more shies from far walls
+constexpr double kSectorDeg = 5.0;         // of the histogram; wider smooths gaps away
+constexpr double kMaxDeviationDeg = 30.0;  // from the way; more wanders off it along walls
 constexpr double kDensityOfWall = 1000.0;  // k that weighs like a deviation of 30 degrees
-constexpr double kTurnOnSpotDeg = 30.0;
-constexpr double kStraightMisfit = 0.3;  // with more to turn, it rather makes room for turning
-constexpr double kCellMarginM = 0.01;    // a cell's middle lies before the surface that raised it
-constexpr double kEchoMarginM = 0.03;
-constexpr double kLeastTurnRad = 1e-3;
-constexpr double kNearM = 0.8;       // what may be touched in one step or a few
-constexpr double kCloseEchoM = 0.5;  // nearly where a cone's axis says
-constexpr std::size_t kRememberedSweeps = 8;
-constexpr std::size_t kRememberedSteps = 1000;
-constexpr int kWayOutSteps = 40;
+constexpr double kTurnOnSpotDeg = 30.0;    // with more to turn it does not drive
+constexpr double kCreepSlower = 3.0;       // times slower where it is tight
+constexpr double kSlowing = 0.7;           // of the speed, lost shortly before it stops to turn
+constexpr double kStraightMisfit = 0.3;    // with more to turn, it rather makes room for turning
+constexpr double kCellMarginM = 0.01;      // a cell's middle lies before the surface that raised it
+constexpr double kEchoMarginM = 0.03;      // an echo's noise; more keeps it out of doors
+constexpr double kLeastTurnRad = 1e-3;     // a step that turns less does nothing
+constexpr double kNearM = 0.8;             // what may be touched in one step or a few
+constexpr double kCloseEchoM = 0.5;        // nearly where a cone's axis says
+constexpr std::size_t kRememberedSweeps = 8;    // of close echoes: the last second or so
+constexpr std::size_t kRememberedSteps = 1000;  // that can be taken back; bounds memory
+constexpr int kWayOutSteps = 40;  // of creeping that are looked ahead for a place to turn
 
 /// The point of the way some distance ahead of the way's point nearest to the robot.
 Point2 look_ahead(const Polyline& way, const Point2& position) {
@@ -118,7 +120,7 @@ class Surroundings {
 /// The robot cannot turn where it stands: it creeps ahead or back, whichever sooner lets it.
 Steering way_out(const Surroundings& around, const Pose2& map_from_robot, double turn_rad,
                  const SteeringLimits& limits) {
-  const double creep_m = limits.max_length_m / 3.0;
+  const double creep_m = limits.max_length_m / kCreepSlower;
   std::array<Pose2, 2> at = {map_from_robot, map_from_robot};
   std::array<bool, 2> open = {true, true};
   for (int step = 0; step < kWayOutSteps; ++step) {
@@ -176,14 +178,15 @@ Steering steer(const ExplorerMap& map, const std::vector<Point2>& echoes_map,
   const double error_rad = wrap_angle(wanted_rad - map_from_robot.theta_rad);
   const double turn_rad = std::clamp(error_rad, -limits.max_turn_rad, limits.max_turn_rad);
   const double misfit = std::abs(error_rad) / radians(kTurnOnSpotDeg);
-  const double length_m = misfit >= 1.0 ? 0.0 : limits.max_length_m * (1.0 - 0.7 * misfit);
+  const double length_m = misfit >= 1.0 ? 0.0 : limits.max_length_m * (1.0 - kSlowing * misfit);
 
   const Surroundings around(map, echoes_map, map_from_robot, footprint);
-  const double creep_m = limits.max_length_m / 3.0;
+  const double creep_m = limits.max_length_m / kCreepSlower;
   for (const Steering& step :
-       {Steering{turn_rad, length_m}, Steering{turn_rad, length_m / 3.0}, Steering{turn_rad, 0.0},
-        Steering{turn_rad / 2.0, creep_m}, Steering{turn_rad / 4.0, creep_m},
-        Steering{0.0, misfit < kStraightMisfit ? length_m / 3.0 : 0.0}}) {
+       {Steering{turn_rad, length_m}, Steering{turn_rad, length_m / kCreepSlower},
+        Steering{turn_rad, 0.0}, Steering{turn_rad / 2.0, creep_m},
+        Steering{turn_rad / 4.0, creep_m},
+        Steering{0.0, misfit < kStraightMisfit ? length_m / kCreepSlower : 0.0}}) {
     const bool moves = step.length_m != 0.0 || std::abs(step.turn_rad) > kLeastTurnRad;
     if (moves && around.allow(map_from_robot, step)) return step;
   }

@@ -55,7 +55,7 @@ ROOMATLAS_INLINE std::ptrdiff_t find_runs(std::ptrdiff_t child_rows,
     if (r > 0 && row_in_front[r] == row_in_front[r - 1] + 1) {
       runs[count - 1].count += Size;
     } else {
-      runs[count++] = {r * Size, row_in_front[r] * Size, Size};
+      runs[count++] = {r * Size, std::ptrdiff_t{row_in_front[r]} * Size, Size};
     }
   }
   return count;
@@ -69,7 +69,7 @@ ROOMATLAS_INLINE void add_child(const Front& front, const double* child, std::pt
   const std::ptrdiff_t child_stride = child_rows * Size;
   const std::ptrdiff_t run_count = find_runs<Size>(child_rows, row_in_front, runs);
   for (std::ptrdiff_t first = 0, c = 0; c < child_rows; ++c) {
-    const std::ptrdiff_t column = row_in_front[c] * Size;
+    const std::ptrdiff_t column = std::ptrdiff_t{row_in_front[c]} * Size;
     const bool in_panel = column < front.width;
     const std::ptrdiff_t stride = in_panel ? panel_stride : front.rows;
     double* const target = in_panel ? front.panel + column * stride
@@ -96,7 +96,8 @@ ROOMATLAS_INLINE void add_child(const Front& front, const double* child, std::pt
 /// each chunk. @return the column that fails, or -1
 template <int Size>
 ROOMATLAS_INLINE std::ptrdiff_t eliminate_panel(const Front& front, const double* smallest) {
-  constexpr std::ptrdiff_t kChunk = 8 * Size;
+  constexpr std::ptrdiff_t kChunk =
+      std::ptrdiff_t{8} * Size;  // fewer: small products; more: column by column
   const std::ptrdiff_t stride = front.width + front.rows;
   for (std::ptrdiff_t begin = 0; begin < front.width; begin += kChunk) {
     const std::ptrdiff_t end = std::min(begin + kChunk, front.width);
@@ -105,20 +106,20 @@ ROOMATLAS_INLINE std::ptrdiff_t eliminate_panel(const Front& front, const double
       double* const block = front.panel + k + k * stride;
       const double* const before = front.panel + k + begin * stride;
       if (k > begin) {
-        dense::subtract_strip<Size>(block, stride, before, stride, before, stride, stride - k,
+        dense::subtract_strip<Size>({block, stride}, {before, stride}, {before, stride}, stride - k,
                                     k - begin);
       }
       if (!dense::factor_block<Size>(block, stride, smallest + k, inverse)) return k;
       dense::solve_rows<Size>(block, inverse, block + Size, stride, stride - k - Size);
     }
     if (end < front.width) {
-      dense::subtract_product<Size>(front.panel + end + end * stride, stride,
-                                    front.panel + end + begin * stride, stride, stride - end,
+      dense::subtract_product<Size>({front.panel + end + end * stride, stride},
+                                    {front.panel + end + begin * stride, stride}, stride - end,
                                     front.width - end, end - begin);
     }
   }
   if (front.rows > 0) {
-    dense::subtract_product<Size>(front.update, front.rows, front.panel + front.width, stride,
+    dense::subtract_product<Size>({front.update, front.rows}, {front.panel + front.width, stride},
                                   front.rows, front.rows, front.width);
   }
   return -1;
@@ -137,8 +138,8 @@ ROOMATLAS_INLINE std::int32_t eliminate_all(const Supernodes& nodes, double* val
   for (std::size_t s = 0; s < nodes.size(); ++s) {
     Front front;
     front.panel = values + nodes.panel_begin[s] * Size * Size;
-    front.width = nodes.width(s) * Size;
-    front.rows = nodes.row_count(s) * Size;
+    front.width = std::ptrdiff_t{nodes.width(s)} * Size;
+    front.rows = std::ptrdiff_t{nodes.row_count(s)} * Size;
     front.update = stack + top;
     const std::ptrdiff_t update_size = front.rows * front.rows;
     std::fill_n(front.update, update_size, 0.0);
@@ -180,7 +181,7 @@ template <int Size>
 ROOMATLAS_INLINE void solve_forward(const Supernodes& nodes, const double* values, double* x,
                                     double* below) {
   for (std::size_t s = 0; s < nodes.size(); ++s) {
-    const std::ptrdiff_t width = nodes.width(s) * Size;
+    const std::ptrdiff_t width = std::ptrdiff_t{nodes.width(s)} * Size;
     const std::ptrdiff_t rows = nodes.row_count(s);
     const std::ptrdiff_t stride = width + rows * Size;
     const std::int32_t* const row = nodes.rows.data() + nodes.rows_begin[s];
@@ -205,7 +206,7 @@ template <int Size>
 ROOMATLAS_INLINE void solve_backward(const Supernodes& nodes, const double* values, double* x,
                                      double* below) {
   for (std::size_t s = nodes.size(); s-- > 0;) {
-    const std::ptrdiff_t width = nodes.width(s) * Size;
+    const std::ptrdiff_t width = std::ptrdiff_t{nodes.width(s)} * Size;
     const std::ptrdiff_t rows = nodes.row_count(s);
     const std::ptrdiff_t stride = width + rows * Size;
     const std::int32_t* const row = nodes.rows.data() + nodes.rows_begin[s];
@@ -264,13 +265,13 @@ BlockPlace BlockCholesky<Size>::place(std::int32_t row, std::int32_t column) con
   const std::int32_t stride = (nodes_.width(s) + nodes_.row_count(s)) * Size;
   const std::int64_t first = nodes_.panel_begin[s] * Size * Size;
   const std::int64_t j = std::int64_t{column - nodes_.first[s]} * Size;
-  return {first + j * stride + nodes_.row_in_front(s, row) * Size, stride};
+  return {first + j * stride + std::ptrdiff_t{nodes_.row_in_front(s, row)} * Size, stride};
 }
 
 template <int Size>
 std::int32_t BlockCholesky<Size>::factorize() {
   for (std::size_t s = 0; s < nodes_.size(); ++s) {
-    const std::ptrdiff_t width = nodes_.width(s) * Size;
+    const std::ptrdiff_t width = std::ptrdiff_t{nodes_.width(s)} * Size;
     const std::ptrdiff_t stride = width + std::ptrdiff_t{nodes_.row_count(s)} * Size;
     const double* const panel = values_.get() + nodes_.panel_begin[s] * Size * Size;
     for (std::ptrdiff_t j = 0; j < width; ++j) {

@@ -17,6 +17,9 @@ namespace {
 
 constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
+constexpr double kUnboundedRadius = 1e16;  // of the trust region: plain Gauss-Newton steps
+constexpr double kSettledShare = 1e-9;     // of the cost; larger falls count as steps to be taken
+
 /// Cost functions by address, losses with them: the problem owns neither.
 struct Factors {
   std::deque<RelativePoseFactor> edges;
@@ -33,7 +36,7 @@ struct Factors {
   }
 };
 
-void add_headings(const SolverGraph& graph, State& state, Factors& factors,
+void add_headings(const SolverGraph& graph, SlotPoses& state, Factors& factors,
                   ceres::Problem& problem) {
   for (const SolverHeading& heading : graph.headings) {
     factors.headings.emplace_back(heading.theta_rad, 1.0 / std::sqrt(heading.information));
@@ -49,9 +52,9 @@ void add_headings(const SolverGraph& graph, State& state, Factors& factors,
 
 }  // namespace
 
-CeresResult solve_with_ceres(const SolverGraph& graph, const PoseGraph& poses, const State& start,
-                             std::span<const double> weights, TrustRegion trust_region,
-                             int max_iterations) {
+CeresResult solve_with_ceres(const SolverGraph& graph, const PoseGraph& poses,
+                             const SlotPoses& start, std::span<const double> weights,
+                             TrustRegion trust_region, int max_iterations) {
   CeresResult result;
   result.state = start;
   ceres::Problem::Options ownership;
@@ -77,11 +80,11 @@ CeresResult solve_with_ceres(const SolverGraph& graph, const PoseGraph& poses, c
   options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
   options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
   if (trust_region == TrustRegion::none) {
-    options.initial_trust_region_radius = 1e16;
-    options.max_trust_region_radius = 1e16;
+    options.initial_trust_region_radius = kUnboundedRadius;
+    options.max_trust_region_radius = kUnboundedRadius;
     options.jacobi_scaling = false;
   }
-  options.function_tolerance = 1e-9;
+  options.function_tolerance = kSettledShare;
   options.max_num_iterations = max_iterations;
   options.num_threads = 1;  // the order of sums must not change
   options.logging_type = ceres::SILENT;

@@ -9,8 +9,8 @@
 namespace roomatlas {
 
 struct CeresResult {
-  State state;
-  double chi_square = -1.0;
+  SlotPoses state;
+  double chi_square = -1.0;  ///< weighted, at `state`; negative: not computed
   int iterations = 0;
   bool converged = false;
   std::string message;
@@ -24,7 +24,7 @@ enum class TrustRegion {
 /// The same least squares by Ceres: the reference, and what is left where our own steps fail.
 /// @param weights one an edge of the SolverGraph, or empty
 [[nodiscard]] CeresResult solve_with_ceres(const SolverGraph& graph, const PoseGraph& poses,
-                                           const State& start, std::span<const double> weights,
+                                           const SlotPoses& start, std::span<const double> weights,
                                            TrustRegion trust_region, int max_iterations);
 
 }  // namespace roomatlas

@@ -59,7 +59,8 @@ void add_unary(std::int32_t slot, double theta_rad, double weight, BlockCholesky
 
 }  // namespace
 
-State chordal_headings(const SolverGraph& graph, std::span<const double> weights, bool headings) {
+SlotPoses chordal_headings(const SolverGraph& graph, std::span<const double> weights,
+                           bool headings) {
   BlockCholesky<2> matrix(graph.supernodes);
   matrix.clear();
   std::vector<double> z(at(graph.variable_count) * 2, 0.0);
@@ -73,7 +74,7 @@ State chordal_headings(const SolverGraph& graph, std::span<const double> weights
   }
   if (matrix.factorize() != -1) return {};
   matrix.solve(z.data());
-  State state(graph.slot.size() * 3, 0.0);
+  SlotPoses state(graph.slot.size() * 3, 0.0);
   for (std::size_t k = 0; k < at(graph.variable_count); ++k) {
     state[k * 3 + 2] = std::atan2(z[k * 2 + 1], z[k * 2]);
   }

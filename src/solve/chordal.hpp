@@ -12,7 +12,7 @@ namespace roomatlas {
 /// Pajdla 2007; Carlone et al. 2015, "chordal"). Fixed nodes have heading 0.
 /// @param headings whether measured headings count: without, components that they turn start at 0
 /// @return a state with all positions zero, or an empty one where the system is singular
-[[nodiscard]] State chordal_headings(const SolverGraph& graph, std::span<const double> weights,
-                                     bool headings = true);
+[[nodiscard]] SlotPoses chordal_headings(const SolverGraph& graph, std::span<const double> weights,
+                                         bool headings = true);
 
 }  // namespace roomatlas

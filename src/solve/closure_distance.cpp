@@ -15,9 +15,10 @@ constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(i
 /// Share of a measurement's variance that must be left after the fit. An accepted edge that the
 /// others hardly check would have none.
 constexpr double kLeastShare = 1e-6;
+constexpr double kLeastDeterminant = 1e-300;  // that has a logarithm
 
 /// The error in the frame of `from`, as SolverEdge has it.
-Eigen::Vector3d error_of(const SolverEdge& edge, const State& state) {
+Eigen::Vector3d error_of(const SolverEdge& edge, const SlotPoses& state) {
   const double* const a = state.data() + std::ptrdiff_t{edge.from} * 3;
   const double* const b = state.data() + std::ptrdiff_t{edge.to} * 3;
   const Pose2 step = inverse(Pose2{a[0], a[1], a[2]}) * Pose2{b[0], b[1], b[2]};
@@ -31,7 +32,7 @@ Eigen::Matrix3d information_of(const SolverEdge& edge) {
   return information;
 }
 
-ClosureTest test(const SolverEdge& edge, const State& state, const SelectedInverse& inverse,
+ClosureTest test(const SolverEdge& edge, const SlotPoses& state, const SelectedInverse& inverse,
                  bool accepted) {
   const Eigen::Matrix3d information = information_of(edge);
   const Eigen::Matrix3d w = whitening(information);
@@ -48,15 +49,15 @@ ClosureTest test(const SolverEdge& edge, const State& state, const SelectedInver
   result.distance =
       ((eigen.eigenvectors().transpose() * error).array().square() / values.array()).sum();
   const double spread = values.array().log().sum();
-  result.log_volume =
-      0.5 * ((accepted ? -spread : spread) - std::log(std::max(information.determinant(), 1e-300)));
+  result.log_volume = 0.5 * ((accepted ? -spread : spread) -
+                             std::log(std::max(information.determinant(), kLeastDeterminant)));
   return result;
 }
 
 }  // namespace
 
 std::vector<ClosureTest> test_closures(const PoseGraph& poses, LeastSquares& squares,
-                                       const State& state, std::span<const double> weights) {
+                                       const SlotPoses& state, std::span<const double> weights) {
   std::vector<ClosureTest> tests;
   if (!squares.block_solver().factorize_at(state, weights)) return tests;
   const SelectedInverse inverse(squares.block_solver().matrix());

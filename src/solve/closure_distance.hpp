@@ -19,7 +19,7 @@ struct ClosureTest {
 /// Tests all loops at the minimum under these weights: 1 accepted, 0 not. Empty where the system
 /// is singular. One factorisation and one selected inverse.
 [[nodiscard]] std::vector<ClosureTest> test_closures(const PoseGraph& poses, LeastSquares& squares,
-                                                     const State& state,
+                                                     const SlotPoses& state,
                                                      std::span<const double> weights);
 
 }  // namespace roomatlas

@@ -55,7 +55,7 @@ void SelectedInverse::gather(std::size_t s) {
 /// Y = L21 inverse(L11), and Z22 the inverse at all rows below them:
 ///   Z21 = -Z22 Y,  Z11 = inverse(L11 L11') - Y' Z21
 void SelectedInverse::invert(const BlockCholesky<3>& factor, std::size_t s) {
-  constexpr Index kChunk = 24;
+  constexpr Index kChunk = 24;  // eight nodes: fewer make small products, more spoil the cache
   const Index width = nodes_.width(s) * 3;
   const Index stride = width + Index{nodes_.row_count(s)} * 3;
   gather(s);
@@ -110,7 +110,7 @@ Eigen::Matrix3d SelectedInverse::block(std::int32_t row, std::int32_t column) co
                                                                     Eigen::OuterStride<>(stride));
 }
 
-Eigen::Matrix3d SelectedInverse::relative(const State& state, std::int32_t from,
+Eigen::Matrix3d SelectedInverse::relative(const SlotPoses& state, std::int32_t from,
                                           std::int32_t to) const {
   const double* const a = state.data() + std::ptrdiff_t{from} * 3;
   const double* const b = state.data() + std::ptrdiff_t{to} * 3;
@@ -128,7 +128,7 @@ Eigen::Matrix3d SelectedInverse::relative(const State& state, std::int32_t from,
          by_to * block(to, to) * by_to.transpose() + cross + cross.transpose();
 }
 
-PoseCovariance covariance_of(const PoseGraph& poses, LeastSquares& squares, const State& state,
+PoseCovariance covariance_of(const PoseGraph& poses, LeastSquares& squares, const SlotPoses& state,
                              std::span<const double> weights) {
   const SolverGraph& graph = squares.graph();
   PoseCovariance result;

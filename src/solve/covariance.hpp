@@ -15,7 +15,7 @@ class SelectedInverse {
   /// (at or beyond the number of positions).
   [[nodiscard]] Eigen::Matrix3d block(std::int32_t row, std::int32_t column) const;
   /// Of the relative pose of an edge's ends, in the frame of `from`, at a state.
-  [[nodiscard]] Eigen::Matrix3d relative(const State& state, std::int32_t from,
+  [[nodiscard]] Eigen::Matrix3d relative(const SlotPoses& state, std::int32_t from,
                                          std::int32_t to) const;
 
  private:
@@ -28,6 +28,6 @@ class SelectedInverse {
 };
 
 [[nodiscard]] PoseCovariance covariance_of(const PoseGraph& poses, LeastSquares& squares,
-                                           const State& state, std::span<const double> weights);
+                                           const SlotPoses& state, std::span<const double> weights);
 
 }  // namespace roomatlas

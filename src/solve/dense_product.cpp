@@ -9,8 +9,8 @@ namespace {
 ROOMATLAS_INLINE void subtract(const DenseView& result, const DenseView& left,
                                const DenseView& right, std::ptrdiff_t rows, std::ptrdiff_t columns,
                                std::ptrdiff_t depth) {
-  dense::subtract_general(result.data, result.stride, left.data, left.stride, right.data,
-                          right.stride, rows, columns, depth);
+  dense::subtract_general({result.data, result.stride}, {left.data, left.stride},
+                          {right.data, right.stride}, rows, columns, depth);
 }
 
 #if defined(__x86_64__)

@@ -12,10 +12,15 @@ namespace {
 constexpr double kNearlyThere = 1e-4;
 /// Share of chi-square that a step may promise for its promise to be trusted.
 constexpr double kShortStep = 1e-2;
-constexpr int kMostUphillSteps = 6;
+constexpr int kMostUphillSteps = 6;  // in all; then it goes nowhere
+/// An old factor goes on serving while each step promises less than this share of the one before.
+constexpr double kFallsFast = 0.1;
+constexpr double kSlowestFall = 0.9;  // steps that shrink by less: nine times the last gain is left
+constexpr double kExactEdge = 1e-12;  // chi-square an edge that is rounding, not a misfit
 
 /// Adds the step. @return the fall of chi-square that the linear model predicts
-double take(const std::vector<double>& step, const std::vector<double>& right_side, State& state) {
+double take(const std::vector<double>& step, const std::vector<double>& right_side,
+            SlotPoses& state) {
   double predicted = 0.0;
   for (std::size_t i = 0; i < step.size(); ++i) {
     state[i] += step[i];
@@ -28,7 +33,7 @@ double take(const std::vector<double>& step, const std::vector<double>& right_si
 /// Chi-square that would still be gained after a step, if steps go on shrinking as they did.
 double left_after(double predicted, double predicted_before) {
   if (!std::isfinite(predicted)) return std::numeric_limits<double>::infinity();
-  const double ratio = std::clamp(predicted / predicted_before, 0.0, 0.9);
+  const double ratio = std::clamp(predicted / predicted_before, 0.0, kSlowestFall);
   return std::isfinite(predicted_before) ? predicted * ratio / (1.0 - ratio) : predicted;
 }
 
@@ -38,7 +43,7 @@ class Best {
   explicit Best(GaussNewtonResult& result) : result_(result) {
     result_.chi_square = std::numeric_limits<double>::infinity();
   }
-  bool offer(double chi_square, const State& state) {
+  bool offer(double chi_square, const SlotPoses& state) {
     if (chi_square <= result_.chi_square) {
       result_.chi_square = chi_square;
       result_.state = state;
@@ -57,10 +62,10 @@ class Best {
 GaussNewton::GaussNewton(const SolverGraph& graph)
     : graph_(graph), matrix_(graph.supernodes), places_(places_of(graph, matrix_)) {}
 
-GaussNewtonResult GaussNewton::solve(State state, std::span<const double> weights,
+GaussNewtonResult GaussNewton::solve(SlotPoses state, std::span<const double> weights,
                                      StepSource source, double tolerance, int max_iterations) {
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
-  const double floor = 1e-12 * static_cast<double>(graph_.edges.size());
+  const double floor = kExactEdge * static_cast<double>(graph_.edges.size());
   GaussNewtonResult result;
   Best best(result);
   NormalEquations equations{matrix_, places_, right_side_};
@@ -98,11 +103,11 @@ GaussNewtonResult GaussNewton::solve(State state, std::span<const double> weight
     // Where the model holds to within the tolerance, what it leaves out is not worth a step either.
     // A long step may hit what it expected by chance.
     expected = predicted < kShortStep * now ? now - predicted : kUnknown;
-    old_factor = predicted < kNearlyThere * now && (!old_factor || predicted < 0.1 * before);
+    old_factor = predicted < kNearlyThere * now && (!old_factor || predicted < kFallsFast * before);
   }
 }
 
-bool GaussNewton::factorize_at(const State& state, std::span<const double> weights) {
+bool GaussNewton::factorize_at(const SlotPoses& state, std::span<const double> weights) {
   NormalEquations equations{matrix_, places_, right_side_};
   (void)linearise(graph_, state, weights, StepSource::state, equations);
   return matrix_.factorize() == -1;

@@ -8,7 +8,7 @@
 namespace roomatlas {
 
 struct GaussNewtonResult {
-  State state;               ///< the best that was met
+  SlotPoses state;           ///< the best that was met
   double chi_square = -1.0;  ///< weighted, at `state`; negative = nothing could be evaluated
   int iterations = 0;        ///< linear systems solved
   bool converged = false;
@@ -24,12 +24,12 @@ class GaussNewton {
   /// refusing them costs many iterations and they rarely matter.
   /// @param source of the first step: `measured` for a start of headings without positions
   /// @param tolerance stops when what is left to gain is estimated below this share of chi-square
-  [[nodiscard]] GaussNewtonResult solve(State start, std::span<const double> weights,
+  [[nodiscard]] GaussNewtonResult solve(SlotPoses state, std::span<const double> weights,
                                         StepSource source, double tolerance = 1e-7,
                                         int max_iterations = 50);
 
   /// Leaves the factor at a state in `matrix()`. False where it is not positive definite.
-  [[nodiscard]] bool factorize_at(const State& state, std::span<const double> weights);
+  [[nodiscard]] bool factorize_at(const SlotPoses& state, std::span<const double> weights);
 
   [[nodiscard]] BlockCholesky<3>& matrix() { return matrix_; }
   [[nodiscard]] const MatrixPlaces<3>& places() const { return places_; }

@@ -18,18 +18,23 @@ constexpr double kChance = 1e-3;
 /// In the end closures up to this distance come back where even that is sharp: on real graphs the
 /// worst true closures were found up to 230, false ones from 1200 on.
 constexpr double kWideGate = 300.0;
-constexpr double kWideChance = 1e-4;
+constexpr double kWideChance = 1e-4;  // more would let false ones in by the wider gate
 /// What one in a hundred exceeds where noise is normal. Simulated graphs keep to it; on recorded
 /// ones three to six in a hundred were farther.
 constexpr double kHundredth = 11.34;
-constexpr double kLongTail = 0.02;
-constexpr int kMostRounds = 200;
-constexpr int kMostWideRounds = 10;
-constexpr int kMostDrops = 3;
-constexpr std::size_t kHypotheses = 8;
-constexpr double kLeastNoise = 1e-4;
-constexpr double kMostNoise = 9.0;
-constexpr double kMostRejected = 1.0 / 3.0;
+constexpr double kLongTail = 0.02;   // of the accepted: with more beyond it, closures come back
+constexpr int kMostRounds = 200;     // each accepts or drops something; only to be sure of an end
+constexpr int kMostWideRounds = 10;  // the same when closures come back
+constexpr int kMostDrops = 3;        // a closure dropped so often stays out: it would come again
+constexpr std::size_t kHypotheses = 8;  // tried where all are ambiguous; each costs a solution
+constexpr double kLeastNoise = 1e-4;    // as a variance factor: closures that fit exactly ...
+constexpr double kMostNoise = 9.0;  // ... and more would let false closures widen their own gate
+constexpr std::size_t kEnoughToTell = 10;    // accepted closures, from which on noise is estimated
+constexpr double kMostRejected = 1.0 / 3.0;  // of all closures; beyond it a warning is given
+constexpr double kNearlyAsBad = 0.5;         // of the worst distance: dropped together with it
+constexpr double kNarrowest = 0.1;         // of a map's length: its width where all lies on a line
+constexpr double kLeastArea = 1e-12;       // where all lies in one point
+constexpr std::size_t kEnoughSupport = 3;  // others that bear out a rejected closure, to warn of it
 
 double quantile(std::vector<double> values, double share) {
   const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -38,7 +43,7 @@ double quantile(std::vector<double> values, double share) {
 }
 
 /// Logarithm of the volume in which loop ends may lie: the area of the map times a full turn.
-double log_volume_of(const State& state) {
+double log_volume_of(const SlotPoses& state) {
   double low[2] = {0.0, 0.0};
   double high[2] = {0.0, 0.0};
   for (std::size_t k = 0; k + 2 < state.size(); k += 3) {
@@ -48,8 +53,8 @@ double log_volume_of(const State& state) {
     }
   }
   const double wide = std::max(high[0] - low[0], high[1] - low[1]);
-  const double narrow = std::max(std::min(high[0] - low[0], high[1] - low[1]), 0.1 * wide);
-  return std::log(std::max(wide * narrow, 1e-12) * 2.0 * kPi);
+  const double narrow = std::max(std::min(high[0] - low[0], high[1] - low[1]), kNarrowest * wide);
+  return std::log(std::max(wide * narrow, kLeastArea) * 2.0 * kPi);
 }
 
 }  // namespace
@@ -99,7 +104,7 @@ void ClosureGrowth::estimate_noise() {
   }
   constexpr double kMedian = 2.366;  // of chi-square with 3 degrees of freedom
   constexpr double kTenth = 6.251;   // what one in ten exceeds
-  if (distances.size() < 10) return;
+  if (distances.size() < kEnoughToTell) return;
   noise_variance_ =
       std::clamp(std::max(quantile(distances, 0.5) / kMedian, quantile(distances, 0.9) / kTenth),
                  kLeastNoise, kMostNoise);
@@ -113,7 +118,7 @@ bool ClosureGrowth::drop_misfits() {
   }
   if (worst == 0.0) return false;
   for (const ClosureTest& test : tests_) {
-    if (is_accepted(test) && !fits(test) && test.distance >= 0.5 * worst) {
+    if (is_accepted(test) && !fits(test) && test.distance >= kNearlyAsBad * worst) {
       weights_[at(test.edge)] = 0.0;
       ++drops_[at(test.edge)];
     }
@@ -177,7 +182,7 @@ bool ClosureGrowth::accept_best_supported() {
   accept(tests_[best->test]);
   for (const std::size_t k : best->supporters) accept(tests_[k]);
   for (const Hypothesis& h : hypotheses) {
-    if (is_accepted(tests_[h.test]) || h.supporters.size() < 3) continue;
+    if (is_accepted(tests_[h.test]) || h.supporters.size() < kEnoughSupport) continue;
     if (2 * h.supporters.size() >= best->supporters.size()) {
       rivals_.push_back({tests_[h.test].edge, h.supporters.size(), best->supporters.size()});
     }

@@ -29,7 +29,8 @@ std::vector<double> angles_of(const std::vector<Point2>& votes) {
   return angles;
 }
 
-void turn_components(const SolverGraph& graph, const std::vector<double>& turn_rad, State& state) {
+void turn_components(const SolverGraph& graph, const std::vector<double>& turn_rad,
+                     SlotPoses& state) {
   const std::vector<std::int32_t> component = component_of_slot(graph);
   for (std::size_t slot = 0; slot < component.size(); ++slot) {
     const double turn = turn_rad[at(component[slot])];
@@ -46,7 +47,7 @@ void turn_components(const SolverGraph& graph, const std::vector<double>& turn_r
 
 }  // namespace
 
-void settle_quarters(const PoseGraph& poses, const State& state, SolverGraph& graph) {
+void settle_quarters(const PoseGraph& poses, const SlotPoses& state, SolverGraph& graph) {
   for (std::size_t k = 0; k < graph.headings.size(); ++k) {
     if (!poses.headings[k].modulo_quarter) continue;
     SolverHeading& heading = graph.headings[k];
@@ -55,7 +56,7 @@ void settle_quarters(const PoseGraph& poses, const State& state, SolverGraph& gr
   }
 }
 
-void turn_to_quarters(const PoseGraph& poses, const SolverGraph& graph, State& state) {
+void turn_to_quarters(const PoseGraph& poses, const SolverGraph& graph, SlotPoses& state) {
   const std::vector<Point2> none(graph.roots.size(), Point2::Zero());
   std::vector<Point2> full = none;
   std::vector<Point2> quarters = none;  // votes at four times the angle
@@ -77,7 +78,7 @@ void turn_to_quarters(const PoseGraph& poses, const SolverGraph& graph, State& s
   turn_components(graph, turns, state);
 }
 
-void turn_to_headings(const SolverGraph& graph, State& state) {
+void turn_to_headings(const SolverGraph& graph, SlotPoses& state) {
   if (graph.headings.empty()) return;
   const std::vector<std::int32_t> component = component_of_slot(graph);
   std::vector<Point2> votes(graph.roots.size(), Point2::Zero());

@@ -72,8 +72,8 @@ void add_edge(const SolverEdge& edge, const Weights& w, std::int32_t variables, 
 
 }  // namespace
 
-State joint_headings(const SolverGraph& graph, std::span<const double> weights,
-                     double position_share) {
+SlotPoses joint_headings(const SolverGraph& graph, std::span<const double> weights,
+                         double position_share) {
   Equations equations{BlockCholesky<4>(graph.supernodes),
                       std::vector<double>(at(graph.variable_count) * 4, 0.0)};
   equations.matrix.clear();
@@ -94,7 +94,7 @@ State joint_headings(const SolverGraph& graph, std::span<const double> weights,
   }
   if (equations.matrix.factorize() != -1) return {};
   equations.matrix.solve(equations.right_side.data());
-  State state(graph.slot.size() * 3, 0.0);
+  SlotPoses state(graph.slot.size() * 3, 0.0);
   for (std::size_t k = 0; k < at(graph.variable_count); ++k) {
     const double* const z = equations.right_side.data() + k * 4 + 2;
     state[k * 3 + 2] = std::atan2(z[1], z[0]);

@@ -15,7 +15,7 @@ namespace roomatlas {
 /// if it were the same in all directions.
 /// @param position_share scales w_position
 /// @return a state with all positions zero, or an empty one where the system is singular
-[[nodiscard]] State joint_headings(const SolverGraph& graph, std::span<const double> weights,
-                                   double position_share);
+[[nodiscard]] SlotPoses joint_headings(const SolverGraph& graph, std::span<const double> weights,
+                                       double position_share);
 
 }  // namespace roomatlas

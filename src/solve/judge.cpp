@@ -30,7 +30,7 @@ void warn(OptimizeResult& result, std::string field, std::string message) {
 }
 
 void note_components(const PoseGraph& graph, OptimizeResult& result) {
-  constexpr std::size_t kMostNamed = 5;
+  constexpr std::size_t kMostNamed = 5;  // parts, in a message
   std::string ids;
   for (std::size_t c = 0; c < std::min(result.fixed.size(), kMostNamed); ++c) {
     ids +=

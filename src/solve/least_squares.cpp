@@ -2,6 +2,7 @@
 #include "least_squares.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ceres_solver.hpp"
@@ -20,12 +21,16 @@ constexpr double kTolerance = 1e-7;
 constexpr double kSameMinimum = 2e-5;
 /// Chi-square a degree of freedom of a guess that is near the minimum.
 constexpr double kGood = 1.0;
+/// Share of chi-square that a better solution gains at least: less is rounding.
+constexpr double kBetter = 1e-9;
+/// Weights of positions against headings in further global starts: each errs elsewhere.
+constexpr std::array kPositionShares = {0.1, 10.0};
 
 /// Takes over a solution that is better; iterations add up.
 void keep_better(Solved& best, Solved&& other) {
   const int iterations = best.iterations + other.iterations;
   if (!other.state.empty() &&
-      (best.state.empty() || other.chi_square < best.chi_square * (1.0 - 1e-9))) {
+      (best.state.empty() || other.chi_square < best.chi_square * (1.0 - kBetter))) {
     other.other_minimum = best.other_minimum;
     best = std::move(other);
   }
@@ -52,13 +57,13 @@ LeastSquares::LeastSquares(const PoseGraph& poses, const OptimizeOptions& option
 /// Decides which quarter turns the measured headings mean.
 void LeastSquares::settle_headings() {
   if (!guess_.empty()) return settle_quarters(poses_, guess_, graph_);
-  State start = options_.robust ? State() : chordal_headings(graph_, {}, false);
+  SlotPoses start = options_.robust ? SlotPoses() : chordal_headings(graph_, {}, false);
   if (start.empty()) start = poses_along(graph_, odometry_tree());
   turn_to_quarters(poses_, graph_, start);
   settle_quarters(poses_, start, graph_);
 }
 
-Solved LeastSquares::by_block(const State& start, std::span<const double> weights,
+Solved LeastSquares::by_block(const SlotPoses& start, std::span<const double> weights,
                               StepSource source, int max_iterations) {
   GaussNewtonResult result = block_->solve(start, weights, source, kTolerance, max_iterations);
   Solved solved{std::move(result.state),
@@ -77,7 +82,7 @@ Solved LeastSquares::by_block(const State& start, std::span<const double> weight
 }
 
 /// From the best state so far; kept when it is better.
-void LeastSquares::continue_with_ceres(Solved& solved, const State& start,
+void LeastSquares::continue_with_ceres(Solved& solved, const SlotPoses& start,
                                        std::span<const double> weights) {
   const TrustRegion region = options_.solver == PoseGraphSolver::ceres && !has_losses_
                                  ? TrustRegion::none
@@ -92,7 +97,8 @@ void LeastSquares::continue_with_ceres(Solved& solved, const State& start,
   solved.message = "Ceres: " + ceres.message;
 }
 
-Solved LeastSquares::local(const State& start, std::span<const double> weights, StepSource source) {
+Solved LeastSquares::local(const SlotPoses& start, std::span<const double> weights,
+                           StepSource source) {
   const bool ceres = options_.solver == PoseGraphSolver::ceres;
   Solved solved;
   // Ceres needs positions too: headings alone get them with the first step.
@@ -121,7 +127,7 @@ Solved LeastSquares::solve_with_losses(std::span<const double> weights) {
       winds_right(graph_, tree, best.state, weights)) {
     return best;
   }
-  const State global = chordal_headings(graph_, weights);
+  const SlotPoses global = chordal_headings(graph_, weights);
   if (!global.empty()) keep_better(best, local(global, weights, StepSource::measured));
   return best;
 }
@@ -129,7 +135,7 @@ Solved LeastSquares::solve_with_losses(std::span<const double> weights) {
 Solved LeastSquares::solve(std::span<const double> weights) {
   if (has_losses_) return solve_with_losses(weights);
   const bool from_guess = !guess_.empty() && is_good(initial_chi_square_, weights);
-  const State start = from_guess ? guess_ : chordal_headings(graph_, weights);
+  const SlotPoses start = from_guess ? guess_ : chordal_headings(graph_, weights);
   if (start.empty()) return solve_from(odometry(), weights);
   Solved best = local(start, weights, from_guess ? StepSource::state : StepSource::measured);
   const SpanningTree tree = spanning_tree(graph_, incidence_, {}, weights);
@@ -146,7 +152,7 @@ void LeastSquares::try_more_starts(Solved& best, const SpanningTree& tree, bool 
                                    std::span<const double> weights) {
   std::vector<double> ends;
   if (!from_guess) ends.push_back(best.chi_square);
-  const auto try_from = [&](State start, StepSource source) {
+  const auto try_from = [&](const SlotPoses& start, StepSource source) {
     if (start.empty()) return;
     Solved other = local(start, weights, source);
     ends.push_back(other.chi_square);
@@ -160,10 +166,10 @@ void LeastSquares::try_more_starts(Solved& best, const SpanningTree& tree, bool 
   try_from(joint_headings(graph_, weights, 1.0), StepSource::measured);
   if (ends.size() >= 2 && best.converged && all_agree()) return;
 
-  State by_winding = headings_by_winding(graph_, tree, weights);
+  SlotPoses by_winding = headings_by_winding(graph_, tree, weights);
   if (!by_winding.empty()) turn_to_headings(graph_, by_winding);
-  try_from(std::move(by_winding), StepSource::measured);
-  for (const double position_share : {0.1, 10.0}) {
+  try_from(by_winding, StepSource::measured);
+  for (const double position_share : kPositionShares) {
     try_from(joint_headings(graph_, weights, position_share), StepSource::measured);
   }
   if (!from_guess) try_from(guess_, StepSource::state);
@@ -171,7 +177,7 @@ void LeastSquares::try_more_starts(Solved& best, const SpanningTree& tree, bool 
   best.other_minimum = *std::ranges::max_element(ends);
 }
 
-Solved LeastSquares::solve_from(const State& start, std::span<const double> weights) {
+Solved LeastSquares::solve_from(const SlotPoses& start, std::span<const double> weights) {
   return local(start, weights, StepSource::state);
 }
 
@@ -183,8 +189,8 @@ SpanningTree LeastSquares::odometry_tree() const {
   return spanning_tree(graph_, incidence_, costly, {});
 }
 
-State LeastSquares::odometry() const {
-  State state = poses_along(graph_, odometry_tree());
+SlotPoses LeastSquares::odometry() const {
+  SlotPoses state = poses_along(graph_, odometry_tree());
   turn_to_headings(graph_, state);
   return state;
 }
@@ -207,8 +213,8 @@ void LeastSquares::find_frames() {
   }
 }
 
-State LeastSquares::state_of(const std::vector<Pose2>& poses) const {
-  State state(poses.size() * 3);
+SlotPoses LeastSquares::state_of(const std::vector<Pose2>& poses) const {
+  SlotPoses state(poses.size() * 3);
   std::vector<Pose2> from_poses;
   for (const Pose2& frame : frames_) from_poses.push_back(inverse(frame));
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -221,7 +227,7 @@ State LeastSquares::state_of(const std::vector<Pose2>& poses) const {
   return state;
 }
 
-std::vector<Pose2> LeastSquares::poses_of(const State& state) const {
+std::vector<Pose2> LeastSquares::poses_of(const SlotPoses& state) const {
   std::vector<Pose2> poses(graph_.slot.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const double* const p = state.data() + std::ptrdiff_t{graph_.slot[i]} * 3;

@@ -13,7 +13,7 @@
 namespace roomatlas {
 
 struct Solved {
-  State state;
+  SlotPoses state;
   double chi_square = -1.0;  ///< weighted
   int iterations = 0;        ///< of all starts together
   bool converged = false;
@@ -37,20 +37,20 @@ class LeastSquares {
   /// The minimum without a start.
   [[nodiscard]] Solved solve(std::span<const double> weights);
   /// The minimum near a start.
-  [[nodiscard]] Solved solve_from(const State& start, std::span<const double> weights);
+  [[nodiscard]] Solved solve_from(const SlotPoses& start, std::span<const double> weights);
   /// Poses along odometry, as far as it leads, then over loops.
-  [[nodiscard]] State odometry() const;
+  [[nodiscard]] SlotPoses odometry() const;
   /// Loops without which odometry and trusted edges would not join each component: one choice.
   [[nodiscard]] std::vector<std::int32_t> bridges() const;
 
-  [[nodiscard]] State state_of(const std::vector<Pose2>& poses) const;
+  [[nodiscard]] SlotPoses state_of(const std::vector<Pose2>& poses) const;
   /// In the frame of the guess: the fixed node of each component is where the guess has it.
-  [[nodiscard]] std::vector<Pose2> poses_of(const State& state) const;
+  [[nodiscard]] std::vector<Pose2> poses_of(const SlotPoses& state) const;
 
  private:
-  Solved by_block(const State& start, std::span<const double> weights, StepSource source,
+  Solved by_block(const SlotPoses& start, std::span<const double> weights, StepSource source,
                   int max_iterations);
-  Solved local(const State& start, std::span<const double> weights, StepSource source);
+  Solved local(const SlotPoses& start, std::span<const double> weights, StepSource source);
   void try_more_starts(Solved& best, const SpanningTree& tree, bool from_guess,
                        std::span<const double> weights);
   Solved solve_with_losses(std::span<const double> weights);
@@ -58,7 +58,7 @@ class LeastSquares {
   [[nodiscard]] bool is_good(double chi_square, std::span<const double> weights) const;
   void find_frames();
   void settle_headings();
-  void continue_with_ceres(Solved& solved, const State& start, std::span<const double> weights);
+  void continue_with_ceres(Solved& solved, const SlotPoses& start, std::span<const double> weights);
 
   const PoseGraph& poses_;
   OptimizeOptions options_;
@@ -69,8 +69,8 @@ class LeastSquares {
   /// Where the frame of a state lies in that of the poses, for each component: at its fixed node,
   /// turned with it unless measured headings turn the component.
   std::vector<Pose2> frames_;
-  State guess_;  ///< empty where there is none
-  double initial_chi_square_ = -1.0;
+  SlotPoses guess_;                   ///< empty where there is none
+  double initial_chi_square_ = -1.0;  ///< at the guess, else along odometry; negative: not computed
 };
 
 }  // namespace roomatlas

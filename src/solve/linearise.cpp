@@ -18,14 +18,14 @@ struct Terms {
 };
 
 /// Cosine and sine of each heading.
-std::vector<Point2> directions_of(const State& state) {
+std::vector<Point2> directions_of(const SlotPoses& state) {
   std::vector<Point2> directions(state.size() / 3);
   for (std::size_t k = 0; k < directions.size(); ++k) directions[k] = direction(state[k * 3 + 2]);
   return directions;
 }
 
-Terms terms_of(const SolverEdge& edge, const State& state, const std::vector<Point2>& directions,
-               StepSource source) {
+Terms terms_of(const SolverEdge& edge, const SlotPoses& state,
+               const std::vector<Point2>& directions, StepSource source) {
   const double* const from = state.data() + std::ptrdiff_t{edge.from} * 3;
   const double* const to = state.data() + std::ptrdiff_t{edge.to} * 3;
   const double c = directions[at(edge.from)].x();
@@ -68,12 +68,12 @@ void weigh(const SolverEdge& edge, double weight, StepSource source, Terms& t) {
   for (double& value : t.force) value *= scale;
 }
 
-double error_of(const SolverHeading& heading, const State& state) {
+double error_of(const SolverHeading& heading, const SlotPoses& state) {
   return wrap_angle(state[at(heading.slot) * 3 + 2] - heading.theta_rad);
 }
 
 /// Headings and anchors act on a single node.
-double add_unary(const SolverGraph& graph, const State& state, std::vector<double>& right_side,
+double add_unary(const SolverGraph& graph, const SlotPoses& state, std::vector<double>& right_side,
                  NormalEquations* equations) {
   const auto add_to_diagonal = [&](std::int32_t slot, std::ptrdiff_t row, double value) {
     if (equations == nullptr) return;
@@ -114,14 +114,18 @@ void add_forces(const SolverEdge& edge, const Terms& t, std::int32_t variables,
   }
 }
 
-void add_lower(double* block, std::ptrdiff_t stride, double xx, double yx, double tx, double yy,
-               double ty, double tt) {
-  block[0] += xx;
-  block[1] += yx;
-  block[2] += tx;
-  block[stride + 1] += yy;
-  block[stride + 2] += ty;
-  block[2 * stride + 2] += tt;
+/// The lower half of a symmetric block.
+struct Lower {
+  double xx, yx, tx, yy, ty, tt;
+};
+
+void add_lower(double* block, std::ptrdiff_t stride, const Lower& lower) {
+  block[0] += lower.xx;
+  block[1] += lower.yx;
+  block[2] += lower.tx;
+  block[stride + 1] += lower.yy;
+  block[stride + 2] += lower.ty;
+  block[2 * stride + 2] += lower.tt;
 }
 
 void add_blocks(const SolverEdge& edge, const Terms& t, const EdgePlaces& place,
@@ -130,14 +134,14 @@ void add_blocks(const SolverEdge& edge, const Terms& t, const EdgePlaces& place,
   const double* const w = t.w;
   if (edge.to < variables) {
     const BlockPlace to = equations.places.diagonal[at(edge.to)];
-    add_lower(values + to.offset, to.stride, w[0], w[1], w[3], w[2], w[4], w[5]);
+    add_lower(values + to.offset, to.stride, {w[0], w[1], w[3], w[2], w[4], w[5]});
   }
   if (edge.from >= variables) return;
   const double p[3] = {w[3] + t.q[0] * w[0] + t.q[1] * w[1], w[4] + t.q[0] * w[1] + t.q[1] * w[2],
                        w[5] + t.q[0] * w[3] + t.q[1] * w[4]};  // the last row of T'W
   const BlockPlace from = equations.places.diagonal[at(edge.from)];
-  add_lower(values + from.offset, from.stride, w[0], w[1], p[0], w[2], p[1],
-            p[2] + p[0] * t.q[0] + p[1] * t.q[1]);
+  add_lower(values + from.offset, from.stride,
+            {w[0], w[1], p[0], w[2], p[1], p[2] + p[0] * t.q[0] + p[1] * t.q[1]});
   if (place.between == -1) return;
   const double rows[3][3] = {{w[0], w[1], w[3]}, {w[1], w[2], w[4]}, {p[0], p[1], p[2]}};
   double* const between = values + place.between;
@@ -158,7 +162,7 @@ double weight_of(std::span<const double> weights, std::size_t e) {
 
 }  // namespace
 
-double linearise(const SolverGraph& graph, const State& state, std::span<const double> weights,
+double linearise(const SolverGraph& graph, const SlotPoses& state, std::span<const double> weights,
                  StepSource source, NormalEquations& equations) {
   equations.matrix.clear();
   equations.right_side.assign(at(graph.variable_count) * 3, 0.0);
@@ -176,7 +180,7 @@ double linearise(const SolverGraph& graph, const State& state, std::span<const d
   return sum + add_unary(graph, state, equations.right_side, &equations);
 }
 
-double gradient(const SolverGraph& graph, const State& state, std::span<const double> weights,
+double gradient(const SolverGraph& graph, const SlotPoses& state, std::span<const double> weights,
                 std::vector<double>& right_side) {
   right_side.assign(at(graph.variable_count) * 3, 0.0);
   const std::vector<Point2> directions = directions_of(state);
@@ -192,7 +196,7 @@ double gradient(const SolverGraph& graph, const State& state, std::span<const do
   return sum + add_unary(graph, state, right_side, nullptr);
 }
 
-double chi_square(const SolverGraph& graph, const State& state, std::span<const double> weights,
+double chi_square(const SolverGraph& graph, const SlotPoses& state, std::span<const double> weights,
                   std::vector<double>* each) {
   if (each != nullptr) each->resize(graph.edges.size());
   const std::vector<Point2> directions = directions_of(state);
@@ -208,7 +212,7 @@ double chi_square(const SolverGraph& graph, const State& state, std::span<const 
   return sum;
 }
 
-double chi_square(const SolverHeading& heading, const State& state) {
+double chi_square(const SolverHeading& heading, const SlotPoses& state) {
   const double error = error_of(heading, state);
   return error * error * heading.information;
 }

@@ -14,7 +14,7 @@
 namespace roomatlas {
 
 /// Poses by slot: x, y, theta one after the other. Fixed nodes stand at the end.
-using State = std::vector<double>;
+using SlotPoses = std::vector<double>;
 
 /// How the step of an edge enters its Jacobian.
 enum class StepSource {
@@ -33,19 +33,19 @@ struct NormalEquations {
 /// positions.
 /// @param weights one an edge of the SolverGraph, or empty: all 1. Edges of weight 0 are left out
 /// @return chi-square at the state, under the losses
-double linearise(const SolverGraph& graph, const State& state, std::span<const double> weights,
+double linearise(const SolverGraph& graph, const SlotPoses& state, std::span<const double> weights,
                  StepSource source, NormalEquations& equations);
 
 /// The right side alone. @return chi-square, under the losses
-double gradient(const SolverGraph& graph, const State& state, std::span<const double> weights,
+double gradient(const SolverGraph& graph, const SlotPoses& state, std::span<const double> weights,
                 std::vector<double>& right_side);
 
 /// Sum of weight times chi-square, under the losses.
 /// @param each where given, receives the edges' chi-squares without weight or loss
-double chi_square(const SolverGraph& graph, const State& state, std::span<const double> weights,
+double chi_square(const SolverGraph& graph, const SlotPoses& state, std::span<const double> weights,
                   std::vector<double>* each = nullptr);
 
 /// Of a measured heading, without its loss.
-double chi_square(const SolverHeading& heading, const State& state);
+double chi_square(const SolverHeading& heading, const SlotPoses& state);
 
 }  // namespace roomatlas

@@ -58,7 +58,7 @@ void number_roots(const std::vector<bool>& turns, SolverGraph& result) {
 }
 
 void add_headings(const PoseGraph& graph, const std::vector<bool>& turns, SolverGraph& result) {
-  constexpr double kStiffness = 1e6;
+  constexpr double kStiffness = 1e6;  // over the stiffest edge: hardly moves, still factors
   for (const HeadingPrior& prior : graph.headings) {
     result.headings.push_back({result.slot[at(prior.node)], prior.theta_rad,
                                1.0 / (prior.sigma_rad * prior.sigma_rad), prior.cauchy_sigmas});

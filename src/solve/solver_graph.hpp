@@ -64,7 +64,7 @@ struct SolverGraph {
 
 /// Where an edge acts in the matrix; -1 where a fixed node has no row.
 struct EdgePlaces {
-  std::int64_t between = -1;
+  std::int64_t between = -1;  ///< into the values; -1: one end does not move
   std::int32_t stride = 0;
 };
 

@@ -76,8 +76,8 @@ SpanningTree spanning_tree(const SolverGraph& graph, const Incidence& incidence,
   return tree;
 }
 
-State poses_along(const SolverGraph& graph, const SpanningTree& tree) {
-  State state(graph.slot.size() * 3, 0.0);
+SlotPoses poses_along(const SolverGraph& graph, const SpanningTree& tree) {
+  SlotPoses state(graph.slot.size() * 3, 0.0);
   const auto pose = [&](std::int32_t slot) {
     const double* const p = state.data() + std::ptrdiff_t{slot} * 3;
     return Pose2{p[0], p[1], p[2]};
@@ -97,7 +97,7 @@ State poses_along(const SolverGraph& graph, const SpanningTree& tree) {
   return state;
 }
 
-bool winds_right(const SolverGraph& graph, const SpanningTree& tree, const State& state,
+bool winds_right(const SolverGraph& graph, const SpanningTree& tree, const SlotPoses& state,
                  std::span<const double> weights) {
   const auto error = [&](const SolverEdge& edge) {
     return wrap_angle(state[at(edge.to) * 3 + 2] - state[at(edge.from) * 3 + 2] - edge.theta_rad);
@@ -118,8 +118,8 @@ bool winds_right(const SolverGraph& graph, const SpanningTree& tree, const State
   return true;
 }
 
-State headings_by_winding(const SolverGraph& graph, const SpanningTree& tree,
-                          std::span<const double> weights) {
+SlotPoses headings_by_winding(const SolverGraph& graph, const SpanningTree& tree,
+                              std::span<const double> weights) {
   const std::vector<double> along = unwrapped_headings(graph, tree);
   BlockCholesky<1> matrix(graph.supernodes);
   matrix.clear();
@@ -150,7 +150,7 @@ State headings_by_winding(const SolverGraph& graph, const SpanningTree& tree,
   }
   if (matrix.factorize() != -1) return {};
   matrix.solve(headings.data());
-  State state(graph.slot.size() * 3, 0.0);
+  SlotPoses state(graph.slot.size() * 3, 0.0);
   for (std::size_t k = 0; k < headings.size(); ++k) state[k * 3 + 2] = wrap_angle(headings[k]);
   return state;
 }

@@ -31,17 +31,17 @@ struct SpanningTree {
                                          std::span<const double> weights);
 
 /// Poses along the tree; fixed nodes, and slots that are not in the tree, at the origin.
-[[nodiscard]] State poses_along(const SolverGraph& graph, const SpanningTree& tree);
+[[nodiscard]] SlotPoses poses_along(const SolverGraph& graph, const SpanningTree& tree);
 
 /// Whether, around each loop that an edge closes over the tree, heading errors add up to less than
 /// half a turn. If not, the state may be a local minimum that has wound a loop once too often.
 [[nodiscard]] bool winds_right(const SolverGraph& graph, const SpanningTree& tree,
-                               const State& state, std::span<const double> weights);
+                               const SlotPoses& state, std::span<const double> weights);
 
 /// Headings from the linear problem that is left when each loop over the tree winds such that
 /// its closing error is less than half a turn (Carlone et al. 2011).
 /// @return a state with all positions zero, or an empty one where the system is singular
-[[nodiscard]] State headings_by_winding(const SolverGraph& graph, const SpanningTree& tree,
-                                        std::span<const double> weights);
+[[nodiscard]] SlotPoses headings_by_winding(const SolverGraph& graph, const SpanningTree& tree,
+                                            std::span<const double> weights);
 
 }  // namespace roomatlas

@@ -2,6 +2,8 @@
 #include "roomatlas/solve/supernodes.hpp"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 #include "elimination_tree.hpp"
 
@@ -12,12 +14,22 @@ using Indices = std::vector<std::int32_t>;
 
 constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
+/// How many zeros a panel may store: narrow ones cost more to handle than their zeros do.
+struct MostZeros {
+  std::int32_t up_to_width;
+  double share;  ///< of the panel's blocks. More zeros are more to multiply, fewer more panels
+};
+/// A panel pays where one of these lets it.
+constexpr std::array kMostZeros = {MostZeros{2, 0.25}, MostZeros{6, 0.2}, MostZeros{16, 0.1},
+                                   MostZeros{std::numeric_limits<std::int32_t>::max(), 0.03}};
+
 /// Whether a panel of this width pays although `zeros` of its `blocks` are zero.
 bool pays(std::int32_t width, std::int64_t zeros, std::int64_t blocks) {
   if (zeros == 0) return true;
   const double share = static_cast<double>(zeros) / static_cast<double>(blocks);
-  return (width <= 2 && share < 0.25) || (width <= 6 && share < 0.2) ||
-         (width <= 16 && share < 0.1) || share < 0.03;
+  return std::ranges::any_of(kMostZeros, [&](const MostZeros& most) {
+    return width <= most.up_to_width && share < most.share;
+  });
 }
 
 /// First position of each supernode. A chain of columns is cut where joining it would store too

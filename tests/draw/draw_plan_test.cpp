@@ -162,7 +162,7 @@ TEST(DrawPlan, SaysTheAreasThatLabelsCouldNot) {
   for (RoomId id = 10; id < 14; ++id) {  // a row of lockers in the middle of the hall
     const double x = 8.0 + 0.3 * static_cast<double>(id - 9);
     plan.rooms.push_back(
-        test::room(id, std::to_string(id), RoomKind::room, x, 5.0, x + 0.25, 5.25));
+        test::room(id, std::to_string(id), RoomKind::room, {{x, 5.0}, {x + 0.25, 5.25}}));
   }
   const std::string text = text_of(parsed(draw_plan(plan, annotations(), {})));
   for (RoomId id = 10; id < 14; ++id) {

@@ -5,11 +5,13 @@
 
 #include <initializer_list>
 #include <string>
+#include <utility>
 
 namespace roomatlas::test {
 
-inline PlanRoom room(RoomId id, const std::string& name, RoomKind kind, double x0, double y0,
-                     double x1, double y1) {
+inline PlanRoom room(RoomId id, const std::string& name, RoomKind kind, const Box2& box) {
+  const auto [x0, y0] = std::pair(box.min.x(), box.min.y());
+  const auto [x1, y1] = std::pair(box.max.x(), box.max.y());
   PlanRoom room;
   room.id = id;
   room.name = name;
@@ -29,12 +31,12 @@ inline PlanRoom room(RoomId id, const std::string& name, RoomKind kind, double x
 inline FloorPlan office() {
   FloorPlan plan;
   plan.title = "Office";
-  plan.rooms = {room(1, "Lab <A&B>", RoomKind::room, 0, 2.2, 6, 7),
-                room(2, "2", RoomKind::room, 6.2, 2.2, 7.4, 7),
-                room(3, "Conference room Ada Lovelace", RoomKind::hall, 7.6, 2.2, 18, 11),
-                room(4, "4", RoomKind::corridor, 0, 0, 18, 2),
-                room(5, "Closet", RoomKind::room, 18.2, 0, 19.2, 2),
-                room(6, "Cupboard", RoomKind::room, 19.4, 0, 19.7, 2)};
+  plan.rooms = {room(1, "Lab <A&B>", RoomKind::room, {{0, 2.2}, {6, 7}}),
+                room(2, "2", RoomKind::room, {{6.2, 2.2}, {7.4, 7}}),
+                room(3, "Conference room Ada Lovelace", RoomKind::hall, {{7.6, 2.2}, {18, 11}}),
+                room(4, "4", RoomKind::corridor, {{0, 0}, {18, 2}}),
+                room(5, "Closet", RoomKind::room, {{18.2, 0}, {19.2, 2}}),
+                room(6, "Cupboard", RoomKind::room, {{19.4, 0}, {19.7, 2}})};
   plan.walls = {{{{-0.2, 2}, {18.2, 2}, {18.2, 2.2}, {-0.2, 2.2}}, {}}};
   PlanDoor door;
   door.id = 1;

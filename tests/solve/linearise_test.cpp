@@ -66,7 +66,7 @@ struct Fixture {
     }
     return all;
   }
-  [[nodiscard]] State as_state() const { return {state.data(), state.data() + state.size()}; }
+  [[nodiscard]] SlotPoses as_state() const { return {state.data(), state.data() + state.size()}; }
 };
 
 TEST(Linearise, ChiSquareIsTheLiteralFormula) {

@@ -151,7 +151,7 @@ TEST(LossesAndHeadings, TheMatrixIsThatOfTheReweightedEquations) {
   const PoseGraph graph = Fixture(2).g.graph;
   SolverGraph solver = solver_graph_of(graph);
   test::Dice dice(3);
-  State state(graph.ids.size() * 3);
+  SlotPoses state(graph.ids.size() * 3);
   for (double& value : state) value = dice.normal();
   BlockCholesky<3> matrix(solver.supernodes);
   const MatrixPlaces<3> places = places_of(solver, matrix);

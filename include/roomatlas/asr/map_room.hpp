@@ -36,7 +36,7 @@ struct RoomMapOptions {
 
 /// What a room's readings make of it, in the ASR's frame.
 struct RoomMap {
-  HimmGrid grid{0.1};
+  HimmGrid grid{0.1};  ///< `map_room` makes it, in cells of `RoomMapOptions::cell_m`
   CellMap cleaned;
   std::vector<Polyline> points;      ///< extracted, in order (paper Fig. 2c); one list a wall
   std::vector<Polyline> simplified;  ///< kept by Douglas and Peucker, before the fit (Fig. 7)

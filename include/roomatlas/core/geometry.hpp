@@ -23,6 +23,7 @@ struct Segment2 {
   Point2 b = Point2::Zero();
 };
 
+/// Empty until it is extended: its bounds are then beyond any coordinate.
 struct Box2 {
   Point2 min = Point2::Constant(1e300);
   Point2 max = Point2::Constant(-1e300);

@@ -16,7 +16,7 @@ using Point2 = Eigen::Vector2d;  ///< metres, in the frame that the variable's n
 /// Wraps an angle into [-pi/4, pi/4): what is left of it modulo 90 degrees.
 [[nodiscard]] double wrap_quarter(double angle_rad);
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kPi = 3.14159265358979323846;  ///< half a turn
 [[nodiscard]] constexpr double degrees(double angle_rad) { return angle_rad * 180.0 / kPi; }
 [[nodiscard]] constexpr double radians(double angle_deg) { return angle_deg * kPi / 180.0; }
 

@@ -42,7 +42,7 @@ struct CorrectOptions {
   double passage_robust_sigmas = 5.0;  ///< where the robot was lost once, passages off by more
                                        ///< lose weight too
   double robust_sigmas = 2.0;          ///< doorways and walls off by more lose weight (Cauchy)
-  int max_iterations = 100;
+  int max_iterations = 100;            ///< of Ceres; one that needs more has not converged
 };
 
 /// Corrects the poses of ASRs in the building (offline stage): odometry between consecutive ASRs,

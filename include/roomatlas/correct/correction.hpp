@@ -26,7 +26,7 @@ struct FactorReport {
   AsrId from = 0;
   AsrId to = 0;                     ///< 0 for a factor on one ASR alone
   double chi_square_before = -1.0;  ///< at the uncorrected poses; negative: not computed
-  double chi_square_after = -1.0;
+  double chi_square_after = -1.0;   ///< at the corrected poses; the same
   double weight = 0.0;  ///< of the robust loss at the solution, [0, 1]; near 0: rejected
 };
 
@@ -57,10 +57,10 @@ struct EstimatedHabits {
 /// for success.
 struct Correction {
   bool converged = false;
-  std::string model;    ///< "se2", "rotation_only", or "trajectory" (a mission of sonars)
-  std::string message;  ///< why the solver stopped
-  double initial_cost = -1.0;
-  double final_cost = -1.0;
+  std::string model;           ///< "se2", "rotation_only", or "trajectory" (a mission of sonars)
+  std::string message;         ///< why the solver stopped
+  double initial_cost = -1.0;  ///< half of the robust squares at the start; negative: not solved
+  double final_cost = -1.0;    ///< the same at the end
   int iterations = 0;
   EstimatedHabits odometry;
   std::vector<AsrCorrection> asrs;    ///< ascending by ASR

@@ -76,7 +76,7 @@ class SeenSpace {
   template <typename Visit>
   void for_hits_near(const Point2& point, int reach, Visit visit) const;
 
-  double cell_m_ = 0.1;
+  double cell_m_ = 0.1;  ///< as `EvidenceOptions` has it
   Box2 box_;
   int columns_ = 0;
   int rows_ = 0;

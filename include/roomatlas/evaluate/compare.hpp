@@ -28,8 +28,8 @@ struct TrajectoryTruth {
 };
 
 struct CompareOptions {
-  MatchOptions match;  ///< for all three metrics
-  double split_s = 30.0;
+  MatchOptions match;     ///< for all three metrics
+  double split_s = 30.0;  ///< relations across less are local ones; see `relation_errors`
   ApeOptions ape;
   RpeOptions rpe;
   BootstrapOptions bootstrap;

@@ -82,11 +82,11 @@ struct PlanErrors {
 };
 
 struct PlanErrorOptions {
-  double iou_threshold = 0.5;  ///< rooms that overlap less are not the same
-  double strict_iou_threshold = 0.75;
-  double door_gate_m = 0.5;  ///< doors farther apart than this are not the same
-  double piece_share = 0.2;  ///< a piece of a room this large makes it split or merged
-  bool doors_known = true;   ///< false for a truth that shows no doors
+  double iou_threshold = 0.5;          ///< rooms that overlap less are not the same
+  double strict_iou_threshold = 0.75;  ///< the same, for the stricter precision and recall
+  double door_gate_m = 0.5;            ///< doors farther apart than this are not the same
+  double piece_share = 0.2;            ///< a piece of a room this large makes it split or merged
+  bool doors_known = true;             ///< false for a truth that shows no doors
 };
 
 /// Compares a plan with the true plan. Rooms are assigned one to one such that most pairs reach the

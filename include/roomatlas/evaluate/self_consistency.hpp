@@ -54,7 +54,7 @@ enum class ConsistencyFigure {
   /// Cannot show places that only one ASR saw.
   doubled_walls,
 };
-constexpr int kConsistencyFigures = 8;
+constexpr int kConsistencyFigures = 8;  ///< how many there are
 
 [[nodiscard]] const char* to_string(ConsistencyFigure figure);
 /// "m", "deg" or "" for a share.

@@ -10,7 +10,7 @@ struct RecogniseOptions {
   double gate_growth = 0.02;   ///< metres added to the gate a metre of path driven between them
   double max_gate_m = 1.5;     ///< doors of one wall are seldom nearer than this
   double max_turn_deg = 35.0;  ///< directions of one doorway agree this well
-  double max_width_difference_m = 0.45;
+  double max_width_difference_m = 0.45;  ///< between crossings of one: jambs are seen anew
 };
 
 /// Doorways that the robot went through more than once: for each crossing, the nearest earlier

@@ -27,7 +27,7 @@ struct Cell {
 
 /// The one place where metres become cells and cells metres.
 struct CellFrame {
-  double cell_m = 0.1;
+  double cell_m = 0.1;  ///< side of a cell (paper IV: 10 cm)
 
   [[nodiscard]] Cell cell_of(const Point2& point) const {
     return {static_cast<int>(std::floor(point.x() / cell_m)),

@@ -79,8 +79,8 @@ class TileGrid {
   }
 
  private:
-  static constexpr int kShift = 4;
-  static constexpr int kSide = 1 << kShift;
+  static constexpr int kShift = 4;           ///< of 16 cells: larger tiles hold more unused cells
+  static constexpr int kSide = 1 << kShift;  ///< cells
   using Tile = std::array<CellValue, kSide * kSide>;
 
   static std::size_t inside(const Cell& cell) {
@@ -95,7 +95,7 @@ class TileGrid {
 
   /// Grows the table of tiles, by some tiles more than needed so that it grows rarely.
   void cover(const Cell& tile) {
-    constexpr int kMargin = 8;
+    constexpr int kMargin = 8;  // tiles: more wastes table, fewer copies it more often
     if (box_.contains(tile)) return;
     CellBox grown = box_.count() == 0 ? CellBox{tile, tile} : box_;
     if (tile.x < grown.min.x || box_.count() == 0) grown.min.x = tile.x - kMargin;

@@ -42,7 +42,7 @@ struct ClosureOptions {
 /// What is needed of an ASR to match it with others.
 struct AsrShape {
   AsrId id = 0;
-  LocalMap map{0.1};
+  LocalMap map{0.1};              ///< `shape_of` makes it, in cells of `LocalizeOptions::cell_m`
   std::vector<ScanPoint> points;  ///< the map's faces
   Polyline path;                  ///< thinned
 };

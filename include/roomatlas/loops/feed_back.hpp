@@ -13,13 +13,13 @@ namespace roomatlas {
 struct FeedBackOptions {
   bool enabled = true;
   ScanOptions scan;
-  AlignOptions align{.first_gate_m = 0.12, .max_iterations = 4};
-  int max_points = 120;            ///< of a sweep
-  double min_face_hits = 12.0;     ///< in one visit; fewer lie where noise put them
-  double position_sigma_m = 0.05;  ///< of the pose in its own ASR ...
-  double heading_sigma_rad = radians(2.0);
-  int min_matched = 20;            ///< fewer partners: the pose stays
-  double min_matched_share = 0.3;  ///< so it does below this share of the sweep
+  AlignOptions align{.first_gate_m = 0.12, .max_iterations = 4};  ///< nearly right already
+  int max_points = 120;                                           ///< of a sweep
+  double min_face_hits = 12.0;              ///< in one visit; fewer lie where noise put them
+  double position_sigma_m = 0.05;           ///< of the pose in its own ASR ...
+  double heading_sigma_rad = radians(2.0);  ///< ... and of its heading; smaller moves nothing
+  int min_matched = 20;                     ///< fewer partners: the pose stays
+  double min_matched_share = 0.3;           ///< so it does below this share of the sweep
 };
 
 /// Matches every reading once more, from where the correction puts it, with the faces of its own

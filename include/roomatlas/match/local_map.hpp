@@ -65,7 +65,7 @@ class LocalMap {
   [[nodiscard]] CellBox box() const { return cells_.box(); }
 
  private:
-  static constexpr int kSeenFree = -2;
+  static constexpr int kSeenFree = -2;  ///< half steps: C of -1, one ray more than hits make up for
 
   struct LocalCell {
     std::int8_t certainty = 0;

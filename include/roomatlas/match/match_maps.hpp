@@ -10,12 +10,12 @@
 namespace roomatlas {
 
 struct MatchMapsOptions {
-  AlignOptions align{.max_iterations = 20};
-  double min_face_hits = 2.0;  ///< a face hit once may be anything
-  int searched_points = 300;   ///< of the second map in the coarse search
-  int aligned_points = 1500;   ///< and in the fine one
-  double agree_m = 0.13;       ///< a point this near to a face that looks its way agrees
-  double point_sigma_m = 0.03;
+  AlignOptions align{.max_iterations = 20};  ///< from a whole cell and a degree off: more steps
+  double min_face_hits = 2.0;                ///< a face hit once may be anything
+  int searched_points = 300;                 ///< of the second map in the coarse search
+  int aligned_points = 1500;                 ///< and in the fine one
+  double agree_m = 0.13;            ///< a point this near to a face that looks its way agrees
+  double point_sigma_m = 0.03;      ///< of a sample; larger lets passages overrule closures
   double points_per_sample = 20.0;  ///< neighbouring points err alike: so many count as one
   double floor_position_m = 0.02;   ///< no match is better than this ...
   double floor_heading_deg = 0.15;  ///< ... nor its heading
@@ -23,8 +23,8 @@ struct MatchMapsOptions {
 
 /// How far around the guess a match is looked for.
 struct SearchWindow {
-  double reach_m = 0.0;
-  double reach_rad = 0.0;
+  double reach_m = 0.0;    ///< to each side; time grows with its square
+  double reach_rad = 0.0;  ///< and each way; time grows with it
 };
 
 struct MapMatch {
@@ -54,10 +54,31 @@ class SearchableMap {
                               const SearchWindow& window) const;
 
  private:
-  static constexpr int kLevels = 4;
+  static constexpr int kLevels = 4;  ///< squares of 1 to 8 cells; the margin in the source is as
+                                     ///< wide. More skip wide windows faster, and cost memory
+
+  /// A square of shifts, by its lowest corner. None of them scores more.
+  struct Candidate {
+    double score = 0.0;
+    Cell shift;
+  };
+  struct Turned {
+    Pose2 pose;
+    double by_rad = 0.0;  ///< off the guess
+  };
+  struct Best {
+    Pose2 pose;
+    double score = 0.0;
+  };
 
   [[nodiscard]] Pose2 search(const std::vector<ScanPoint>& points, const Pose2& guess,
                              const SearchWindow& window) const;
+  /// Branch and bound over the shifts of points turned alike, for one better than `best`.
+  void search_shifts(const std::vector<Cell>& cells, const Turned& turned,
+                     const SearchWindow& window, Best& best) const;
+  /// Adds a level's squares inside a box of shifts, and sorts: the best to the back.
+  void add_squares(int level, const CellBox& shifts, const std::vector<Cell>& cells,
+                   std::vector<Candidate>& stack) const;
   void judge(const std::vector<ScanPoint>& points, MapMatch& match) const;
   [[nodiscard]] double score(int level, const std::vector<Cell>& cells, const Cell& shift) const;
 

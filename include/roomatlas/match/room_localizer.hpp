@@ -14,7 +14,7 @@ namespace roomatlas {
 
 struct LocalizeOptions {
   bool enabled = true;  ///< off: dead reckoning is believed inside a room, as in the paper
-  double cell_m = 0.1;
+  double cell_m = 0.1;  ///< of the room's map; smaller cells need more sweeps to fill
   ScanOptions scan;
   AlignOptions align;
   CorrelateOptions correlate;

@@ -41,8 +41,8 @@ struct TruePose {
 using MissionEvent = std::variant<RangeReading, TruePose>;
 
 struct RobotFootprint {
-  double length_m = 0.45;
-  double width_m = 0.40;
+  double length_m = 0.45;  ///< larger frees walls that the robot drove along ...
+  double width_m = 0.40;   ///< ... and jambs of doors that it went through
 };
 
 /// A laser read as if it were a ring of sonars, and how much worse than exact that ring is.

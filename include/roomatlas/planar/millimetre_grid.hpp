@@ -25,7 +25,7 @@ class MillimetreGrid {
 
  private:
   Point2 origin_mm_ = Point2::Zero();
-  double fine_ = 0x1p16;
+  double fine_ = 0x1p16;  ///< the coarsest: right everywhere
 };
 
 /// False for NaN, for infinities, and for what is farther than the Earth is large: such a number

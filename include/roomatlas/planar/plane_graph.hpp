@@ -18,7 +18,7 @@ struct RingUse {
 /// Half-edge 2e runs from the lower to the higher point number of edge e, 2e + 1 back.
 class PlaneGraph {
  public:
-  static constexpr int kOutside = 0;
+  static constexpr int kOutside = 0;  ///< the unbounded face
 
   /// @param cut as `cut_where_they_meet` gives it.
   explicit PlaneGraph(EdgeSet cut);
@@ -76,7 +76,7 @@ class PlaneGraph {
   std::vector<int> first_loop_;  ///< of each face in `loop_starts_`, and one more
   std::vector<int> loop_starts_;
   std::vector<double> area_mm2_;
-  int face_count_ = 1;
+  int face_count_ = 1;  ///< the unbounded one is always there
 };
 
 }  // namespace roomatlas::planar

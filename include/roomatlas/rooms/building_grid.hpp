@@ -9,9 +9,9 @@
 namespace roomatlas {
 
 struct BuildingGridOptions {
-  double cell_m = 0.1;
-  double occupied_share = 0.25;       ///< reflected share from which a cell is an obstacle; higher
-                                      ///< loses glass and walls met at flat angles
+  double cell_m = 0.1;           ///< smaller cells need more beams each; a wall is one cell or more
+  double occupied_share = 0.25;  ///< reflected share from which a cell is an obstacle; higher
+                                 ///< loses glass and walls met at flat angles
   double sonar_occupied_share = 0.2;  ///< the same where sonars saw it: their cones blur walls
   int min_hits = 2;                   ///< fewer are noise
   int min_passes = 2;                 ///< a cell passed less often is not known to be free

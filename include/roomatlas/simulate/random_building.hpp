@@ -20,8 +20,8 @@ struct RandomBuildingOptions {
   double jamb_noise_m = 0.04;     ///< the same for the jambs of a doorway that was driven through
   double sample_every_m = 1.0;    ///< of path; smaller makes ASRs larger, not better
   double max_piece_path_m = 8.0;  ///< longer visits are cut at an open passage, as by the recorder
-  double speed_m_per_s = 0.4;
-  double start_timestamp_s = 1000000000.0;
+  double speed_m_per_s = 0.4;     ///< tells the times of poses alone
+  double start_timestamp_s = 1000000000.0;  ///< since 1970, of the first pose
 };
 
 /// Where an ASR truly is.

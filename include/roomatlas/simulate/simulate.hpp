@@ -39,15 +39,15 @@ struct LaserErrors {
 };
 
 struct SimulationOptions {
-  std::uint64_t seed = 1;  ///< decides everything that is random
-  double speed_m_per_s = 0.4;
-  double turn_rate_deg_per_s = 45.0;
-  double rate_hz = 10.0;  ///< of odometry and of the sensor
-  double start_timestamp_s = 1000000000.0;
+  std::uint64_t seed = 1;                   ///< decides everything that is random
+  double speed_m_per_s = 0.4;               ///< at most
+  double turn_rate_deg_per_s = 45.0;        ///< at most
+  double rate_hz = 10.0;                    ///< of odometry and of the sensor
+  double start_timestamp_s = 1000000000.0;  ///< since 1970, of the first reading
   SensorKind sensor = SensorKind::sonar;
-  double sonar_max_range_m = 5.0;
-  double sonar_cone_deg = 20.0;
-  double laser_max_range_m = 8.0;
+  double sonar_max_range_m = 5.0;  ///< at or beyond: no echo
+  double sonar_cone_deg = 20.0;    ///< full opening angle; wider hears jambs earlier
+  double laser_max_range_m = 8.0;  ///< at or beyond: no echo
   RobotFootprint footprint;
   OdometryErrors odometry;
   SonarErrors sonar;

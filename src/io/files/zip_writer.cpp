@@ -9,12 +9,12 @@
 namespace roomatlas::io {
 namespace {
 
-constexpr std::uint32_t kFileSignature = 0x04034b50;
-constexpr std::uint32_t kDirectorySignature = 0x02014b50;
-constexpr std::uint32_t kEndSignature = 0x06054b50;
-constexpr std::uint32_t kVersion = 20;  // 2.0
-constexpr std::uint32_t kNamesAreUtf8 = 1U << 11U;
-constexpr std::uint32_t kDate = (1U << 5U) | 1U;  // 1 January of year 0, which is 1980
+constexpr std::uint32_t kFileSignature = 0x04034b50;       // "PK", and 3, 4
+constexpr std::uint32_t kDirectorySignature = 0x02014b50;  // "PK", and 1, 2
+constexpr std::uint32_t kEndSignature = 0x06054b50;        // "PK", and 5, 6
+constexpr std::uint32_t kVersion = 20;                     // 2.0
+constexpr std::uint32_t kNamesAreUtf8 = 1U << 11U;         // bit of the flags
+constexpr std::uint32_t kDate = (1U << 5U) | 1U;           // 1 January of year 0, which is 1980
 
 void put(std::string& bytes, std::uint32_t value, int count) {
   for (int i = 0; i < count; ++i) bytes += static_cast<char>((value >> (8 * i)) & 0xffU);

@@ -110,7 +110,7 @@ void read_laser_body(FieldReader& fields, CarmenScan& scan) {
 
 /// ... laser_x .. robot_theta tv rv forward_safety side_safety turn_axis timestamp host logger_time
 void read_robot_laser(FieldReader& fields, CarmenMessage& message) {
-  constexpr std::size_t kMotionFields = 5;
+  constexpr std::size_t kMotionFields = 5;  // tv, rv, forward_safety, side_safety, turn_axis
   read_laser_body(fields, message.scan);
   read_scan_poses(fields, message.scan);
   if (message.scan.has_poses && fields.fields_left() >= kMotionFields) {

@@ -13,9 +13,9 @@
 namespace roomatlas::io {
 namespace {
 
-constexpr int kProbedLines = 1000;
-constexpr std::int64_t kMostMalformedListed = 100;
-constexpr std::size_t kMostIgnoredTags = 64;
+constexpr int kProbedLines = 1000;  // without a known message: then it is no such log
+constexpr std::int64_t kMostMalformedListed = 100;  // one by one; all are counted
+constexpr std::size_t kMostIgnoredTags = 64;        // kept by name: a damaged log has thousands
 
 bool is_comment(std::string_view tag) { return tag.empty() || tag.front() == '#'; }
 

@@ -8,7 +8,7 @@ namespace roomatlas::io {
 namespace {
 
 constexpr double kNoEcho_m = 8.1;  // the scanner's codes for "nothing seen" lie from here to 8.19
-constexpr int kBeams = 181;
+constexpr int kBeams = 181;        // -90 to 90 degrees, both included
 
 class DukeSource : public TextSource {
  public:

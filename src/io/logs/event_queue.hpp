@@ -13,7 +13,7 @@ namespace roomatlas::io {
 /// Events in file order, of which some still wait for their robot pose. Holds at most `kMost`.
 class EventQueue {
  public:
-  static constexpr std::size_t kMost = 256;
+  static constexpr std::size_t kMost = 256;  ///< events; then a pose that never comes is given up
 
   /// Why an event's pose is open.
   enum class Wait {

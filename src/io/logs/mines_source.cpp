@@ -11,15 +11,15 @@ namespace {
 
 // The rover as tinySLAM describes it (Steux and El Hamzaoui, "CoreSLAM", ICARCV 2010).
 constexpr double kWheelRadius_m = 0.077;
-constexpr double kHalfAxle_m = 0.165;
-constexpr double kTicksPerTurn = 2000.0;
-constexpr double kLaserAhead_m = 0.145;
-constexpr int kBeams = 682;
-constexpr double kSweep_deg = 240.0;
-constexpr int kFirstFree = 70;  // beams outside [first, last) see the rover itself
-constexpr int kLastFree = 612;
-constexpr double kFarthest_m = 5.6;  // of the scanner
-constexpr double kLeast_m = 0.02;    // less is one of its error codes
+constexpr double kHalfAxle_m = 0.165;     // from the middle to a wheel
+constexpr double kTicksPerTurn = 2000.0;  // of a wheel
+constexpr double kLaserAhead_m = 0.145;   // of the axle
+constexpr int kBeams = 682;               // of the scanner ...
+constexpr double kSweep_deg = 240.0;      // ... over this angle
+constexpr int kFirstFree = 70;            // beams outside [first, last) see the rover itself
+constexpr int kLastFree = 612;            // likewise
+constexpr double kFarthest_m = 5.6;       // of the scanner
+constexpr double kLeast_m = 0.02;         // less is one of its error codes
 
 /// Two layouts, told apart by how many fields stand before the ranges.
 struct Layout {
@@ -28,6 +28,7 @@ struct Layout {
   int right_field = 0;
   double right_sign = 1.0;  ///< the wheel that is mounted the other way round counts backwards
 };
+/// As the two robots' logs have them.
 constexpr Layout kLayouts[] = {{25 + kBeams, 3, 4, 1.0}, {13 + kBeams, 2, 3, -1.0}};
 
 const Layout* layout_of(std::size_t fields) {
@@ -84,7 +85,7 @@ class MinesSource : public TextSource {
 
   /// Dead reckoning: an arc between two scans, driven along its chord. Starts at the origin.
   Pose2 reckon(double left_ticks, double right_ticks) {
-    constexpr double kMetresPerTick = 2.0 * kPi * kWheelRadius_m / kTicksPerTurn;
+    constexpr double kMetresPerTick = 2.0 * kPi * kWheelRadius_m / kTicksPerTurn;  // of a wheel
     if (has_ticks_) {
       const double left_m = (left_ticks - left_ticks_) * kMetresPerTick;
       const double right_m = (right_ticks - right_ticks_) * kMetresPerTick;

@@ -7,9 +7,9 @@
 namespace roomatlas::io {
 namespace {
 
-constexpr double kSamePosition_m = 1e-3;
-constexpr double kSameAngle_rad = 1e-4;
-constexpr double kRounding = 1e-9;  // two values one step apart count as the same
+constexpr double kSamePosition_m = 1e-3;  // a log's last digit; larger joins two sensors
+constexpr double kSameAngle_rad = 1e-4;   // likewise
+constexpr double kRounding = 1e-9;        // two values one step apart count as the same
 
 bool same_angle(double a_rad, double b_rad) {
   return std::abs(wrap_angle(a_rad - b_rad)) <= kSameAngle_rad + kRounding;

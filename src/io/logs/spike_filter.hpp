@@ -24,7 +24,7 @@ namespace roomatlas::io {
 template <typename Message>
 class SpikeFilter {
  public:
-  static constexpr std::size_t kMost = 64;
+  static constexpr std::size_t kMost = 64;  ///< messages that wait: then the jump is believed
 
   struct Decided {
     Message message;

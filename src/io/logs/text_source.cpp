@@ -14,7 +14,7 @@
 namespace roomatlas::io {
 namespace {
 
-constexpr std::int64_t kMostListed = 100;
+constexpr std::int64_t kMostListed = 100;  // one by one; all are counted
 
 }  // namespace
 

@@ -10,8 +10,8 @@
 namespace roomatlas::io {
 namespace {
 
-constexpr double kCentimetre = 0.01;
-constexpr int kBeams = 180;
+constexpr double kCentimetre = 0.01;       // in metres
+constexpr int kBeams = 180;                // a degree apart, from -90 degrees on
 constexpr double kSameMounting_m = 0.005;  // poses are interpolated and printed to 10 nm
 
 /// To a millimetre: the rest is how the poses were interpolated.

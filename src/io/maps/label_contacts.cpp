@@ -11,7 +11,7 @@ namespace {
 using Corner = std::pair<int, int>;  // y, x: lowest first
 using Neighbours = std::map<Corner, std::vector<Corner>>;
 
-constexpr std::pair<int, int> kSteps[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+constexpr std::pair<int, int> kSteps[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};  // edges, no corners
 
 /// For each pair of labels that touch, the graph of cell corners along the contact.
 std::map<std::pair<int, int>, Neighbours> contact_graphs(const CellGrid<int>& labels) {

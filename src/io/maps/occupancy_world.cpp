@@ -11,8 +11,8 @@
 namespace roomatlas::io {
 namespace {
 
-constexpr double kSpread_m = 0.3;
-constexpr double kNarrowestDoor_m = 0.3;
+constexpr double kSpread_m = 0.3;         // of labels: less leaves lines between rooms without any
+constexpr double kNarrowestDoor_m = 0.3;  // labels that touch over less do so by chance
 
 enum class Cell : char { unknown, free, occupied };
 

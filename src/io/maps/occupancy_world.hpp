@@ -12,11 +12,11 @@ namespace roomatlas::io {
 
 /// How to read an occupancy picture; the words are those of a nav2 map file.
 struct OccupancyScale {
-  double resolution_m = 0.05;  ///< side of a pixel
-  Pose2 world_from_picture;    ///< of the picture's lower left corner
-  bool negate = false;         ///< true: white is occupied
-  double occupied_threshold = 0.65;
-  double free_threshold = 0.196;  ///< below the 0.1961 of the usual grey (205) for unknown
+  double resolution_m = 0.05;        ///< side of a pixel
+  Pose2 world_from_picture;          ///< of the picture's lower left corner
+  bool negate = false;               ///< true: white is occupied
+  double occupied_threshold = 0.65;  ///< darker is an obstacle
+  double free_threshold = 0.196;     ///< below the 0.1961 of the usual grey (205) for unknown
 };
 
 /// A world from a picture and, where given, a picture of the same size with the number of the room

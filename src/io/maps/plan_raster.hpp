@@ -11,12 +11,13 @@ namespace roomatlas::io {
 
 /// A plan as cells; (0, 0) is the lower left one.
 struct PlanRaster {
+  /// The greys of nav2's maps.
   static constexpr std::uint8_t kOccupied = 0;
-  static constexpr std::uint8_t kUnknown = 205;
-  static constexpr std::uint8_t kFree = 254;
+  static constexpr std::uint8_t kUnknown = 205;  ///< between its thresholds
+  static constexpr std::uint8_t kFree = 254;     ///< nearly white
 
   Point2 origin_m = Point2::Zero();  ///< lower left corner of cell (0, 0), building metres
-  double cell_m = 0.05;
+  double cell_m = 0.05;              ///< side of a cell
   CellGrid<std::uint8_t> cells;
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 // Directions: 0 right, 1 up, 2 left, 3 down.
 constexpr std::array<int, 4> kStepX = {1, 0, -1, 0};
-constexpr std::array<int, 4> kStepY = {0, 1, 0, -1};
+constexpr std::array<int, 4> kStepY = {0, 1, 0, -1};  // of the same
 
 /// Numbers the 4-connected regions of equal values from 1, and notes each one's value.
 CellGrid<int> number_regions(const CellGrid<int>& values, std::vector<TracedRegion>& regions) {

@@ -10,6 +10,7 @@
 namespace roomatlas::io {
 namespace {
 
+// A damaged header must not take all memory.
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;
 
 /// Walks over the words of a PGM; `#` comments reach to the end of the line.

@@ -10,10 +10,10 @@ namespace roomatlas::io {
 
 /// A grey picture as cells: row 0 is the lowest.
 struct Picture {
-  static constexpr int kTransparent = -1;
+  static constexpr int kTransparent = -1;  ///< no grey at all
 
   CellGrid<int> values;  ///< [0, white], or kTransparent
-  int white = 255;
+  int white = 255;       ///< the largest grey
 };
 
 /// A file's bytes; those of a gzip file are unpacked. Throws InputError.

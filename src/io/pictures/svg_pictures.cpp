@@ -13,8 +13,8 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kCssPixelsPerInch = 96.0;
-constexpr double kPointsPerInch = 72.0;
+constexpr double kCssPixelsPerInch = 96.0;   // by definition of CSS
+constexpr double kPointsPerInch = 72.0;      // of PDF
 constexpr double kLargestSide_px = 32000.0;  // cairo's limit is 32767
 
 using io::Context;

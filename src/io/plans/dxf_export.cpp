@@ -17,8 +17,8 @@ namespace {
 
 using namespace ogr;
 
-constexpr double kName_m = 0.3;  // height of text in the building
-constexpr double kWidth_m = 0.15;
+constexpr double kName_m = 0.3;    // height of text in the building
+constexpr double kWidth_m = 0.15;  // the same for widths of doors
 
 /// GDAL's template of a DXF header says inches: ours are metres.
 std::string header_in_metres() {

@@ -11,7 +11,7 @@ namespace {
 
 // WGS 84.
 constexpr double kSemiMajor_m = 6378137.0;
-constexpr double kFlattening = 1.0 / 298.257223563;
+constexpr double kFlattening = 1.0 / 298.257223563;  // of the ellipsoid
 
 std::string compact(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -88,7 +88,7 @@ GeoPosition position_on_earth(const GeoReference& reference, const Point2& build
   const double north_m =
       building.y() * std::cos(heading_rad) - building.x() * std::sin(heading_rad);
   const double latitude_rad = radians(reference.latitude_deg);
-  const double eccentricity_2 = kFlattening * (2.0 - kFlattening);
+  const double eccentricity_2 = kFlattening * (2.0 - kFlattening);  // squared
   const double w_2 = 1.0 - eccentricity_2 * std::pow(std::sin(latitude_rad), 2);
   const double normal_m = kSemiMajor_m / std::sqrt(w_2);
   const double meridian_m = normal_m * (1.0 - eccentricity_2) / w_2;

@@ -10,7 +10,7 @@ namespace roomatlas::plan_schema {
 // The words of plan.local.geojson, shared by its writer and its reader (docs/formats.md).
 
 constexpr const char* kSchema = "plan";
-constexpr int kVersion = 1;
+constexpr int kVersion = 1;  ///< of the layout; readers refuse others
 constexpr const char* kUnits = "m";
 constexpr const char* kFrame = "local building metres, not longitude/latitude";
 

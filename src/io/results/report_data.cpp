@@ -16,7 +16,7 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kPathStep_m = 0.1;
+constexpr double kPathStep_m = 0.1;  // nearer points of a path are left out: they swell the page
 
 bool is_finite(const Polyline& line) {
   return std::all_of(line.begin(), line.end(),
@@ -77,7 +77,7 @@ Json doors_of(const FloorPlan& plan) {
 /// The ellipse that holds the place with a probability of 95 %: radii in metres, and the angle of
 /// the first, counter-clockwise from x.
 Json ellipse_of(const Eigen::Matrix2d& covariance_m2) {
-  constexpr double kQuantile95 = 2.4477;
+  constexpr double kQuantile95 = 2.4477;  // sigmas, of two coordinates together
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance_m2);
   const Eigen::Vector2d radii = kQuantile95 * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();
   const Eigen::Vector2d longest = axes.eigenvectors().col(1);
@@ -162,7 +162,7 @@ PlotSeries series_of(const char* name, const RelationErrors& errors) {
 
 /// At most about two thousand of the poses: a chart is not finer.
 PlotSeries series_of(const char* name, const TruePoseErrors& errors) {
-  constexpr std::size_t kMost = 2000;
+  constexpr std::size_t kMost = 2000;  // poses
   PlotSeries series{name, {}, {}};
   const std::size_t stride = errors.errors.size() / kMost + 1;
   for (std::size_t i = 0; i < errors.errors.size(); i += stride) {

@@ -9,7 +9,7 @@
 namespace roomatlas {
 namespace {
 
-constexpr std::size_t kLongestQuote = 40;
+constexpr std::size_t kLongestQuote = 40;  // of a wrong value, in a message
 
 std::string quoted(const Json& value) {
   std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
@@ -57,6 +57,7 @@ double JsonField::number_not_negative() const {
 }
 
 std::int64_t JsonField::positive_integer() const {
+  // What fits the signed type that ids have.
   constexpr auto kLargest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
   // Literals without a sign are parsed as unsigned, so a signed one is negative.
   const std::uint64_t number = value_->is_number_unsigned() ? value_->get<std::uint64_t>() : 0;

@@ -23,7 +23,8 @@ void LineReader::GzFileDelete::operator()(GzFile* file) const {
 
 namespace {
 
-constexpr std::size_t kBlock = std::size_t{1} << 16;
+constexpr std::size_t kTextPerControl = 20;           // bytes; more control characters are no text
+constexpr std::size_t kBlock = std::size_t{1} << 16;  // bytes read at once
 
 bool is_control(char c) {
   const auto byte = static_cast<unsigned char>(c);
@@ -86,7 +87,7 @@ void LineReader::check_first_block(const std::string& name) const {
   const auto end = buffer_.begin() + static_cast<std::ptrdiff_t>(filled_);
   const bool has_nul = std::find(buffer_.begin(), end, '\0') != end;
   const auto controls = static_cast<std::size_t>(std::count_if(buffer_.begin(), end, is_control));
-  if (has_nul || controls * 20 > filled_) {
+  if (has_nul || controls * kTextPerControl > filled_) {
     throw InputError(name + ": is a binary file; expected text, plain or gzip");
   }
 }

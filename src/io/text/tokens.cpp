@@ -41,7 +41,7 @@ std::size_t Tokens::count_numbers() const {
 }
 
 std::string quoted(std::string_view token) {
-  constexpr std::size_t kLongest = 24;
+  constexpr std::size_t kLongest = 24;  // in a message
   std::string text = "'";
   for (const char c : token.substr(0, kLongest)) text += c > ' ' && c <= '~' ? c : '?';
   return text + (token.size() > kLongest ? "...'" : "'");

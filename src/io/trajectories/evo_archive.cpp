@@ -19,7 +19,7 @@ static_assert(std::endian::native == std::endian::little, "arrays are written as
 /// @param shape as in Python, such as "(12,)" or "(4, 4)"
 std::string npy(const std::vector<double>& values, const std::string& shape) {
   std::string dictionary = "{'descr': '<f8', 'fortran_order': False, 'shape': " + shape + ", }";
-  constexpr std::size_t kPrelude = 10;
+  constexpr std::size_t kPrelude = 10;  // bytes: magic word, version, length of the dictionary
   dictionary.append(63 - (kPrelude + dictionary.size()) % 64, ' ');
   dictionary += '\n';
   std::string bytes = "\x93NUMPY";

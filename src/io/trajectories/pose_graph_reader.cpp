@@ -31,8 +31,10 @@ struct Entry {
   int row;
   int column;
 };
+/// Row by row.
 constexpr std::array<Entry, 6> kG2oOrder = {
     {{"I11", 0, 0}, {"I12", 0, 1}, {"I13", 0, 2}, {"I22", 1, 1}, {"I23", 1, 2}, {"I33", 2, 2}}};
+/// TORO's own order.
 constexpr std::array<Entry, 6> kToroOrder = {
     {{"I11", 0, 0}, {"I12", 0, 1}, {"I22", 1, 1}, {"I33", 2, 2}, {"I13", 0, 2}, {"I23", 1, 2}}};
 
