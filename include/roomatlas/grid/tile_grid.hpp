@@ -81,7 +81,7 @@ class TileGrid {
  private:
   static constexpr int kShift = 4;           ///< of 16 cells: larger tiles hold more unused cells
   static constexpr int kSide = 1 << kShift;  ///< cells
-  using Tile = std::array<CellValue, kSide * kSide>;
+  using Tile = std::array<CellValue, std::size_t{kSide} * kSide>;
 
   static std::size_t inside(const Cell& cell) {
     return static_cast<std::size_t>(((cell.y & (kSide - 1)) << kShift) | (cell.x & (kSide - 1)));
