@@ -10,6 +10,8 @@
 #include <functional>
 #include <vector>
 
+#include "roomatlas/plan/floor_plan.hpp"
+
 namespace roomatlas::testing_io {
 
 /// How many of a world's parts a point lies in.

@@ -158,8 +158,8 @@ inline void expect_same(const Asr& a, const Asr& b) {
 }
 
 inline Correction sample_correction(AsrId asrs) {
-  Correction correction{true,      "se2", "converged after 3 steps",     12.0 / 7.0,
-                        1.0 / 7.0, 3,     {-1.0 / 60.0, 1.0 / 70.0, 12}, {},
+  Correction correction{true,      "se2", "converged after 3 steps",          12.0 / 7.0,
+                        1.0 / 7.0, 3,     {{0.0, 1.0 / 60.0, 0.96, 1.0}, 12}, {},
                         {}};
   for (AsrId id = 1; id <= asrs; ++id) {
     const auto n = static_cast<double>(id);
