@@ -147,93 +147,122 @@ void add_optimize(CLI::App* command, OptimizeArguments& a) {
       ->configurable(false);
 }
 
-/// Each command with its files; what runs is left in `chosen`.
-void add_commands(CLI::App& app, const Settings& settings, Arguments& a,
-                  std::function<void()>& chosen) {
-  const auto command = [&](const char* name, const char* meaning, std::function<void()> run) {
-    CLI::App* sub = app.add_subcommand(name, meaning)->fallthrough()->configurable(false);
-    sub->callback([&chosen, run = std::move(run)] { chosen = run; });
+/// The commands with their files; what runs is left in `chosen`.
+class Commands {
+ public:
+  Commands(CLI::App& app, const Settings& settings, Arguments& arguments,
+           std::function<void()>& chosen)
+      : app_(app), settings_(settings), a_(arguments), chosen_(chosen) {}
+
+  void add_all() {
+    add_stages();
+    add_results();
+    add_tools();
+  }
+
+ private:
+  CLI::App* command(const char* name, const char* meaning, std::function<void()> run) {
+    CLI::App* sub = app_.add_subcommand(name, meaning)->fallthrough()->configurable(false);
+    sub->callback([this, run = std::move(run)] { chosen_ = run; });
     sub->footer("Parameters of all stages: `roomatlas --help`, `roomatlas config --print`.");
     return sub;
-  };
-  CLI::App* info = command("info", "what is in a log", [&] { apps::info(settings, a.log); });
-  positional(info, "LOG", a.log, "mission log");
+  }
 
-  CLI::App* build = command("build", "log -> floor plan: everything in order", [&] {
-    apps::build(settings, a.log, a.out, truth_of(a), a.trajectory, a.exported);
-  });
-  positional(build, "LOG", a.log, "mission log, plain or gzip");
-  output(build, a.out, "folder for the results");
-  add_truth(build, a);
-  add_export_options(build, a.exported);
+  /// From a log to a plan.
+  void add_stages() {
+    CLI::App* info = command("info", "what is in a log", [this] { apps::info(settings_, a_.log); });
+    positional(info, "LOG", a_.log, "mission log");
 
-  CLI::App* map = command("map", "online stage: log -> rooms in a store",
-                          [&] { apps::map(settings, a.log, a.out); });
-  positional(map, "LOG", a.log, "mission log, plain or gzip");
-  output(map, a.out, "store to write, such as building.gpkg");
+    CLI::App* build = command("build", "log -> floor plan: everything in order", [this] {
+      apps::build(settings_, a_.log, a_.out, truth_of(a_), a_.trajectory, a_.exported);
+    });
+    positional(build, "LOG", a_.log, "mission log, plain or gzip");
+    output(build, a_.out, "folder for the results");
+    add_truth(build, a_);
+    add_export_options(build, a_.exported);
 
-  CLI::App* assemble = command("assemble", "offline stage: graph, correction, floor plan", [&] {
-    require_a_room(assemble_again(settings, a.store), a.store);
-  });
-  positional(assemble, "STORE", a.store, "store to complete");
+    CLI::App* map = command("map", "online stage: log -> rooms in a store",
+                            [this] { apps::map(settings_, a_.log, a_.out); });
+    positional(map, "LOG", a_.log, "mission log, plain or gzip");
+    output(map, a_.out, "store to write, such as building.gpkg");
 
-  CLI::App* exported = command("export", "store -> drawings and files", [&] {
-    export_all(settings, a.store, a.formats, a.exported, a.out);
-  });
-  positional(exported, "STORE", a.store, "assembled store");
-  exported->add_option("-f,--format", a.formats, "formats, separated by commas")
-      ->delimiter(',')
-      ->capture_default_str()
-      ->configurable(false);
-  output(exported, a.out, "folder for the files");
-  add_export_options(exported, a.exported);
-  add_ogr_option(exported, a.exported);
-  add_measured_walls(exported, a.exported);
+    CLI::App* assemble =
+        command("assemble", "offline stage: graph, correction, floor plan",
+                [this] { require_a_room(assemble_again(settings_, a_.store), a_.store); });
+    positional(assemble, "STORE", a_.store, "store to complete");
+  }
 
-  CLI::App* evaluate =
-      command("evaluate", "errors of stores, trajectories or logs, against truth and without any",
-              [&] { apps::evaluate(settings, a.judged, truth_of(a), a.trajectory, a.comparison); });
-  evaluate
-      ->add_option("RUN", a.judged,
-                   "what to judge: an assembled store, a trajectory (TUM, g2o, poses) or a log; "
-                   "several are compared with the first")
-      ->required()
-      ->configurable(false);
-  add_truth(evaluate, a);
-  add_comparison_files(evaluate, a.comparison);
+  /// What is done with a plan.
+  void add_results() {
+    CLI::App* exported = command("export", "store -> drawings and files", [this] {
+      export_all(settings_, a_.store, a_.formats, a_.exported, a_.out);
+    });
+    positional(exported, "STORE", a_.store, "assembled store");
+    exported->add_option("-f,--format", a_.formats, "formats, separated by commas")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->configurable(false);
+    output(exported, a_.out, "folder for the files");
+    add_export_options(exported, a_.exported);
+    add_ogr_option(exported, a_.exported);
+    add_measured_walls(exported, a_.exported);
 
-  CLI::App* report =
-      command("report", "a page to look at in a browser: map, rooms, correction, errors",
-              [&] { apps::report(settings, a.store, truth_of(a), a.trajectory, a.out); });
-  positional(report, "STORE", a.store, "assembled store");
-  output(report, a.out, "HTML file to write, such as report.html");
-  add_truth(report, a);
+    CLI::App* evaluate =
+        command("evaluate", "errors of stores, trajectories or logs, against truth and without any",
+                [this] {
+                  apps::evaluate(settings_, a_.judged, truth_of(a_), a_.trajectory, a_.comparison);
+                });
+    evaluate
+        ->add_option("RUN", a_.judged,
+                     "what to judge: an assembled store, a trajectory (TUM, g2o, poses) or a log; "
+                     "several are compared with the first")
+        ->required()
+        ->configurable(false);
+    add_truth(evaluate, a_);
+    add_comparison_files(evaluate, a_.comparison);
 
-  CLI::App* rename = command("rename", "gives a room a name, which later plans keep",
-                             [&] { apps::rename(settings, a.store, a.room, a.name); });
-  positional(rename, "STORE", a.store, "assembled store");
-  rename->add_option("ROOM", a.room, "its number or present name")->required()->configurable(false);
-  rename->add_option("NAME", a.name, "its new name")->required()->configurable(false);
+    CLI::App* report =
+        command("report", "a page to look at in a browser: map, rooms, correction, errors",
+                [this] { apps::report(settings_, a_.store, truth_of(a_), a_.trajectory, a_.out); });
+    positional(report, "STORE", a_.store, "assembled store");
+    output(report, a_.out, "HTML file to write, such as report.html");
+    add_truth(report, a_);
 
-  CLI::App* inspect = command("inspect", "one room as it was made, step by step, as a drawing",
-                              [&] { apps::inspect(settings, a.store, a.asr, a.out); });
-  positional(inspect, "STORE", a.store, "store with readings");
-  inspect->add_option("ASR", a.asr, "its number")->required()->configurable(false);
-  output(inspect, a.out, "folder for asr_N.svg and asr_N.png");
+    CLI::App* rename = command("rename", "gives a room a name, which later plans keep",
+                               [this] { apps::rename(settings_, a_.store, a_.room, a_.name); });
+    positional(rename, "STORE", a_.store, "assembled store");
+    rename->add_option("ROOM", a_.room, "its number or present name")
+        ->required()
+        ->configurable(false);
+    rename->add_option("NAME", a_.name, "its new name")->required()->configurable(false);
 
-  add_simulate(command("simulate", "a robot in a known world: log with ground truth",
-                       [&] { apps::simulate(settings, a.simulate); }),
-               a.simulate);
+    CLI::App* inspect = command("inspect", "one room as it was made, step by step, as a drawing",
+                                [this] { apps::inspect(settings_, a_.store, a_.asr, a_.out); });
+    positional(inspect, "STORE", a_.store, "store with readings");
+    inspect->add_option("ASR", a_.asr, "its number")->required()->configurable(false);
+    output(inspect, a_.out, "folder for asr_N.svg and asr_N.png");
+  }
 
-  add_optimize(command("optimize", "the solver alone, on a planar pose graph",
-                       [&] { apps::optimize(settings, a.optimize); }),
-               a.optimize);
+  void add_tools() {
+    add_simulate(command("simulate", "a robot in a known world: log with ground truth",
+                         [this] { apps::simulate(settings_, a_.simulate); }),
+                 a_.simulate);
 
-  CLI::App* config = command("config", "the parameters as a configuration file (TOML)",
-                             [&] { fmt::print("{}", app.config_to_str(true, true)); });
-  config->add_flag("--print", a.print_config, "print every parameter with default and meaning")
-      ->configurable(false);
-}
+    add_optimize(command("optimize", "the solver alone, on a planar pose graph",
+                         [this] { apps::optimize(settings_, a_.optimize); }),
+                 a_.optimize);
+
+    CLI::App* config = command("config", "the parameters as a configuration file (TOML)",
+                               [this] { fmt::print("{}", app_.config_to_str(true, true)); });
+    config->add_flag("--print", a_.print_config, "print every parameter with default and meaning")
+        ->configurable(false);
+  }
+
+  CLI::App& app_;
+  const Settings& settings_;
+  Arguments& a_;
+  std::function<void()>& chosen_;
+};
 
 }  // namespace
 
@@ -252,7 +281,8 @@ int run_command_line(int argc, char** argv) {
   app.add_flag("-q,--quiet", settings.quiet, "errors alone on stderr")->configurable(false);
   app.add_flag("-v,--verbose", settings.verbose, "more on stderr")->configurable(false);
   bind_parameters(app, settings);
-  add_commands(app, settings, arguments, chosen);
+  Commands commands(app, settings, arguments, chosen);
+  commands.add_all();
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

@@ -16,15 +16,18 @@ namespace roomatlas::apps {
 void write_report(const Settings& settings, const Path& store_file, const Evaluation& evaluation,
                   const Path& out) {
   const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
-  const Metadata metadata = store.metadata();
-  const Correction correction = store.correction();
-  const FloorPlan plan = store.plan();
-  const RoomGraph graph = graph_of(store, correction);
-  const CorrectOptions correct = as_corrected(settings, metadata, store_file).assemble.correct;
-  const VisitUncertainty uncertainty = uncertainty_of(graph, store.closures(), correction, correct);
-  const std::string data = report_data(metadata, date_of(metadata), correction, plan, graph,
-                                       place(store, correction), uncertainty, evaluation);
-  write_file(out, report_page(plan.title.empty() ? "Floor plan" : plan.title, data));
+  ReportSources from;
+  from.metadata = store.metadata();
+  from.date = date_of(from.metadata);
+  from.correction = store.correction();
+  from.plan = store.plan();
+  from.graph = graph_of(store, from.correction);
+  from.placed = place(store, from.correction);
+  const CorrectOptions correct = as_corrected(settings, from.metadata, store_file).assemble.correct;
+  from.uncertainty = uncertainty_of(from.graph, store.closures(), from.correction, correct);
+  from.evaluation = evaluation;
+  const std::string title = from.plan.title.empty() ? "Floor plan" : from.plan.title;
+  write_file(out, report_page(title, report_data(from)));
 }
 
 void report(const Settings& settings, const Path& store, const std::vector<Path>& truth,

@@ -36,12 +36,12 @@ class AsSonarSource : public MissionSource {
   [[nodiscard]] double progress() const override { return mission_->progress(); }
 
  private:
-  using Known = std::vector<io::SonarCones>;
+  using Known = std::vector<SonarCones>;
 
   [[nodiscard]] Known::const_iterator cones_of(
       const std::shared_ptr<const RangeSensor>& sensor) const {
     return std::find_if(known_.begin(), known_.end(),
-                        [&](const io::SonarCones& cones) { return cones.laser == sensor; });
+                        [&](const SonarCones& cones) { return cones.laser == sensor; });
   }
 
   void thin(RangeReading& reading) {
@@ -50,10 +50,10 @@ class AsSonarSource : public MissionSource {
     auto known = cones_of(reading.sensor);
     if (known == known_.end()) {
       if (known_.size() >= kMostKnown) known_.erase(known_.begin());
-      known_.push_back(io::sonar_cones(reading.sensor, max_range_m_));
+      known_.push_back(sonar_cones(reading.sensor, max_range_m_));
       known = known_.end() - 1;
     }
-    reading.ranges_m = io::heard(*known, reading.ranges_m, options_, number);
+    reading.ranges_m = heard(*known, reading.ranges_m, options_, number);
     reading.sensor = known->ring;
   }
 

@@ -41,7 +41,7 @@ class WithoutJumps : public MissionSource {
   /// Puts a reading where odometry would be without the jumps so far.
   void join(RangeReading& reading) {
     const StampedPose reported{reading.timestamp_s, reading.odom_from_robot};
-    if (last_ && io::is_jump(*last_, reported)) {
+    if (last_ && is_jump(*last_, reported)) {
       const Point2 step = reported.pose.position() - last_->pose.position();
       if (jumps_++ == 0) {
         first_m_ = step.norm();

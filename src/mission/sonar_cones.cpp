@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace roomatlas::io {
+namespace roomatlas {
 namespace {
 
 // Where a Pioneer 2 has its sonars, front and rear, and how wide they hear.
@@ -138,4 +138,4 @@ std::vector<float> heard(const SonarCones& cones, const std::vector<float>& lase
   return ranges_m;
 }
 
-}  // namespace roomatlas::io
+}  // namespace roomatlas

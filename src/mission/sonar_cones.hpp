@@ -7,7 +7,7 @@
 
 #include "roomatlas/mission/mission.hpp"
 
-namespace roomatlas::io {
+namespace roomatlas {
 
 /// A laser's beams as cones of a sonar ring.
 struct SonarCones {
@@ -24,4 +24,4 @@ struct SonarCones {
                                        const std::vector<float>& laser_ranges_m,
                                        const AsSonarOptions& options, std::uint64_t number);
 
-}  // namespace roomatlas::io
+}  // namespace roomatlas

@@ -68,16 +68,17 @@ CorrectedMission corrected_mission(MissionKind kind, const AsrSource& source,
 }
 
 /// Where readings lie where the robot was, on all that they show; else by the outlines.
-MappedBuilding building_of(MissionKind kind, const AsrSource& source, const RoomGraph& graph,
-                           const Placement& placement, const RobotFootprint& footprint,
-                           const Options& options, const Progress& progress) {
+MappedBuilding building_of(MissionKind kind, const AsrSource& source, const Assembly& corrected,
+                           const RobotFootprint& footprint, const Options& options,
+                           const Progress& progress) {
   const AssembleOptions& assemble = options.assemble;
+  const RoomMapOptions& map = options.map.record.map;
+  const Placement placement = placement_of(corrected.correction);
   if (kind != MissionKind::paper) {
-    return map_building(source, placement, footprint, {options.map.record.map, assemble.segment},
-                        progress);
+    return map_building(source, placement, footprint, {map, assemble.segment}, progress);
   }
-  return rooms_by_outlines(source, load(source, AsrDetail::path), graph, placement, footprint,
-                           {assemble.rooms, options.map.record.map, assemble.map_again}, progress);
+  return rooms_by_outlines(source, corrected.graph, placement, footprint,
+                           {assemble.rooms, map, assemble.map_again}, progress);
 }
 
 }  // namespace
@@ -104,9 +105,8 @@ Assembly assemble(const AsrSource& source, const RobotFootprint& footprint, cons
   assembly.paths = std::move(corrected.paths);
 
   const AsrSource& recorded = corrected.recorded_again ? *corrected.recorded_again : source;
-  MappedBuilding building =
-      building_of(kind, WithPaths(recorded, assembly.paths), assembly.graph,
-                  placement_of(assembly.correction), footprint, options, progress);
+  MappedBuilding building = building_of(kind, WithPaths(recorded, assembly.paths), assembly,
+                                        footprint, options, progress);
   assembly.room_of_asr = building.room_of_asr;
   assembly.doors = building.doors;
   set_rooms(assembly.graph, assembly.room_of_asr);

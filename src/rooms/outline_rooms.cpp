@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "roomatlas/asr/load.hpp"
 #include "roomatlas/rooms/doors.hpp"
 
 namespace roomatlas {
@@ -72,10 +73,10 @@ Polygon outline_cut_at(const std::vector<Exit>& others, const Asr& asr, const As
 
 }  // namespace
 
-MappedBuilding rooms_by_outlines(const AsrSource& source, const std::vector<Asr>& asrs,
-                                 const RoomGraph& graph, const Placement& placement,
-                                 const RobotFootprint& footprint, const OutlineRoomOptions& options,
-                                 const Progress& progress) {
+MappedBuilding rooms_by_outlines(const AsrSource& source, const RoomGraph& graph,
+                                 const Placement& placement, const RobotFootprint& footprint,
+                                 const OutlineRoomOptions& options, const Progress& progress) {
+  const std::vector<Asr> asrs = load(source, AsrDetail::path);
   MappedBuilding building;
   building.room_of_asr = assign_rooms(asrs, graph, placement, options.rooms);
   building.doors = doors_of(asrs, graph, placement, building.room_of_asr);

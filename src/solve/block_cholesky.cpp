@@ -6,11 +6,10 @@
 
 #include "dense_kernels.hpp"
 #include "dense_product.hpp"
+#include "index.hpp"
 
 namespace roomatlas {
 namespace {
-
-constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 /// Pivots below this share of the diagonal are rounding: the matrix is singular.
 constexpr double kSmallestShare = 1e-14;

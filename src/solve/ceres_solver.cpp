@@ -10,12 +10,11 @@
 #include <cmath>
 #include <deque>
 
+#include "index.hpp"
 #include "pose_factors.hpp"
 
 namespace roomatlas {
 namespace {
-
-constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 constexpr double kUnboundedRadius = 1e16;  // of the trust region: plain Gauss-Newton steps
 constexpr double kSettledShare = 1e-9;     // of the cost; larger falls count as steps to be taken

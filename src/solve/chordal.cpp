@@ -3,10 +3,10 @@
 
 #include "chordal.hpp"
 
+#include "index.hpp"
+
 namespace roomatlas {
 namespace {
-
-constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 /// Fills the equations of the complex numbers, each as two reals.
 void fill(const SolverGraph& graph, std::span<const double> weights, BlockCholesky<2>& matrix,

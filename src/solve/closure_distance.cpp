@@ -5,12 +5,11 @@
 #include <cmath>
 
 #include "covariance.hpp"
+#include "index.hpp"
 #include "whitening.hpp"
 
 namespace roomatlas {
 namespace {
-
-constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 /// Share of a measurement's variance that must be left after the fit. An accepted edge that the
 /// others hardly check would have none.

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "dense_product.hpp"
+#include "index.hpp"
 
 namespace roomatlas {
 namespace {
@@ -14,8 +15,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Ref;
-
-constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <string>
 
+#include "index.hpp"
+
 namespace roomatlas {
 namespace {
-
-constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 /// Squared distance beyond which a closure does not fit: a true one is farther once in 10^6, but
 /// real noise has longer tails than the normal distribution.

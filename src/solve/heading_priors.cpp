@@ -3,10 +3,10 @@
 
 #include <cmath>
 
+#include "index.hpp"
+
 namespace roomatlas {
 namespace {
-
-constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 std::size_t component_of(const PoseGraph& poses, const SolverGraph& graph, std::size_t heading) {
   return at(graph.components.component[at(poses.headings[heading].node)]);

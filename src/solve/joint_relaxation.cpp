@@ -4,12 +4,12 @@
 #include <cmath>
 #include <complex>
 
+#include "index.hpp"
+
 namespace roomatlas {
 namespace {
 
 using Complex = std::complex<double>;
-
-constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 /// The equations of the unknowns t and z of each node, as four real numbers.
 struct Equations {

@@ -8,12 +8,11 @@
 #include "ceres_solver.hpp"
 #include "chordal.hpp"
 #include "heading_priors.hpp"
+#include "index.hpp"
 #include "joint_relaxation.hpp"
 
 namespace roomatlas {
 namespace {
-
-constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 /// Share of chi-square that may be left to gain.
 constexpr double kTolerance = 1e-7;

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "index.hpp"
+
 namespace roomatlas {
 namespace {
-
-constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 /// One edge at a state, all in the world's frame.
 struct Terms {

@@ -4,14 +4,13 @@
 #include <algorithm>
 
 #include "covariance.hpp"
+#include "index.hpp"
 #include "judge.hpp"
 #include "least_squares.hpp"
 #include "robust.hpp"
 
 namespace roomatlas {
 namespace {
-
-constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 /// Poses, figures and verdicts of the solution.
 void fill(const PoseGraph& graph, const LeastSquares& squares, const Solved& solved,

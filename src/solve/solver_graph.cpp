@@ -5,12 +5,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "index.hpp"
+
 namespace roomatlas {
 namespace {
 
 using Indices = std::vector<std::int32_t>;
-
-constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 std::int32_t root_of(Indices& parent, std::int32_t node) {
   while (parent[at(node)] != node) {

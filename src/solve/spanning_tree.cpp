@@ -5,12 +5,12 @@
 #include <cmath>
 #include <deque>
 
+#include "index.hpp"
+
 namespace roomatlas {
 namespace {
 
 using Indices = std::vector<std::int32_t>;
-
-constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 bool is_used(std::span<const double> weights, std::size_t e) {
   return weights.empty() || weights[e] > 0.0;

@@ -7,12 +7,12 @@
 
 #include "elimination_tree.hpp"
 
+#include "index.hpp"
+
 namespace roomatlas {
 namespace {
 
 using Indices = std::vector<std::int32_t>;
-
-constexpr std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 /// How many zeros a panel may store: narrow ones cost more to handle than their zeros do.
 struct MostZeros {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace roomatlas::io {
+namespace roomatlas {
 
 // What a number in a log can mean. One that is beyond these is a slip: a map that believed it would
 // not fit into memory.
@@ -28,4 +28,4 @@ constexpr double kSmallJump_m = 10.0;
          kSmallJump_m + kFastest_m_per_s * time_s;
 }
 
-}  // namespace roomatlas::io
+}  // namespace roomatlas

@@ -21,9 +21,8 @@ struct OutlineRoomOptions {
 /// Rooms where the readings were not kept, or do not lie where the robot was: from the ASRs'
 /// outlines, as the paper has it. Outlines are cut at all doors of their room, those that only
 /// later visits found too.
-/// @param asrs ascending by id, with their paths; readings are loaded for one ASR at a time
-[[nodiscard]] MappedBuilding rooms_by_outlines(const AsrSource& source,
-                                               const std::vector<Asr>& asrs, const RoomGraph& graph,
+/// Readings are loaded for one ASR at a time.
+[[nodiscard]] MappedBuilding rooms_by_outlines(const AsrSource& source, const RoomGraph& graph,
                                                const Placement& placement,
                                                const RobotFootprint& footprint,
                                                const OutlineRoomOptions& options,

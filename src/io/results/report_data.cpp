@@ -197,33 +197,31 @@ Json charts_of(const std::optional<Evaluation>& evaluation) {
 
 }  // namespace
 
-std::string report_data(const std::map<std::string, std::string>& metadata, const std::string& date,
-                        const Correction& correction, const FloorPlan& plan, const RoomGraph& graph,
-                        const PlacedMission& placed, const VisitUncertainty& uncertainty,
-                        const std::optional<Evaluation>& evaluation) {
+std::string report_data(const ReportSources& from) {
   const auto text = [&](const char* key) {
-    const auto entry = metadata.find(key);
-    return entry == metadata.end() ? std::string() : entry->second;
+    const auto entry = from.metadata.find(key);
+    return entry == from.metadata.end() ? std::string() : entry->second;
   };
   Json data;
-  data["summary"] = Json::parse(summary_json(metadata, correction, plan, graph, evaluation));
-  data["date"] = date;
+  data["summary"] = Json::parse(
+      summary_json(from.metadata, from.correction, from.plan, from.graph, from.evaluation));
+  data["date"] = from.date;
   data["tool_version"] = text("tool_version");
   data["configuration"] = text("configuration");
-  data["rooms"] = rooms_of(plan);
-  data["doors"] = doors_of(plan);
-  data["walls"] = json_of(plan.walls);
-  data["furniture"] = json_of(plan.furniture);
-  data["issues"] = issues_of(plan.issues);
+  data["rooms"] = rooms_of(from.plan);
+  data["doors"] = doors_of(from.plan);
+  data["walls"] = json_of(from.plan.walls);
+  data["furniture"] = json_of(from.plan.furniture);
+  data["issues"] = issues_of(from.plan.issues);
   data["unexplored"] = Json::array();
-  for (const Polyline& line : unexplored_boundary(plan, placed.walls_after)) {
+  for (const Polyline& line : unexplored_boundary(from.plan, from.placed.walls_after)) {
     data["unexplored"].push_back(json_of(line));
   }
-  data["visits"] = visits_of(correction, graph, uncertainty);
+  data["visits"] = visits_of(from.correction, from.graph, from.uncertainty);
   data["accuracy_m"] =
-      uncertainty.typical_m ? Json(to_millimetre(*uncertainty.typical_m)) : Json(nullptr);
-  data["charts"] = charts_of(evaluation);
-  add_mission(placed, data);
+      from.uncertainty.typical_m ? Json(to_millimetre(*from.uncertainty.typical_m)) : Json(nullptr);
+  data["charts"] = charts_of(from.evaluation);
+  add_mission(from.placed, data);
   return data.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -12,15 +12,20 @@
 
 namespace roomatlas {
 
+/// All that the report page speaks of.
+struct ReportSources {
+  std::map<std::string, std::string> metadata;  ///< of the store
+  std::string date;                             ///< of the mission; may be empty
+  Correction correction;
+  FloorPlan plan;
+  RoomGraph graph;
+  PlacedMission placed;
+  VisitUncertainty uncertainty;
+  std::optional<Evaluation> evaluation;
+};
+
 /// What the report page shows, as one JSON object: the summary, and the geometry in building
 /// metres, rounded to 1 mm. The path is thinned to a point for each 0.1 m.
-/// @param metadata of the store
-/// @param date of the mission; may be empty
-[[nodiscard]] std::string report_data(const std::map<std::string, std::string>& metadata,
-                                      const std::string& date, const Correction& correction,
-                                      const FloorPlan& plan, const RoomGraph& graph,
-                                      const PlacedMission& placed,
-                                      const VisitUncertainty& uncertainty,
-                                      const std::optional<Evaluation>& evaluation);
+[[nodiscard]] std::string report_data(const ReportSources& from);
 
 }  // namespace roomatlas
