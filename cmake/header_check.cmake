@@ -12,6 +12,7 @@ foreach(header IN LISTS public_headers)
 endforeach()
 
 add_library(header_check OBJECT ${header_check_sources})
+target_compile_features(header_check PRIVATE cxx_std_20)
 target_include_directories(header_check PRIVATE ${PROJECT_SOURCE_DIR}/include)
 target_link_libraries(header_check PRIVATE Eigen3::Eigen)
 target_compile_options(header_check PRIVATE ${ROOMATLAS_WARNINGS} -O0)

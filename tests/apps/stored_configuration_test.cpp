@@ -52,6 +52,29 @@ TEST(StoredConfiguration, InspectDrawsTheRoomAsTheCorrectionOfSonarsMappedItAgai
   EXPECT_NE(as_mapped_again, inspected(folder, store, "--cell 0.05").out);
 }
 
+/// The plan after an assembly with these options of its own.
+std::string plan_of(const Folder& folder, const std::string& store, const std::string& options) {
+  const std::string out = (folder / "plans").string();
+  EXPECT_EQ(run("-q assemble " + store + " " + options).exit_code, 0);
+  EXPECT_EQ(run("-q export " + store + " -f geojson -o " + out).exit_code, 0);
+  return content_of(out + "/plan.local.geojson");
+}
+
+TEST(StoredConfiguration, AssembleTakesWhatTheMissionWasMappedWith) {
+  const Folder folder;
+  for (const char* sensor : {"laser", "sonar"}) {
+    const std::string tolerance = "--simplify-tolerance 0.5 --sonar-simplify-tolerance 0.5";
+    const std::string finer = "--simplify-tolerance 0.01 --sonar-simplify-tolerance 0.01";
+    const std::string options = tolerance + " --wall-thickness 0.4 --no-regular-walls";
+    const std::string store = mapped(folder, sensor, options);
+    const std::string plan = plan_of(folder, store, "");
+    EXPECT_EQ(plan, plan_of(folder, store, options)) << sensor;
+    EXPECT_NE(plan, plan_of(folder, store, finer)) << sensor << ": what is given wins";
+    EXPECT_NE(plan, plan_of(folder, store, "--wall-thickness 0.2")) << sensor;
+    EXPECT_EQ(plan, plan_of(folder, store, "")) << sensor << ": given for one assembly alone";
+  }
+}
+
 TEST(StoredConfiguration, PlanAndReportTellTheAccuracyWithWhichTheStoreWasAssembled) {
   const Folder folder;
   const std::string store = assembled_store(folder);

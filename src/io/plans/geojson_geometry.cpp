@@ -2,6 +2,7 @@
 #include "geojson_geometry.hpp"
 
 #include "roomatlas/core/issue.hpp"
+#include "text/json.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 
 #include "geojson_geometry.hpp"
 #include "plan_schema.hpp"
+#include "text/json.hpp"
 
 namespace roomatlas {
 namespace {

@@ -2,6 +2,7 @@
 #include "roomatlas/io/plans/plan_geojson.hpp"
 #include "geojson_geometry.hpp"
 #include "plan_schema.hpp"
+#include "text/json.hpp"
 
 #include <algorithm>
 

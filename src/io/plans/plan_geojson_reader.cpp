@@ -3,6 +3,7 @@
 #include "plan_schema.hpp"
 #include "roomatlas/core/issue.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
+#include "text/json.hpp"
 
 #include <algorithm>
 #include <fstream>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geojson_geometry.hpp"
 #include "roomatlas/io/plans/room_tables.hpp"
+#include "text/json.hpp"
 
 namespace roomatlas {
 namespace {

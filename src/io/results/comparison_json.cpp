@@ -4,13 +4,10 @@
 
 #include "roomatlas/evaluate/figures.hpp"
 #include "roomatlas/io/results/comparison_text.hpp"
-
-#include <nlohmann/json.hpp>
+#include "text/json.hpp"
 
 namespace roomatlas {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 using io::finite;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <nlohmann/json.hpp>
 
 #include "roomatlas/io/results/summary.hpp"
+#include "text/json.hpp"
 
 namespace roomatlas {
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plan_evaluation_json.hpp"
 
+#include "text/json.hpp"
 #include "text/json_number.hpp"
 
 namespace roomatlas::io {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json json_of(const DetectionScore& score) {
   return {{"matched", score.matched},

@@ -2,12 +2,11 @@
 #pragma once
 
 #include "roomatlas/evaluate/evaluation.hpp"
-
-#include <nlohmann/json.hpp>
+#include "text/json_fwd.hpp"
 
 namespace roomatlas::io {
 
 /// Adds what is known of rooms, walls and consistency to the object of an evaluation.
-void add_plan_evaluation(nlohmann::ordered_json& json, const Evaluation& evaluation);
+void add_plan_evaluation(Json& json, const Evaluation& evaluation);
 
 }  // namespace roomatlas::io

@@ -12,6 +12,7 @@
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/merge/unexplored.hpp"
 #include "store/stored_names.hpp"
+#include "text/json.hpp"
 
 namespace roomatlas {
 namespace {

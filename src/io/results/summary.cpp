@@ -2,16 +2,14 @@
 #include "roomatlas/io/results/summary.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "plan_evaluation_json.hpp"
 #include "store/stored_habits.hpp"
+#include "text/json.hpp"
 #include "text/json_number.hpp"
 
 namespace roomatlas {
 namespace {
-
-using Json = nlohmann::ordered_json;  // keeps the order below, so that files can be compared
 
 using io::finite;
 

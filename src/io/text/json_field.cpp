@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "json_field.hpp"
 
+#include "json.hpp"
 #include "roomatlas/core/issue.hpp"
 
 #include <cmath>
@@ -39,6 +40,8 @@ std::optional<JsonField> JsonField::find(const std::string& key) const {
 JsonField JsonField::element(std::size_t index) const {
   return {value_->at(index), file_, place_ + "[" + std::to_string(index) + "]"};
 }
+
+bool JsonField::is_null() const { return value_->is_null(); }
 
 std::size_t JsonField::size() const {
   if (!value_->is_array()) fail("an array");

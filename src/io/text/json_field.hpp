@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 
-namespace roomatlas {
+#include "json_fwd.hpp"
 
-using Json = nlohmann::ordered_json;
+namespace roomatlas {
 
 /// A value inside a JSON document that knows where it stands, so that whatever is wrong with it
 /// is reported as `file: features[3].properties.width_m: expected ..., found ...`. Refers to the
@@ -29,7 +27,7 @@ class JsonField {
   [[nodiscard]] JsonField element(std::size_t index) const;
   [[nodiscard]] std::size_t size() const;  ///< of an array
 
-  [[nodiscard]] bool is_null() const { return value_->is_null(); }
+  [[nodiscard]] bool is_null() const;
   [[nodiscard]] double number() const;
   [[nodiscard]] double number_not_negative() const;
   [[nodiscard]] std::int64_t positive_integer() const;

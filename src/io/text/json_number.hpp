@@ -2,13 +2,14 @@
 #pragma once
 
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "json.hpp"
 
 namespace roomatlas::io {
 
 /// The number, or null where it is not finite.
-[[nodiscard]] inline nlohmann::ordered_json finite(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+[[nodiscard]] inline Json finite(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
 }  // namespace roomatlas::io

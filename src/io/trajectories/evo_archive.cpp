@@ -2,16 +2,14 @@
 #include "roomatlas/io/trajectories/evo_archive.hpp"
 
 #include "files/zip_writer.hpp"
+#include "text/json.hpp"
 #include "tum_text.hpp"
 
 #include <bit>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 namespace roomatlas {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "arrays are written as they lie");
 
