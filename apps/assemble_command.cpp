@@ -38,8 +38,7 @@ Assembly assembled(const Settings& settings, const Path& store_file) {
   }
   GeoPackageStore store(store_file, GeoPackageStore::Mode::update);
   try {
-    Assembly assembly =
-        assemble_store(store, used, used.as_toml, console_progress(used));
+    Assembly assembly = assemble_store(store, used, used.as_toml, console_progress(used));
     store.finish();
     return assembly;
   } catch (const Interrupted& stop) {

@@ -45,8 +45,8 @@ CLI::Option* bind(CLI::App& app, const Parameter& parameter, const FlagParameter
       ->default_str(*flag.value ? "true" : "false");
 }
 CLI::Option* bind(CLI::App& app, const Parameter& parameter, const ChoiceParameter& choice) {
-  return app.add_option_function<std::string>("--" + parameter.name, choice.choose,
-                                              parameter.meaning)
+  return app
+      .add_option_function<std::string>("--" + parameter.name, choice.choose, parameter.meaning)
       ->default_str(choice.now)
       ->check(CLI::IsMember(choice.names));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parameters of all stages as a list: what the command line, the configuration file, the help and
-// the store say of them comes from here. What each belongs to is said by the options' own tree.
+// The parameters of all stages as a list: what the command line, the configuration file, the help
+// and the store say of them comes from here. What each belongs to is said by the options' own tree.
 #pragma once
 
 #include <cstdint>
@@ -55,7 +55,8 @@ struct Parameter {
   Stage stage = Stage::mission;
   std::string name;
   std::string meaning;
-  std::variant<NumberParameter, DegreesParameter, FlagParameter, ChoiceParameter, FileParameter> kind;
+  std::variant<NumberParameter, DegreesParameter, FlagParameter, ChoiceParameter, FileParameter>
+      kind;
 };
 using Parameters = std::vector<Parameter>;
 

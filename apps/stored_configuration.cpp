@@ -17,9 +17,8 @@ using TakesStage = std::function<bool(Stage)>;
 
 /// A configuration's parameters of mapping, and all others as nothing was said.
 std::string mapping_of(const std::string& toml) {
-  return with_configuration({}, toml, [](const std::string&, Stage stage) {
-           return is_of_mapping(stage);
-         })
+  return with_configuration({}, toml,
+                            [](const std::string&, Stage stage) { return is_of_mapping(stage); })
       .settings.as_toml;
 }
 
@@ -81,7 +80,8 @@ Settings as_corrected(const Settings& settings, const Metadata& metadata,
 Settings as_recorded(const Settings& settings, const Metadata& metadata,
                      const std::filesystem::path& store) {
   const std::string toml = first_of(metadata, {"configuration"});
-  return with_stages(settings, [](Stage stage) { return stage != Stage::simulation; }, toml, store.string());
+  return with_stages(
+      settings, [](Stage stage) { return stage != Stage::simulation; }, toml, store.string());
 }
 
 }  // namespace roomatlas::apps

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "roomatlas/assembly/assembly.hpp"
 #include "roomatlas/asr/store.hpp"
+#include "roomatlas/assembly/assembly.hpp"
 #include "roomatlas/correct/correction.hpp"
 #include "roomatlas/mission/mission.hpp"
 #include "roomatlas/plan/floor_plan.hpp"

@@ -17,8 +17,8 @@ struct TrajectoryPreparation {
   const Trajectory* carry = nullptr;  ///< odometry that fills gaps between poses; may be null
 };
 
-/// Judges all that an assembly left: its trajectory and plan against the truth, and where it put the
-/// rooms, against themselves too. Where `truth` has no poses, those of the store are taken.
+/// Judges all that an assembly left: its trajectory and plan against the truth, and where it put
+/// the rooms, against themselves too. Where `truth` has no poses, those of the store are taken.
 /// @throws InputError where the store is not assembled
 [[nodiscard]] Evaluation evaluate_store(const AssemblyStore& store, Truth truth,
                                         const TrajectoryPreparation& preparation = {});

@@ -97,7 +97,8 @@ TEST_F(StoredAssembly, AStoreOfAnEarlierReleaseHasNoMatchedPath) {
   SQLite::Database(file_.string(), SQLite::OPEN_READWRITE).exec("DROP TABLE matched_path");
   expect_same(GeoPackageStore(file_, Mode::read).get(2, AsrDetail::readings), sample_asr(2));
   GeoPackageStore store(file_, Mode::update);
-  store.put(sample_assembly(sample_correction(3), sample_plan(), {}, {{2, {Pose2{1.0, 2.0, 0.5}}}}), "");
+  store.put(sample_assembly(sample_correction(3), sample_plan(), {}, {{2, {Pose2{1.0, 2.0, 0.5}}}}),
+            "");
   store.finish();
   const Asr asr = GeoPackageStore(file_, Mode::read).get(2, AsrDetail::path);
   EXPECT_EQ(asr.path.front().asr_from_robot, (Pose2{1.0, 2.0, 0.5}));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "roomatlas/assembly/assembly_store.hpp"
 #include "roomatlas/asr/store.hpp"
+#include "roomatlas/assembly/assembly_store.hpp"
 #include "roomatlas/loops/closures.hpp"
 #include "roomatlas/plan/floor_plan.hpp"
 
@@ -39,8 +39,8 @@ class GeoPackageStore : public AsrSink, public AssemblyStore {
 
   [[nodiscard]] StoredMission mission() const override;
 
-  /// Paths of readings that were matched again: `get` has these from then on, but in a store that is
-  /// open to be updated, so that assembling again begins where it began before.
+  /// Paths of readings that were matched again: `get` has these from then on, but in a store that
+  /// is open to be updated, so that assembling again begins where it began before.
   void put(const Assembly& assembly, const std::string& configuration) override;
   [[nodiscard]] bool has_assembly() const override;
   [[nodiscard]] Correction correction() const override;
