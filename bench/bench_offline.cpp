@@ -13,6 +13,7 @@
 
 #include "roomatlas/pipeline/assemble.hpp"
 #include "roomatlas/rooms/assign_rooms.hpp"
+#include "roomatlas/rooms/doors.hpp"
 #include "roomatlas/simulate/random_building.hpp"
 
 namespace {
@@ -32,7 +33,6 @@ class Asrs : public AsrSink, public AsrSource {
   [[nodiscard]] Asr get(AsrId id, AsrDetail) const override {
     return asrs.at(static_cast<std::size_t>(id - 1));
   }
-  [[nodiscard]] std::vector<AsrId> neighbors(AsrId) const override { return {}; }
   [[nodiscard]] std::vector<TruePose> truth() const override { return {}; }
 
   std::vector<Asr> asrs;
@@ -67,10 +67,11 @@ Row measured(std::int64_t rooms) {
   building.rooms = rooms;
   Asrs source;
   const RandomBuildingSummary summary = random_building(building, source);
-  const AssembleOptions options;
+  const Options all;
+  const AssembleOptions& options = all.assemble;
   Row row{rooms, {}};
   Clock clock;
-  const Assembly assembly = assemble(source, RobotFootprint{}, options);
+  const Assembly assembly = assemble(source, RobotFootprint{}, all);
   row.seconds.push_back(clock.lap_s());
 
   const Placement placement = placement_of(assembly.correction);
