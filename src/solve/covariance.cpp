@@ -21,7 +21,7 @@ using Eigen::Ref;
 /// Copies the inverse at the supernode's rows, which are eliminated later, to the lower right of
 /// the front, both halves.
 void SelectedInverse::gather(std::size_t s) {
-  const Index width = nodes_.width(s) * 3;
+  const Index width = Index{nodes_.width(s)} * 3;
   const Index rows = nodes_.row_count(s);
   const Index stride = width + rows * 3;
   const std::int32_t* const row = nodes_.rows.data() + nodes_.rows_begin[s];
@@ -55,7 +55,7 @@ void SelectedInverse::gather(std::size_t s) {
 ///   Z21 = -Z22 Y,  Z11 = inverse(L11 L11') - Y' Z21
 void SelectedInverse::invert(const BlockCholesky<3>& factor, std::size_t s) {
   constexpr Index kChunk = 24;  // eight nodes: fewer make small products, more spoil the cache
-  const Index width = nodes_.width(s) * 3;
+  const Index width = Index{nodes_.width(s)} * 3;
   const Index stride = width + Index{nodes_.row_count(s)} * 3;
   gather(s);
   const Eigen::Map<const MatrixXd> panel(factor.values() + nodes_.panel_begin[s] * 9, stride,
@@ -101,7 +101,7 @@ Eigen::Matrix3d SelectedInverse::block(std::int32_t row, std::int32_t column) co
   if (row >= count || column >= count) return Eigen::Matrix3d::Zero();
   if (row < column) return block(column, row).transpose();
   const auto s = at(nodes_.owner[at(column)]);
-  const Index stride = (nodes_.width(s) + nodes_.row_count(s)) * 3;
+  const Index stride = (Index{nodes_.width(s)} + nodes_.row_count(s)) * 3;
   const double* const first = values_.data() + nodes_.panel_begin[s] * 9 +
                               Index{column - nodes_.first[s]} * 3 * stride +
                               Index{nodes_.row_in_front(s, row)} * 3;

@@ -23,6 +23,7 @@ std::vector<std::int32_t> component_of_slot(const SolverGraph& graph) {
 /// Angle of each component's votes, 0 where there are none.
 std::vector<double> angles_of(const std::vector<Point2>& votes) {
   std::vector<double> angles;
+  angles.reserve(votes.size());
   for (const Point2& vote : votes) {
     angles.push_back(vote.isZero() ? 0.0 : std::atan2(vote.y(), vote.x()));
   }

@@ -18,16 +18,16 @@ struct Equations {
 
   /// Unknown 0 is t, 1 is z. Of the diagonal's blocks the upper part is never read.
   void add(const BlockPlace& place, int row, int column, Complex value) {
-    double* const block =
-        matrix.values() + place.offset + 2 * column * std::ptrdiff_t{place.stride} + 2 * row;
+    const std::ptrdiff_t from_column = std::ptrdiff_t{2} * column * place.stride;
+    double* const block = matrix.values() + place.offset + from_column + std::ptrdiff_t{2} * row;
     block[0] += value.real();
     block[1] += value.imag();
     block[place.stride] -= value.imag();
     block[place.stride + 1] += value.real();
   }
   void add_right(std::int32_t slot, int row, Complex value) {
-    right_side[at(slot) * 4 + at(2 * row)] += value.real();
-    right_side[at(slot) * 4 + at(2 * row + 1)] += value.imag();
+    right_side[at(slot) * 4 + at(std::int64_t{2} * row)] += value.real();
+    right_side[at(slot) * 4 + at(std::int64_t{2} * row + 1)] += value.imag();
   }
 };
 

@@ -98,8 +98,7 @@ Json visits_of(const Correction& correction, const RoomGraph& graph,
     ellipse[visit.asr] = ellipse_of(visit.covariance_m2);
   }
   std::map<AsrId, RoomId> room_of;
-  for (std::size_t i = 0; i < graph.vertices.size(); ++i)
-    room_of[graph.vertices[i].asr] = graph.vertices[i].room;
+  for (const AsrVertex& vertex : graph.vertices) room_of[vertex.asr] = vertex.room;
   Json visits = Json::array();
   for (const AsrCorrection& asr : correction.asrs) {
     visits.push_back({{"asr", asr.asr},
