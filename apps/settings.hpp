@@ -29,13 +29,15 @@ struct Settings : Options {
   std::set<std::string> given;  ///< names that stood on the command line or in its file
 };
 
-/// The settings with some parameters from a configuration (TOML, a parameter a line, no sections).
-/// @param takes says by its name and stage whether a parameter is taken
-/// @throws UsageError for a value that cannot be read
+/// What became of a configuration.
 struct FromConfiguration {
   Settings settings;
   std::vector<std::string> unknown;  ///< names that no parameter has
 };
+
+/// The settings with some parameters from a configuration (TOML, a parameter a line, no sections).
+/// @param takes says by its name and stage whether a parameter is taken
+/// @throws UsageError for a value that cannot be read
 [[nodiscard]] FromConfiguration with_configuration(
     const Settings& settings, const std::string& toml,
     const std::function<bool(const std::string& name, Stage stage)>& takes);
