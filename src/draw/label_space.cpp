@@ -54,7 +54,7 @@ LabelSpace::LabelSpace(const FloorPlan& plan, const Sheet& sheet) {
   for (const PlanDoor& door : plan.doors) {
     if (!door.opening.empty()) taken_.push_back(bounds(sheet.to_paper(door.opening)));
   }
-  for (const Polygon& piece : sheet.to_paper(plan.furniture)) taken_.push_back(bounds(piece.outer));
+  for (const Polygon& piece : sheet.to_paper(outlines_of(plan.furniture))) taken_.push_back(bounds(piece.outer));
   const Box2& content = sheet.content_mm;
   taken_.push_back({{sheet.drawing_mm.min.x(), sheet.drawing_mm.min.y()},
                     {content.min.x() - 1.0, sheet.drawing_mm.max.y()}});

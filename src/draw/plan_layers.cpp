@@ -55,8 +55,8 @@ void add_furniture(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet
                                     {"fill-rule", "evenodd"},
                                     {"stroke", kFaintInk},
                                     {"stroke-width", kHairline_mm}});
-  for (const Polygon& piece : plan.furniture) {
-    add(group, "path", {{"d", path_of(sheet.to_paper({piece}))}});
+  for (const PlanFurniture& piece : plan.furniture) {
+    add(group, "path", {{"d", path_of(sheet.to_paper({piece.outline}))}});
   }
 }
 

@@ -21,7 +21,9 @@ void draw_up(MappedBuilding building, const AssembleOptions& options, Assembly& 
   const auto plan_of = [&](const auto& outlines, const auto& placed_doors) {
     FloorPlan plan = merge(outlines, placed_doors, options.merge);
     for (PlanRoom& room : plan.rooms) room.asrs = asrs_of(room.id, building.room_of_asr);
-    plan.furniture = building.furniture;
+    for (const Polygon& piece : building.furniture) {
+      plan.furniture.push_back({piece, FurnitureKind::free_standing});
+    }
     return plan;
   };
   assembly.plan = plan_of(building.outlines, building.doors);

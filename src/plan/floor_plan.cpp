@@ -15,4 +15,44 @@ const char* to_string(RoomKind kind) {
   return "room";
 }
 
+const char* to_string(DoorKind kind) {
+  switch (kind) {
+    case DoorKind::passage:
+      return "passage";
+    case DoorKind::window:
+      return "window";
+    case DoorKind::door:
+      break;
+  }
+  return "door";
+}
+
+const char* to_string(WallEvidence evidence) {
+  switch (evidence) {
+    case WallEvidence::inferred:
+      return "inferred";
+    case WallEvidence::unexplored:
+      return "unexplored";
+    case WallEvidence::measured:
+      break;
+  }
+  return "measured";
+}
+
+const char* to_string(FurnitureKind kind) {
+  switch (kind) {
+    case FurnitureKind::against_wall:
+      return "against_wall";
+    case FurnitureKind::free_standing:
+      break;
+  }
+  return "free_standing";
+}
+
+std::vector<Polygon> outlines_of(const std::vector<PlanFurniture>& furniture) {
+  std::vector<Polygon> outlines;
+  for (const PlanFurniture& piece : furniture) outlines.push_back(piece.outline);
+  return outlines;
+}
+
 }  // namespace roomatlas

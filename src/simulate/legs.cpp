@@ -68,7 +68,7 @@ std::vector<Leg> legs_of(const Drive& drive) {
 void require_clear(const FloorPlan& world, const std::vector<Leg>& legs, double clearance_m) {
   for (const Leg& leg : legs) {
     require_clear(world.walls, "a wall", leg, clearance_m);
-    require_clear(world.furniture, "furniture", leg, clearance_m);
+    require_clear(outlines_of(world.furniture), "furniture", leg, clearance_m);
   }
 }
 

@@ -41,7 +41,8 @@ ObstacleIndex::Bucket ObstacleIndex::bucket_of(const Point2& point) {
 }
 
 ObstacleIndex::ObstacleIndex(const FloorPlan& world) : edges_(edges_of(world.walls)) {
-  const std::vector<Segment2> furniture = edges_of(world.furniture);
+  const std::vector<Polygon> outlines = outlines_of(world.furniture);
+  const std::vector<Segment2> furniture = edges_of(outlines);
   edges_.insert(edges_.end(), furniture.begin(), furniture.end());
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     const Segment2& edge = edges_[i];
@@ -54,7 +55,7 @@ ObstacleIndex::ObstacleIndex(const FloorPlan& world) : edges_(edges_of(world.wal
       }
     }
   }
-  for (const auto* polygons : {&world.walls, &world.furniture}) {
+  for (const auto* polygons : {&world.walls, &outlines}) {
     for (const Polygon& polygon : *polygons) {
       add_corners(normalized(polygon.outer, true));
       for (const Ring& hole : polygon.holes) add_corners(normalized(hole, false));

@@ -43,7 +43,7 @@ void update(const std::vector<Polygon>& polygons, const Point2& point, const std
 NearestObstacle nearest_obstacle(const FloorPlan& world, const Point2& point) {
   NearestObstacle best;
   update(world.walls, point, "wall", best);
-  update(world.furniture, point, "piece of furniture", best);
+  update(outlines_of(world.furniture), point, "piece of furniture", best);
   return best;
 }
 

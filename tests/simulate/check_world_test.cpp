@@ -145,7 +145,7 @@ TEST(RequireFree, ARobotInAWallIsToldTheWallAndAFreePlace) {
 
 TEST(RequireFree, ARobotTooNearToFurnitureIsToldHowNear) {
   FloorPlan world = three_rooms();
-  world.furniture = {{rectangle(2, 1, 3, 3), {}}};  // on the middle of room 1
+  world.furniture = {{{rectangle(2, 1, 3, 3), {}}, FurnitureKind::free_standing}};  // on the middle of room 1
   EXPECT_EQ(input_error([&] {
               require_free(world, {3.2, 2.5}, 0.3);
             }),

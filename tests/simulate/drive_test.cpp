@@ -84,7 +84,7 @@ TEST(Drive, TooNearToAWallIsRefusedNamingTheClearance) {
 
 TEST(Drive, ThroughFurnitureIsRefused) {
   FloorPlan world = square_room();
-  world.furniture = {{box(2, 2, 3, 3), {}}};
+  world.furniture = {{{box(2, 2, 3, 3), {}}, FurnitureKind::free_standing}};
   EXPECT_THAT(refusal(world, {{1, 1}, {3.5, 3.5}}), HasSubstr("passes through furniture"));
 }
 

@@ -56,7 +56,7 @@ TEST(Sonar, MeasuresHandComputedDistancesInASquareRoom) {
 TEST(Sonar, ReadsTheNearestEchoInsideItsCone) {
   FloorPlan world = square_room();
   // Beam 0 stands at (2.123, 2.2) and looks up; this post is 5.5 to 12.5 degrees beside its axis.
-  world.furniture = {{box(2.20, 3.0, 2.30, 3.1), {}}};
+  world.furniture = {{{box(2.20, 3.0, 2.30, 3.1), {}}, FurnitureKind::free_standing}};
   SimulationOptions options = exact();
   EXPECT_NEAR(first_sweep(world, options)[0], 1.8, 1e-6);
   options.sonar_cone_deg = 20.0;

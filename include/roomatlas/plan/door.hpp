@@ -43,12 +43,22 @@ struct Doorway {
   return {frame_from_pivot, width_m, {frame_from_pivot * half, frame_from_pivot * Point2(-half)}};
 }
 
+enum class DoorKind {
+  door,     ///< a gap of a door's width, with a leaf or without
+  passage,  ///< wider: rooms that go over into each other
+  window,   ///< looked through and never driven through: glass, or a hatch
+};
+
+[[nodiscard]] const char* to_string(DoorKind kind);
+
 /// A doorway of the building and what it joins; building metres.
 struct Door : Doorway {
   std::optional<RoomId> room_a;  ///< the room against its way; none where the robot was not
   std::optional<RoomId> room_b;  ///< the room ahead
   bool is_driven = false;        ///< the robot went through it
   std::vector<AsrId> crossings;  ///< the ASRs that begin at it, where they are known
+  DoorKind kind = DoorKind::door;
+  std::optional<Segment2> leaf;  ///< as it stood, where it was seen open: hinge to free end
 
   /// False for a window, or an opening into what was not entered.
   [[nodiscard]] bool is_between_rooms() const { return room_a && room_b; }
@@ -57,7 +67,7 @@ struct Door : Doorway {
 /// A door of which the jambs and the rooms are known.
 [[nodiscard]] inline Door door_between(const Segment2& jambs, std::optional<RoomId> room_a,
                                        std::optional<RoomId> room_b) {
-  return {doorway_between(jambs), room_a, room_b, false, {}};
+  return {doorway_between(jambs), room_a, room_b, false, {}, DoorKind::door, std::nullopt};
 }
 
 }  // namespace roomatlas

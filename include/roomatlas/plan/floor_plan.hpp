@@ -3,6 +3,7 @@
 
 #include "roomatlas/core/geometry.hpp"
 #include "roomatlas/core/issue.hpp"
+#include "roomatlas/plan/door.hpp"
 #include "roomatlas/plan/ids.hpp"
 
 #include <optional>
@@ -33,7 +34,41 @@ struct PlanDoor {
   Ring opening;                  ///< the hole in the wall, four corners
   std::optional<RoomId> room_a;  ///< the rooms on its two sides, where known; room_a < room_b
   std::optional<RoomId> room_b;
+  DoorKind kind = DoorKind::door;
+  std::optional<Segment2> leaf;  ///< as it stands, where it was seen open: hinge to free end
 };
+
+/// What speaks for a stretch of a room's edge.
+enum class WallEvidence {
+  measured,    ///< readings ended along it
+  inferred,    ///< a wall that is seen beyond goes on here: behind furniture, across what is unseen
+  unexplored,  ///< neither: what was seen ends here
+};
+
+[[nodiscard]] const char* to_string(WallEvidence evidence);
+
+/// A straight stretch of a room's edge with one answer to what speaks for it.
+struct PlanEdge {
+  RoomId room = 0;
+  Segment2 line;  ///< the room lies to its left
+  WallEvidence evidence = WallEvidence::measured;
+  std::optional<double> deviation_m;  ///< mean distance of the readings from it, where measured
+};
+
+enum class FurnitureKind {
+  against_wall,   ///< cupboards, desks along walls
+  free_standing,  ///< tables, chairs, columns of boxes
+};
+
+[[nodiscard]] const char* to_string(FurnitureKind kind);
+
+/// An obstacle that is no wall.
+struct PlanFurniture {
+  Polygon outline;
+  FurnitureKind kind = FurnitureKind::free_standing;
+};
+
+[[nodiscard]] std::vector<Polygon> outlines_of(const std::vector<PlanFurniture>& furniture);
 
 /// The merged master map (paper III: "a human readable master map"). Also the description of a
 /// world for the simulator: one type, so that an assembled plan can be driven through again.
@@ -43,7 +78,8 @@ struct FloorPlan {
   std::vector<PlanDoor> doors;
   std::vector<Polygon> walls;       ///< wall bodies with thickness; doors are gaps in them
   std::vector<Polygon> free_space;  ///< union of the rooms and door openings, with holes
-  std::vector<Polygon> furniture;   ///< worlds only, for now
+  std::vector<PlanFurniture> furniture;
+  std::vector<PlanEdge> edges;  ///< of the rooms, in their order; empty in a world
   Issues issues;
 };
 

@@ -119,7 +119,7 @@ PlanRaster raster_of(const FloorPlan& plan, double cell_m, double margin_m) {
     for (const Ring& hole : wall.holes) painter.trace(hole, PlanRaster::kOccupied);
   }
   for (const PlanDoor& door : plan.doors) painter.fill({door.opening, {}}, PlanRaster::kFree);
-  for (const Polygon& piece : plan.furniture) {
+  for (const Polygon& piece : outlines_of(plan.furniture)) {
     painter.fill(piece, PlanRaster::kOccupied);
     painter.trace(piece.outer, PlanRaster::kOccupied);
   }

@@ -86,7 +86,7 @@ std::string one_decimal(double value) {
 
 void draw(Drawing& drawing, const FloorPlan& plan) {
   drawing.add_polygons("A-WALL", plan.walls);
-  drawing.add_polygons("A-FURN", plan.furniture);
+  drawing.add_polygons("A-FURN", outlines_of(plan.furniture));
   for (const PlanRoom& room : plan.rooms) {
     drawing.add_polygons("A-AREA", room.parts);
     drawing.add_text("A-AREA-IDEN", room.label_point, room.name, kName_m);

@@ -105,7 +105,7 @@ std::string to_geojson(const FloorPlan& plan, const GeoReference& reference) {
     features.add(tags_of(door), {{"type", "Point"}, {"coordinates", to_json(middle)}});
   }
   add_bodies(features, plan.walls, {{"indoor", "wall"}, {"level", "0"}});
-  add_bodies(features, plan.furniture, {{"level", "0"}, {"furniture", "yes"}});
+  add_bodies(features, outlines_of(plan.furniture), {{"level", "0"}, {"furniture", "yes"}});
   const Json header = {{"schema", "plan on earth"},
                        {"title", plan.title},
                        {"origin", position(reference, {0.0, 0.0})},

@@ -111,7 +111,7 @@ void write_ogr(const std::filesystem::path& out, const std::string& driver_name,
     add_rooms(target, plan);
     add_doors(target, plan);
     add_bodies(target, "walls", plan.walls);
-    if (!plan.furniture.empty()) add_bodies(target, "furniture", plan.furniture);
+    if (!plan.furniture.empty()) add_bodies(target, "furniture", outlines_of(plan.furniture));
   } catch (const InputError& error) {
     throw InputError((out / name).string() + ": " + driver_name +
                      " cannot hold the plan: " + error.what());

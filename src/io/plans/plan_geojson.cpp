@@ -82,7 +82,7 @@ std::vector<Json> features_of(const FloorPlan& plan) {
   for (const PlanRoom& room : plan.rooms) features.push_back(feature_of(room));
   for (const PlanDoor& door : plan.doors) features.push_back(feature_of(door));
   append_bodies(plan.walls, {{"kind", "wall"}, {"indoor", "wall"}}, features);
-  append_bodies(plan.furniture, {{"kind", "furniture"}}, features);
+  append_bodies(outlines_of(plan.furniture), {{"kind", "furniture"}}, features);
   return features;
 }
 

@@ -120,7 +120,7 @@ void read_feature(const JsonField& feature, FloorPlan& plan) {
   } else if (word == "wall") {
     plan.walls.push_back(read_polygon(geometry));
   } else if (word == "furniture") {
-    plan.furniture.push_back(read_polygon(geometry));
+    plan.furniture.push_back({read_polygon(geometry), FurnitureKind::free_standing});
   } else {
     kind.fail("\"room\", \"corridor\", \"hall\", \"door\", \"wall\" or \"furniture\"");
   }

@@ -211,7 +211,7 @@ std::string report_data(const ReportSources& from) {
   data["rooms"] = rooms_of(from.plan);
   data["doors"] = doors_of(from.plan);
   data["walls"] = json_of(from.plan.walls);
-  data["furniture"] = json_of(from.plan.furniture);
+  data["furniture"] = json_of(outlines_of(from.plan.furniture));
   data["issues"] = issues_of(from.plan.issues);
   data["unexplored"] = Json::array();
   for (const Polyline& line : unexplored_boundary(from.plan, from.placed.walls_after)) {

@@ -123,7 +123,7 @@ void write_shapes(Database& db, const std::string& prefix, const FloorPlan& plan
 
 void write_plan(Database& db, const FloorPlan& plan) {
   write_shapes(db, "", plan);
-  write_polygons(db, "furniture", plan.furniture);
+  write_polygons(db, "furniture", outlines_of(plan.furniture));
   for (const Issue& issue : plan.issues) {
     db.run("INSERT INTO plan_issues VALUES (NULL, ?, ?, ?, ?, ?)",
            stored_name(kSeverities, issue.severity), issue.file, issue.line, issue.field,

@@ -187,7 +187,9 @@ FloorPlan GeoPackageStore::plan() const {
     const std::int64_t found =
         db.for_each_row("SELECT title FROM assembly", [&](Row& row) { plan.title = row.text(); });
     if (found == 0) throw_not_assembled(state_->file);
-    plan.furniture = polygons_of(db, "furniture");
+    for (Polygon& outline : polygons_of(db, "furniture")) {
+      plan.furniture.push_back({std::move(outline), FurnitureKind::free_standing});
+    }
     plan.issues = all(db,
                       "SELECT severity, file, line, field, message FROM plan_issues "
                       "ORDER BY id",

@@ -156,7 +156,7 @@ TEST(ShippedWorlds, FurnitureOfTheLargerWorldsStandsClearOfTheDoors) {
   for (const char* name : {"nine_rooms", "afit_floor"}) {
     const FloorPlan world = world_of(name);
     EXPECT_GE(world.furniture.size(), 5U);
-    for (const Polygon& piece : world.furniture) {
+    for (const Polygon& piece : outlines_of(world.furniture)) {
       for (const PlanDoor& door : world.doors) {
         for (const Point2& corner : door.opening) {
           EXPECT_GE(distance_to_boundary(piece.outer, corner), 1.2) << "door " << door.id;

@@ -126,7 +126,7 @@ TEST_P(World, SizesAndLabelsBelongToTheirRooms) {
 }
 
 TEST_P(World, FurnitureStandsInRooms) {
-  for (const Polygon& piece : world_.furniture) {
+  for (const Polygon& piece : outlines_of(world_.furniture)) {
     const Point2 middle = interior_point(piece);
     EXPECT_EQ(std::count_if(world_.rooms.begin(), world_.rooms.end(),
                             [&](const PlanRoom& room) { return contains(room, middle); }),

@@ -184,7 +184,7 @@ inline FloorPlan sample_plan() {
                 {2, {{0, 4}, {0, 5}}, 1.0 / 3.0, {}, std::nullopt, 2}};
   plan.walls = {{{{-0.15, -0.15}, {9.15, -0.15}, {9.15, 9.15}, {-0.15, 9.15}}, {ring.outer}}};
   plan.free_space = {ring, island};
-  plan.furniture = {island};
+  plan.furniture = {{island, FurnitureKind::free_standing}};
   plan.issues = {{Severity::warning, "mission.clf", 17, "room 2", "healed a bow-tie"},
                  {Severity::note, "", 0, "", "nothing"}};
   return plan;
