@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/draft/wall_faces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "slanted_faces.hpp"
+#include "sonar_votes.hpp"
+#include "straight_runs.hpp"
+
+namespace roomatlas {
+namespace {
+
+constexpr double kQuarter = kPi / 2.0;
+constexpr int kDirectionBins = 180;        // of half a degree
+constexpr int kSmoothBins = 2;             // to each side
+constexpr double kMostWeight = 5.0;        // of one surface: standing still must not decide
+constexpr double kNearFace_m = 0.10;       // surfaces this near a face are explained by it ...
+constexpr double kNearFace_rad = 25.0 * kPi / 180.0;  // ... when they look its way
+constexpr double kBeyondEnds_m = 0.1;
+constexpr double kWingApart_rad = 10.0 * kPi / 180.0;  // from the main direction
+constexpr double kWingWidth_rad = 3.0 * kPi / 180.0;
+constexpr std::size_t kFewest = 100;       // surfaces that may have a direction
+constexpr double kLaserBand_m = 0.04;      // off a wall's line
+constexpr double kSonarBand_m = 0.05;
+
+/// The difference of two directions that count modulo 90 degrees, [-45, 45] degrees.
+double quarter_difference(double a_rad, double b_rad) {
+  const double turns = (a_rad - b_rad) / kQuarter;
+  return (turns - std::round(turns)) * kQuarter;
+}
+
+bool explains(const WallFace& face, const SurfacePoint& surface) {
+  if (std::abs(surface.at.dot(face.normal()) - face.offset_m) >= kNearFace_m) return false;
+  if (std::abs(wrap_angle(surface.normal_rad - face.normal_rad)) >= kNearFace_rad) return false;
+  const double along_m = surface.at.dot(face.along());
+  return along_m > face.low_m() - kBeyondEnds_m && along_m < face.high_m() + kBeyondEnds_m;
+}
+
+void drop_explained(const std::vector<WallFace>& faces, std::vector<SurfacePoint>& surfaces) {
+  std::erase_if(surfaces, [&](const SurfacePoint& surface) {
+    return std::any_of(faces.begin(), faces.end(),
+                       [&](const WallFace& face) { return explains(face, surface); });
+  });
+}
+
+std::vector<WallFace> faces_along(double direction_rad, const std::vector<SurfacePoint>& surfaces,
+                                  const RunOptions& runs, double max_turn_rad) {
+  std::vector<WallFace> faces;
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const double normal_rad = wrap_angle(direction_rad + quarter * kQuarter);
+    for (WallFace& face : straight_runs(looking(surfaces, normal_rad, max_turn_rad), normal_rad, runs)) {
+      face.is_regular = true;
+      faces.push_back(std::move(face));
+    }
+  }
+  return faces;
+}
+
+void append(std::vector<WallFace> more, std::vector<WallFace>& faces) {
+  faces.insert(faces.end(), std::make_move_iterator(more.begin()),
+               std::make_move_iterator(more.end()));
+}
+
+std::vector<WallFace> laser_faces(std::vector<SurfacePoint> surfaces,
+                                  const WallFaceOptions& options) {
+  if (surfaces.empty()) return {};
+  const double max_turn_rad = options.max_turn_deg * kPi / 180.0;
+  RunOptions runs{options.bin_along_m, kLaserBand_m, static_cast<double>(options.min_hits),
+                  options.max_gap_m, options.min_support_m, true};
+  const double main_rad = main_direction_rad(surfaces);
+  const auto all = static_cast<double>(surfaces.size());
+  std::vector<WallFace> faces = faces_along(main_rad, surfaces, runs, max_turn_rad);
+  drop_explained(faces, surfaces);
+  runs.min_support_m = options.min_wing_support_m;
+  for (int wing = 0; wing < options.max_wings && surfaces.size() >= kFewest; ++wing) {
+    const double wing_rad = main_direction_rad(surfaces);
+    const auto along = std::count_if(surfaces.begin(), surfaces.end(), [&](const auto& surface) {
+      return std::abs(quarter_difference(surface.normal_rad, wing_rad)) < kWingWidth_rad;
+    });
+    if (static_cast<double>(along) < options.wing_share * all) break;
+    if (std::abs(quarter_difference(wing_rad, main_rad)) < kWingApart_rad) break;
+    std::vector<WallFace> of_wing = faces_along(wing_rad, surfaces, runs, max_turn_rad);
+    if (of_wing.empty()) break;
+    drop_explained(of_wing, surfaces);
+    append(std::move(of_wing), faces);
+  }
+  append(slanted_faces(surfaces, options.min_slanted_support_m), faces);
+  return faces;
+}
+
+/// Echoes that a face explains: their foot lies on it.
+void drop_explained(const std::vector<WallFace>& faces, double half_cone_rad,
+                    std::vector<Echo>& echoes) {
+  std::erase_if(echoes, [&](const Echo& echo) {
+    return !echo.is_hit || std::any_of(faces.begin(), faces.end(), [&](const WallFace& face) {
+      const double off_rad = wrap_angle(echo.building_from_beam.theta_rad + kPi - face.normal_rad);
+      if (std::abs(off_rad) > half_cone_rad) return false;
+      const Point2 foot = echo.building_from_beam.position() - echo.range_m * face.normal();
+      return explains(face, {foot, face.normal_rad, 1.0});
+    });
+  });
+}
+
+std::vector<WallFace> sonar_faces(const BuildingEvidence& evidence,
+                                  const WallFaceOptions& options) {
+  const RunOptions runs{options.bin_along_m, kSonarBand_m, static_cast<double>(options.min_hits),
+                        options.max_gap_m, options.min_wing_support_m, false};
+  const double half_cone_rad = evidence.sonar_half_cone_rad;
+  std::vector<Echo> echoes = evidence.echoes;
+  const auto all = static_cast<double>(
+      std::count_if(echoes.begin(), echoes.end(), [](const Echo& echo) { return echo.is_hit; }));
+  std::vector<WallFace> faces;
+  for (int round = 0; round <= options.max_wings && echoes.size() >= kFewest; ++round) {
+    const double direction_rad =
+        best_direction_rad(echoes, half_cone_rad, options.sonar_range_m);
+    std::vector<WallFace> found;
+    double votes = 0.0;
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      const double normal_rad = wrap_angle(direction_rad + quarter * kQuarter);
+      for (WallFace& face : straight_runs(
+               votes_for(normal_rad, echoes, half_cone_rad, options.sonar_range_m), normal_rad,
+               runs)) {
+        face.is_regular = true;
+        found.push_back(std::move(face));
+      }
+    }
+    const auto before = static_cast<double>(echoes.size());
+    drop_explained(found, half_cone_rad, echoes);
+    votes = before - static_cast<double>(echoes.size());
+    if (round > 0 && votes < options.wing_share * all) break;
+    append(std::move(found), faces);
+  }
+  return faces;
+}
+
+/// One line from all faces that nearly share one.
+struct Line {
+  std::vector<const WallFace*> faces;
+  double offset_m = 0.0;
+  Stretch reach;
+};
+
+WallFace joined(const Line& line) {
+  WallFace face = *line.faces.front();
+  face.offset_m = line.offset_m;
+  std::vector<Stretch> all;
+  for (const WallFace* one : line.faces) all.insert(all.end(), one->seen.begin(), one->seen.end());
+  std::sort(all.begin(), all.end(),
+            [](const Stretch& a, const Stretch& b) { return a.low_m < b.low_m; });
+  face.seen.clear();
+  for (const Stretch& one : all) {
+    if (!face.seen.empty() && one.low_m <= face.seen.back().high_m + kBeyondEnds_m / 2.0) {
+      face.seen.back().high_m = std::max(face.seen.back().high_m, one.high_m);
+    } else {
+      face.seen.push_back(one);
+    }
+  }
+  return face;
+}
+
+/// Adds a face to the first line that it nearly shares, or makes one of its own.
+void add_to(std::vector<Line>& lines, const WallFace& face, const WallFaceOptions& options) {
+  for (Line& line : lines) {
+    const bool is_near = std::abs(face.offset_m - line.offset_m) <= options.snap_m &&
+                         face.low_m() < line.reach.high_m + options.snap_gap_m &&
+                         face.high_m() > line.reach.low_m - options.snap_gap_m;
+    if (!is_near) continue;
+    line.faces.push_back(&face);
+    double support_m = 0.0;
+    line.offset_m = 0.0;
+    for (const WallFace* one : line.faces) {
+      line.offset_m += one->support_m() * one->offset_m;
+      support_m += one->support_m();
+    }
+    line.offset_m /= support_m;
+    line.reach = {std::min(line.reach.low_m, face.low_m()),
+                  std::max(line.reach.high_m, face.high_m())};
+    return;
+  }
+  lines.push_back({{&face}, face.offset_m, {face.low_m(), face.high_m()}});
+}
+
+/// Faces of one direction and side that nearly share a line become one.
+std::vector<WallFace> snapped(const std::vector<WallFace>& faces, const WallFaceOptions& options) {
+  std::vector<double> directions;
+  for (const WallFace& face : faces) {
+    if (!face.is_regular) continue;
+    if (std::find(directions.begin(), directions.end(), face.normal_rad) == directions.end()) {
+      directions.push_back(face.normal_rad);
+    }
+  }
+  std::vector<WallFace> result;
+  for (const double normal_rad : directions) {
+    std::vector<const WallFace*> alike;
+    for (const WallFace& face : faces) {
+      if (face.is_regular && face.normal_rad == normal_rad) alike.push_back(&face);
+    }
+    std::stable_sort(alike.begin(), alike.end(), [](const WallFace* a, const WallFace* b) {
+      return a->support_m() > b->support_m();
+    });
+    std::vector<Line> lines;
+    for (const WallFace* face : alike) add_to(lines, *face, options);
+    for (const Line& line : lines) result.push_back(joined(line));
+  }
+  for (const WallFace& face : faces) {
+    if (!face.is_regular) result.push_back(face);
+  }
+  return result;
+}
+
+}  // namespace
+
+double WallFace::support_m() const {
+  double sum_m = 0.0;
+  for (const Stretch& stretch : seen) sum_m += stretch.length_m();
+  return sum_m;
+}
+
+double main_direction_rad(const std::vector<SurfacePoint>& surfaces) {
+  std::vector<double> bins(kDirectionBins, 0.0);
+  for (const SurfacePoint& surface : surfaces) {
+    const double turns = surface.normal_rad / kQuarter;
+    const auto bin = static_cast<std::size_t>((turns - std::floor(turns)) * kDirectionBins);
+    bins[bin % kDirectionBins] += std::min(surface.weight, kMostWeight);
+  }
+  int peak = 0;
+  double most = -1.0;
+  for (int bin = 0; bin < kDirectionBins; ++bin) {
+    double sum = 0.0;
+    for (int off = -kSmoothBins; off <= kSmoothBins; ++off) {
+      sum += bins[static_cast<std::size_t>((bin + off + kDirectionBins) % kDirectionBins)];
+    }
+    if (sum > most) {
+      most = sum;
+      peak = bin;
+    }
+  }
+  double center_rad = (peak + 0.5) * kQuarter / kDirectionBins;
+  for (const double within_deg : {4.0, 2.0}) {
+    double sum = 0.0;
+    double weights = 0.0;
+    for (const SurfacePoint& surface : surfaces) {
+      const double off_rad = quarter_difference(surface.normal_rad, center_rad);
+      if (std::abs(off_rad) >= within_deg * kPi / 180.0) continue;
+      const double weight = std::min(surface.weight, kMostWeight);
+      sum += weight * off_rad;
+      weights += weight;
+    }
+    if (weights > 0.0) center_rad += sum / weights;
+  }
+  return center_rad - kQuarter * std::floor(center_rad / kQuarter);
+}
+
+std::vector<WallFace> find_wall_faces(const BuildingEvidence& evidence,
+                                      const WallFaceOptions& options) {
+  const std::vector<WallFace> faces = evidence.kind == SensorKind::sonar
+                                          ? sonar_faces(evidence, options)
+                                          : laser_faces(evidence.surfaces, options);
+  return snapped(faces, options);
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/draft/walls.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "straight_runs.hpp"
+
+namespace roomatlas {
+namespace {
+
+constexpr double kStep_m = 0.05;             // between places along a face
+constexpr int kGapSteps = 2;                 // of few reflections in a face
+constexpr double kShortestStretch_m = 0.08;
+constexpr std::array kAcross_m = {-0.05, 0.0, 0.05};
+constexpr double kParallelSine = 0.03;       // faces that turn by less are on one line, or opposite
+constexpr double kOppositeCosine = -0.9995;
+constexpr double kShortestOverlap_m = 0.2;   // of the two faces of a wall
+constexpr double kStrongLine_m = 2.5;        // of prominence, for a line that hidden walls run to
+constexpr double kStrongFace_m = 2.0;        // faces less prominent do not run on
+constexpr double kHiddenReach_m = 1.2;       // the line's own ends may be hidden too
+constexpr double kCrossingSine = 0.5;        // lines that cross at less do not end each other
+constexpr double kNested_m = 0.5;            // support of a thinner wall that hides a thicker one
+
+/// Places along a stretch.
+std::vector<double> places_on(const Stretch& stretch) {
+  const int count = std::max(2, static_cast<int>(stretch.length_m() / kStep_m));
+  std::vector<double> places;
+  for (int i = 0; i < count; ++i) {
+    places.push_back(stretch.low_m + stretch.length_m() * i / (count - 1));
+  }
+  return places;
+}
+
+/// Where along a face its cells reflect.
+std::vector<Stretch> confirmed(const WallFace& face, const ReflectionMap& counts, double share) {
+  std::vector<Stretch> kept;
+  for (const Stretch& stretch : face.seen) {
+    const std::vector<double> places = places_on(stretch);
+    std::vector<int> good;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      double most = 0.0;
+      for (const double across_m : kAcross_m) {
+        const Point2 at = face.at(places[i]) + across_m * face.normal();
+        most = std::max(most, counts.at(counts.frame().cell_of(at)).reflected_share());
+      }
+      if (most >= share) good.push_back(static_cast<int>(i));
+    }
+    for (const auto& [first, last] : runs_of(good, kGapSteps)) {
+      const Stretch one{places[static_cast<std::size_t>(good[first])],
+                        places[static_cast<std::size_t>(good[last])]};
+      if (one.length_m() >= kShortestStretch_m) kept.push_back(one);
+    }
+  }
+  return kept;
+}
+
+/// The support of all faces on a face's line.
+double line_support_m(const WallFace& face, const std::vector<WallFace>& faces, double within_m) {
+  double sum_m = 0.0;
+  for (const WallFace& other : faces) {
+    if (std::abs(std::sin(other.normal_rad - face.normal_rad)) >= kParallelSine) continue;
+    const Point2 middle = other.at((other.low_m() + other.high_m()) / 2.0);
+    if (std::abs(middle.dot(face.normal()) - face.offset_m) < within_m) sum_m += other.support_m();
+  }
+  return sum_m;
+}
+
+/// How far along a face the strongest line crosses it, at most `reach_m` beyond an end.
+std::optional<double> end_behind(const WallFace& face, double end_m, double sign, double reach_m,
+                                 const std::vector<WallFace>& faces) {
+  std::optional<double> best_m;
+  double strongest_m = 0.0;
+  for (const WallFace& line : faces) {
+    if (!line.is_regular || line.prominence_m < std::max(kStrongLine_m, strongest_m)) continue;
+    const double sine = face.along().dot(line.normal());
+    if (std::abs(sine) < kCrossingSine) continue;
+    const double beyond_m = (line.offset_m - face.at(end_m).dot(line.normal())) / sine;
+    if (beyond_m * sign < 0.02 || std::abs(beyond_m) > reach_m) continue;
+    const double on_line_m = face.at(end_m + beyond_m).dot(line.along());
+    if (on_line_m < line.low_m() - kHiddenReach_m || on_line_m > line.high_m() + kHiddenReach_m) {
+      continue;
+    }
+    if (line.prominence_m > strongest_m) {
+      strongest_m = line.prominence_m;
+      best_m = end_m + beyond_m;
+    }
+  }
+  return best_m;
+}
+
+class Builder {
+ public:
+  Builder(Walls& walls, const Occupancy& occupancy, const WallOptions& options)
+      : walls_(walls), occupancy_(occupancy), options_(options) {
+    near_obstacle_ = dilated(occupancy.obstacle, 1);
+  }
+
+  void find_bodies() {
+    for (const WallFace& face : walls_.faces) covers_.push_back(cover_of(face));
+    std::vector<WallBody> bodies;
+    for (std::size_t i = 0; i < walls_.faces.size(); ++i) {
+      if (walls_.faces[i].support_m() < options_.min_body_support_m) continue;
+      for (std::size_t j = i + 1; j < walls_.faces.size(); ++j) {
+        if (auto body = body_of(i, j)) bodies.push_back(std::move(*body));
+      }
+    }
+    std::stable_sort(bodies.begin(), bodies.end(), [](const WallBody& a, const WallBody& b) {
+      return a.thickness_m < b.thickness_m;
+    });
+    for (WallBody& body : bodies) {
+      if (!hides_a_cupboard(body)) walls_.bodies.push_back(std::move(body));
+    }
+  }
+
+ private:
+  /// The share of a stretch along a face on which nothing stands and beams went through.
+  [[nodiscard]] double free_share(const WallFace& face, const Stretch& stretch) const {
+    const int count = std::max(1, static_cast<int>(stretch.length_m() / kStep_m));
+    int free = 0;
+    for (int i = 0; i < count; ++i) {
+      const Cell cell = occupancy_.frame.cell_of(
+          face.at(stretch.low_m + (i + 0.5) * stretch.length_m() / count));
+      if (occupancy_.free.at(cell) && !near_obstacle_.at(cell)) ++free;
+    }
+    return static_cast<double>(free) / count;
+  }
+
+  /// Where a face goes on, seen or hidden.
+  [[nodiscard]] std::vector<Stretch> cover_of(const WallFace& face) const {
+    std::vector<Stretch> cover;
+    for (const Stretch& stretch : face.seen) {
+      const bool goes_on =
+          !cover.empty() &&
+          (stretch.low_m - cover.back().high_m <= options_.door_m ||
+           free_share(face, {cover.back().high_m, stretch.low_m}) < options_.hidden_free_share);
+      if (goes_on) {
+        cover.back().high_m = stretch.high_m;
+      } else {
+        cover.push_back(stretch);
+      }
+    }
+    if (!face.is_regular || face.prominence_m < kStrongFace_m) return cover;
+    const auto low_m = end_behind(face, cover.front().low_m, -1.0, options_.hidden_end_m,
+                                  walls_.faces);
+    if (low_m && free_share(face, {*low_m, cover.front().low_m}) < options_.hidden_free_share) {
+      cover.front().low_m = *low_m;
+    }
+    const auto high_m = end_behind(face, cover.back().high_m, 1.0, options_.hidden_end_m,
+                                   walls_.faces);
+    if (high_m && free_share(face, {cover.back().high_m, *high_m}) < options_.hidden_free_share) {
+      cover.back().high_m = *high_m;
+    }
+    return cover;
+  }
+
+  [[nodiscard]] std::optional<WallBody> body_of(std::size_t i, std::size_t j) const {
+    const WallFace& front = walls_.faces[i];
+    const WallFace& back = walls_.faces[j];
+    if (back.support_m() < options_.min_body_support_m) return std::nullopt;
+    if (front.normal().dot(back.normal()) > kOppositeCosine) return std::nullopt;
+    WallBody body{i, j, 0.0, {}};
+    for (const Stretch& a : covers_[i]) {
+      for (const Stretch& b : covers_[j]) {  // counts the other way
+        const Stretch both{std::max(a.low_m, -b.high_m), std::min(a.high_m, -b.low_m)};
+        if (both.length_m() > kShortestOverlap_m) body.stretches.push_back(both);
+      }
+    }
+    if (body.stretches.empty()) return std::nullopt;
+    body.thickness_m = front.offset_m + back.offset_m;
+    if (body.thickness_m <= options_.thinnest_m || body.thickness_m > options_.thickest_m) {
+      return std::nullopt;
+    }
+    return body;
+  }
+
+  /// A thinner wall on one of its faces: what stands before that is furniture.
+  [[nodiscard]] bool hides_a_cupboard(const WallBody& body) const {
+    return std::any_of(walls_.bodies.begin(), walls_.bodies.end(), [&](const WallBody& thin) {
+      if (thin.thickness_m < 2.0 * options_.thinnest_m ||
+          thin.thickness_m >= body.thickness_m - options_.nested_m) {
+        return false;
+      }
+      // A face is front in one wall and may be back in another: it is the number that counts.
+      for (const auto [own, other] : {std::pair(thin.front, thin.back), {thin.back, thin.front}}) {
+        const bool is_shared = own == body.front || own == body.back;
+        const bool is_same = other == body.front || other == body.back;
+        if (is_shared && !is_same && walls_.faces[other].support_m() >= kNested_m) return true;
+      }
+      return false;
+    });
+  }
+
+  Walls& walls_;
+  const Occupancy& occupancy_;
+  const WallOptions& options_;
+  CellMask near_obstacle_{CellBox{}};
+  std::vector<std::vector<Stretch>> covers_;  ///< of each face
+};
+
+}  // namespace
+
+Walls build_walls(std::vector<WallFace> faces, const BuildingEvidence& evidence,
+                  const Occupancy& occupancy, const WallOptions& options) {
+  const bool is_sonar = evidence.kind == SensorKind::sonar;
+  Walls walls;
+  for (WallFace& face : faces) {
+    face.seen =
+        confirmed(face, evidence.counts, is_sonar ? options.sonar_share : options.laser_share);
+    if (face.seen.empty()) continue;
+    const double shortest_m = is_sonar ? options.min_sonar_face_m : options.min_laser_face_m;
+    if (face.support_m() >= shortest_m) walls.faces.push_back(std::move(face));
+  }
+  for (WallFace& face : walls.faces) {
+    face.prominence_m = line_support_m(face, walls.faces, options.same_line_m);
+  }
+  Builder(walls, occupancy, options).find_bodies();
+  for (const WallBody& body : walls.bodies) {
+    WallFace& front = walls.faces[body.front];
+    WallFace& back = walls.faces[body.back];
+    const double both_m = front.support_m() + back.support_m();
+    front.prominence_m = std::max(front.prominence_m, both_m);
+    back.prominence_m = std::max(back.prominence_m, both_m);
+  }
+  return walls;
+}
+
+}  // namespace roomatlas
