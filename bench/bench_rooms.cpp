@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How well the rooms of labelled maps are found, and what the probability of a door is learned
+// from. Rooms are paired one to one with the true ones; F1 at IoU .5 and .75, mean IoU over true
+// rooms; processor seconds. The 13 maps of the folder `rooms` of the recorded data.
+//   bench_rooms [MAP...]        the program as it is (it was trained on these very maps)
+//   bench_rooms train           each map by weights learned from the others; turned, at half
+//                               resolution; and the weights learned from all
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "recorded_data.hpp"
+#include "rooms/door_training.hpp"
+#include "rooms/labelled_map.hpp"
+#include "rooms/room_score.hpp"
+
+namespace {
+
+using namespace roomatlas;
+using namespace roomatlas::bench;
+
+constexpr double kPenalty = 10.0;
+
+struct Row {
+  std::string name;
+  RoomScore score;
+  double seconds = 0.0;
+};
+
+double cpu_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+void print_table(const std::string& title, const std::vector<Row>& rows, bool each) {
+  std::printf("\n%s\n| map | true | found | F1 .5 | F1 .75 | mean IoU | s |\n", title.c_str());
+  std::printf("|---|---|---|---|---|---|---|\n");
+  RoomScore mean;
+  std::vector<double> seconds;
+  const auto count = static_cast<double>(rows.size());
+  for (const Row& row : rows) {
+    if (each) {
+      std::printf("| %s | %d | %d | %.3f | %.3f | %.3f | %.2f |\n", row.name.c_str(),
+                  row.score.true_rooms, row.score.found_rooms, row.score.f1_half,
+                  row.score.f1_three_quarters, row.score.mean_iou, row.seconds);
+    }
+    mean.f1_half += row.score.f1_half / count;
+    mean.f1_three_quarters += row.score.f1_three_quarters / count;
+    mean.mean_iou += row.score.mean_iou / count;
+    mean.true_rooms += row.score.true_rooms;
+    mean.found_rooms += row.score.found_rooms;
+    seconds.push_back(row.seconds);
+  }
+  std::sort(seconds.begin(), seconds.end());
+  std::printf("| **mean; median s** | %d | %d | **%.3f** | %.3f | **%.3f** | %.2f |\n",
+              mean.true_rooms, mean.found_rooms, mean.f1_half, mean.f1_three_quarters,
+              mean.mean_iou, seconds[seconds.size() / 2]);
+}
+
+void evaluate_program(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+  for (const bool furnished : {false, true}) {
+    std::vector<Row> rows;
+    for (const std::string& name : names) {
+      const LabelledMap map = read_labelled_map(folder, name, furnished);
+      const double begin = cpu_s();
+      const RoomPartition rooms = partition_rooms(map.evidence);
+      const double seconds = cpu_s() - begin;
+      rows.push_back({name,
+                      room_score(rooms.room_of_cell, map.true_room, map.evidence.frame.cell_m),
+                      seconds});
+    }
+    print_table(furnished ? "furnished" : "clean", rows, true);
+  }
+}
+
+/// The rooms of a map by given weights.
+RoomScore score_with(const LabelledMap& map, const DoorWeights& weights) {
+  const PartitionOptions options;
+  const CutBuilding cut = cut_building(map.evidence, options);
+  RegionGraph graph(cut.pieces, cut.floor.frame, cut.openings);
+  const JoinOptions join = join_options(options, false);
+  join_to_rooms(graph, weights, join);
+  Raster<std::int32_t> found(map.true_room.box, 0);
+  for_each_cell(cut.pieces.piece_of_cell.box, [&](const Cell& cell) {
+    const std::int32_t region = graph.region_of(cut.pieces.piece_of_cell[cell]);
+    if (region == 0 || !found.box.contains(cell)) return;
+    if (graph.region(region).area_m2 >= join.min_room_m2) found[cell] = region;
+  });
+  return room_score(found, map.true_room, map.evidence.frame.cell_m);
+}
+
+void print_weights(const DoorWeights& weights) {
+  std::printf("\nlearned from all maps: bias %.3f, weights", weights.bias);
+  for (const double weight : weights.weights) std::printf(" %.3f,", weight);
+  std::printf("\n");
+}
+
+void train(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+  struct Known {
+    std::string name;
+    TrainingMap map;
+  };
+  std::vector<Known> known;
+  for (const std::string& name : names) {
+    for (const bool furnished : {false, true}) {
+      const LabelledMap map = read_labelled_map(folder, name, furnished);
+      known.push_back({name, training_map(map, cut_building(map.evidence, {}))});
+    }
+  }
+  const auto learned_without = [&](const std::string& name) {
+    std::vector<const TrainingMap*> others;
+    for (const Known& one : known) {
+      if (one.name != name) others.push_back(&one.map);
+    }
+    return train_doors(others, kPenalty);
+  };
+  std::vector<DoorWeights> weights;
+  for (const std::string& name : names) weights.push_back(learned_without(name));
+  struct Change {
+    const char* title;
+    std::function<LabelledMap(const LabelledMap&)> apply;
+  };
+  const std::vector<Change> changes = {
+      {"as it is", [](const LabelledMap& map) { return map; }},
+      {"turned by 17 degrees", [](const LabelledMap& map) { return turned(map, radians(17)); }},
+      {"turned by 45 degrees", [](const LabelledMap& map) { return turned(map, radians(45)); }},
+      {"half resolution", halved}};
+  for (const Change& change : changes) {
+    for (const bool furnished : {false, true}) {
+      std::vector<Row> rows;
+      for (std::size_t i = 0; i < names.size(); ++i) {
+        const LabelledMap map = change.apply(read_labelled_map(folder, names[i], furnished));
+        const double begin = cpu_s();
+        const RoomScore score = score_with(map, weights[i]);
+        rows.push_back({names[i], score, cpu_s() - begin});
+      }
+      print_table(std::string("leaving one map out, ") + change.title +
+                      (furnished ? ", furnished" : ", clean"),
+                  rows, true);
+    }
+  }
+  print_weights(learned_without(""));
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    const std::filesystem::path folder = recorded_data() / "rooms";
+    const std::span<const char* const> parts(arguments + 1, arguments + count);
+    const bool is_training = !parts.empty() && parts[0] == std::string("train");
+    std::vector<std::string> names = labelled_map_names(folder);
+    if (is_training) {
+      train(folder, names);
+      return 0;
+    }
+    std::erase_if(names, [&](const std::string& name) { return !is_wanted(name, parts); });
+    evaluate_program(folder, names);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_rooms: %s\n", error.what());
+    return 1;
+  }
+}

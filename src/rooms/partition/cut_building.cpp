@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cut_building.hpp"
+
+namespace roomatlas {
+
+CutBuilding cut_building(const PartitionEvidence& evidence, const PartitionOptions& options) {
+  CutBuilding cut;
+  cut.floor = open_floor(evidence, options);
+  const std::vector<WallChord> chords = find_wall_chords(cut.floor, find_wall_faces(cut.floor));
+  const Raster<std::int32_t> cuts = chord_of_cell(cut.floor, chords);
+  cut.pieces = cut_floor(cut.floor, cuts);
+  cut.openings = find_piece_openings(cut.floor, cut.pieces, chords, cuts);
+  count_crossings(evidence.building_from_robot, cut.floor.frame, cut.pieces, cut.openings);
+  return cut;
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "piece_openings.hpp"
+
+namespace roomatlas {
+
+/// A part of the floor while pieces are being joined.
+struct Region {
+  double area_m2 = 0.0;
+  double radius_m = 0.0;  ///< of the largest circle in one of its pieces
+  Ring hull;              ///< convex, counter-clockwise
+  double hull_m2 = 0.0;
+};
+
+constexpr std::size_t kDoorFigures = 8;
+/// What the probability of a door is made of, in the order of the weights.
+using DoorFigures = std::array<double, kDoorFigures>;
+
+/// The figures of the openings between two regions; there is at least one.
+/// @param smaller the region with less area
+[[nodiscard]] DoorFigures door_figures(const Region& smaller, const Region& larger,
+                                       const std::vector<const PieceOpening*>& openings);
+
+/// A logistic model: the probability is 1 / (1 + exp(-(bias + weights . figures))).
+struct DoorWeights {
+  double bias = 0.0;
+  DoorFigures weights{};
+};
+
+/// Learned from 13 labelled maps, each with and without furniture: `./run bench rooms train`.
+[[nodiscard]] DoorWeights learned_door_weights();
+
+[[nodiscard]] double door_probability(const DoorFigures& figures, const DoorWeights& model);
+
+}  // namespace roomatlas

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "floor_pieces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace roomatlas {
+namespace {
+
+constexpr double kSaddleShare = 0.9;  // larger cuts at every bulge of a wall
+constexpr double kLevelM = 0.002;     // clearances that differ by less are one
+
+constexpr std::array<Cell, 8> kAround = {Cell{1, 0},  Cell{1, 1},   Cell{0, 1},  Cell{-1, 1},
+                                         Cell{-1, 0}, Cell{-1, -1}, Cell{0, -1}, Cell{1, -1}};
+
+/// Cells of a field from the highest down, row by row within a level.
+std::vector<Cell> by_height(const Raster<float>& field) {
+  const float highest =
+      field.values.empty() ? 0.0F : *std::max_element(field.values.begin(), field.values.end());
+  const auto level_of = [&](float value) {
+    return static_cast<std::size_t>((highest - value) / static_cast<float>(kLevelM));
+  };
+  std::vector<std::size_t> begin(level_of(0.0F) + 2, 0);
+  for (const float value : field.values) {
+    if (value > 0.0F) ++begin[level_of(value) + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Cell> cells(begin.back());
+  for_each_cell(field.box, [&](const Cell& cell) {
+    if (field[cell] > 0.0F) cells[begin[level_of(field[cell])]++] = cell;
+  });
+  return cells;
+}
+
+/// Basins that grow together.
+class Basins {
+ public:
+  explicit Basins(double saddle_share) : saddle_share_(saddle_share) {}
+
+  std::int32_t add(float peak) {
+    into_.push_back(static_cast<std::int32_t>(into_.size()));
+    peak_.push_back(peak);
+    return into_.back();
+  }
+  std::int32_t root(std::int32_t basin) {
+    while (into_[at(basin)] != basin) {
+      into_[at(basin)] = into_[at(into_[at(basin)])];
+      basin = into_[at(basin)];
+    }
+    return basin;
+  }
+  /// Two basins meet at a saddle.
+  void meet(std::int32_t one, std::int32_t other, float saddle) {
+    one = root(one);
+    other = root(other);
+    if (one == other) return;
+    if (peak_[at(one)] < peak_[at(other)]) std::swap(one, other);
+    if (saddle >= saddle_share_ * peak_[at(other)]) into_[at(other)] = one;
+  }
+  [[nodiscard]] std::size_t size() const { return into_.size(); }
+
+ private:
+  static std::size_t at(std::int32_t basin) { return static_cast<std::size_t>(basin); }
+
+  double saddle_share_;
+  std::vector<std::int32_t> into_{0};
+  std::vector<float> peak_{0.0F};
+};
+
+/// Cells under a chord go to the neighbour with most clearance.
+void give_cut_cells_away(const OpenFloor& floor, Raster<std::int32_t>& piece_of_cell) {
+  std::vector<Cell> left;
+  for_each_cell(floor.open.box, [&](const Cell& cell) {
+    if (floor.open.at(cell) && piece_of_cell[cell] == 0) left.push_back(cell);
+  });
+  while (!left.empty()) {
+    std::vector<std::pair<Cell, std::int32_t>> given;
+    std::vector<Cell> still;
+    for (const Cell& cell : left) {
+      std::int32_t best = 0;
+      float most = -1.0F;
+      for (const Cell& step : kAround) {
+        const Cell next{cell.x + step.x, cell.y + step.y};
+        const std::int32_t piece = piece_of_cell.get(next);
+        if (piece == 0 || floor.clearance_m[next] <= most) continue;
+        most = floor.clearance_m[next];
+        best = piece;
+      }
+      if (best != 0) {
+        given.emplace_back(cell, best);
+      } else {
+        still.push_back(cell);
+      }
+    }
+    if (given.empty()) return;  // cut off on all sides
+    for (const auto& [cell, piece] : given) piece_of_cell[cell] = piece;
+    left.swap(still);
+  }
+}
+
+}  // namespace
+
+Raster<std::int32_t> flooded(const Raster<float>& field, double saddle_share) {
+  Raster<std::int32_t> basin_of(field.box, 0);
+  Basins basins(saddle_share);
+  for (const Cell& cell : by_height(field)) {
+    const float height = field[cell];
+    std::array<std::int32_t, 8> met{};
+    std::size_t meeting = 0;
+    std::int32_t highest = 0;
+    float most = -1.0F;
+    for (const Cell& step : kAround) {
+      const Cell next{cell.x + step.x, cell.y + step.y};
+      std::int32_t basin = basin_of.get(next);
+      if (basin == 0) continue;
+      basin = basins.root(basin);
+      if (field[next] > most) {
+        most = field[next];
+        highest = basin;
+      }
+      const auto end = met.begin() + meeting;
+      if (std::find(met.begin(), end, basin) == end) met[meeting++] = basin;
+    }
+    basin_of[cell] = meeting == 0 ? basins.add(height) : highest;
+    for (std::size_t i = 0; i < meeting; ++i) basins.meet(met[i], highest, height);
+  }
+  std::vector<std::int32_t> number(basins.size(), 0);
+  std::int32_t count = 0;
+  for (std::int32_t& basin : basin_of.values) {
+    if (basin == 0) continue;
+    std::int32_t& to = number[static_cast<std::size_t>(basins.root(basin))];
+    if (to == 0) to = ++count;
+    basin = to;
+  }
+  return basin_of;
+}
+
+FloorPieces cut_floor(const OpenFloor& floor, const Raster<std::int32_t>& chord_of_cell) {
+  CellMask uncut = floor.open;
+  for (std::size_t i = 0; i < uncut.bits.size(); ++i) {
+    if (chord_of_cell.values[i] != 0) uncut.bits[i] = 0;
+  }
+  const Raster<float> field = clearance_m(uncut, floor.frame);
+  FloorPieces pieces;
+  pieces.piece_of_cell = flooded(field, kSaddleShare);
+  for (const std::int32_t piece : pieces.piece_of_cell.values) {
+    pieces.count = std::max(pieces.count, piece);
+  }
+  pieces.radius_m.assign(static_cast<std::size_t>(pieces.count) + 1, 0.0);
+  for (std::size_t i = 0; i < field.values.size(); ++i) {
+    const auto piece = static_cast<std::size_t>(pieces.piece_of_cell.values[i]);
+    if (piece == 0) continue;
+    pieces.radius_m[piece] = std::max(pieces.radius_m[piece], double{field.values[i]});
+  }
+  give_cut_cells_away(floor, pieces.piece_of_cell);
+  return pieces;
+}
+
+}  // namespace roomatlas
