@@ -200,15 +200,21 @@ void add_correction(Parameters& all, Settings& settings) {
 void add_plan(Parameters& all, Settings& settings) {
   List stage(all, Stage::plan);
   AssembleOptions& assemble = settings.assemble;
-  stage.add("occupied-share", assemble.segment.grid.occupied_share,
+  stage.choice("plan", assemble.plan,
+               "drafted: walls inferred as an architect draws them; traced: outlines of the ASRs",
+               std::map<std::string, PlanStyle>{{"drafted", PlanStyle::drafted},
+                                                {"traced", PlanStyle::traced}});
+  DraftBuildingOptions& draft = assemble.draft;
+  stage.add("occupied-share", draft.occupancy.occupied_share,
             "share of beams that a cell reflects from which it is an obstacle; higher loses glass",
             0.01, 1.0);
-  stage.add("sonar-occupied-share", assemble.segment.grid.sonar_occupied_share,
-            "the same for what sonars saw", 0.01, 1.0);
-  stage.add("room-door-max-width", assemble.segment.doors.max_width_m,
-            "m; widest door between rooms; larger takes narrow corridors for doors", 0.3, 5.0);
-  stage.add("min-room", assemble.segment.min_room_m2, "m2; smaller rooms join the one next door",
-            0.0, 100.0);
+  stage.add("min-room", draft.partition.min_driven_room_m2,
+            "m2; smaller rooms join the one next door", 0.0, 100.0);
+  stage.add("door-probability", draft.partition.min_door_probability,
+            "openings less likely to be doors join rooms; larger joins more", 0.0, 1.0);
+  stage.add("thickest-wall", draft.walls.thickest_m,
+            "m; larger takes what stands between two faces for a wall", 0.1, 2.0);
+  stage.add("widest-door", draft.doors.widest_door_m, "m; wider openings are passages", 0.3, 5.0);
   stage.add("room-overlap", assemble.rooms.min_overlap_share,
             "share of the smaller outline from which two visits are one room", 0.0, 1.0);
   stage.add("room-path", assemble.rooms.min_path_share,

@@ -2,6 +2,7 @@
 #include "roomatlas/draft/draft_plan.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <set>
 
 #include "arrangement.hpp"

@@ -2,6 +2,8 @@
 #include "label_cells.hpp"
 
 #include <algorithm>
+// g++ 12 takes the end of an empty list of edges for uninitialised (boost/optional).
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <cmath>

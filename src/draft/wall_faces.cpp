@@ -24,6 +24,8 @@ constexpr double kWingWidth_rad = 3.0 * kPi / 180.0;
 constexpr std::size_t kFewest = 100;       // surfaces that may have a direction
 constexpr double kLaserBand_m = 0.04;      // off a wall's line
 constexpr double kSonarBand_m = 0.05;
+constexpr double kSonarWingFace_m = 1.5;     // of a wing's faces: corners make shorter ones in any
+constexpr std::size_t kSonarWingFaces = 3;   // direction; and a wing has as many
 
 /// The difference of two directions that count modulo 90 degrees, [-45, 45] degrees.
 double quarter_difference(double a_rad, double b_rad) {
@@ -129,7 +131,10 @@ std::vector<WallFace> sonar_faces(const BuildingEvidence& evidence,
     const auto before = static_cast<double>(echoes.size());
     drop_explained(found, half_cone_rad, echoes);
     votes = before - static_cast<double>(echoes.size());
-    if (round > 0 && votes < options.wing_share * all) break;
+    if (round > 0) {
+      std::erase_if(found, [](const WallFace& face) { return face.support_m() < kSonarWingFace_m; });
+      if (votes < options.wing_share * all || found.size() < kSonarWingFaces) break;
+    }
     append(std::move(found), faces);
   }
   return faces;

@@ -184,7 +184,8 @@ class Builder {
         return false;
       }
       // A face is front in one wall and may be back in another: it is the number that counts.
-      for (const auto [own, other] : {std::pair(thin.front, thin.back), {thin.back, thin.front}}) {
+      for (const auto& [own, other] :
+           {std::pair(thin.front, thin.back), std::pair(thin.back, thin.front)}) {
         const bool is_shared = own == body.front || own == body.back;
         const bool is_same = other == body.front || other == body.back;
         if (is_shared && !is_same && walls_.faces[other].support_m() >= kNested_m) return true;

@@ -193,7 +193,7 @@ PlanRoom room_of(const planar::RoomEntry& entry, std::vector<Polygon> parts) {
 }  // namespace
 
 FloorPlan merge(const std::vector<PlacedOutline>& placed_outlines, const std::vector<Door>& doors,
-                const MergeOptions& options) {
+                const MergeOptions& options, const std::vector<Polygon>& wall_bodies) {
   FloorPlan plan;
   const MillimetreGrid grid = grid_around(placed_outlines, doors);
   const Outlines outlines = planar::outlines_of(placed_outlines, grid, plan.issues);
@@ -201,7 +201,8 @@ FloorPlan merge(const std::vector<PlacedOutline>& placed_outlines, const std::ve
   std::vector<Polygon> openings_mm;
   plan.doors =
       doors_of(sorted_doors(doors, plan.issues), grid, outlines, thickness_mm, openings_mm);
-  const PlanShapes shapes = plan_shapes(outlines, openings_mm, thickness_mm);
+  PlanShapes shapes = plan_shapes(outlines, openings_mm, thickness_mm);
+  for (const Polygon& body : wall_bodies) shapes.shapes_mm.push_back(planar::on_grid(grid, body));
   const PlanarMap map(shapes.shapes_mm, grid.fine(), shapes.first_wall);
   const std::vector<Label> labels = labels_of(map, shapes, outlines, options, plan.issues);
 

@@ -74,8 +74,11 @@ MappedBuilding building_of(MissionKind kind, const AsrSource& source, const Asse
   const AssembleOptions& assemble = options.assemble;
   const RoomMapOptions& map = options.map.record.map;
   const Placement placement = placement_of(corrected.correction);
-  if (kind != MissionKind::paper) {
-    return map_building(source, placement, footprint, {map, assemble.segment}, progress);
+  if (kind != MissionKind::paper && assemble.plan == PlanStyle::drafted) {
+    const BuildingEvidence evidence =
+        gather_evidence(source, placement, assemble.draft.evidence, progress);
+    report(progress, "draft", 0.0);
+    return mapped_building_of(draft_building(evidence, assemble.draft), evidence, map);
   }
   return rooms_by_outlines(source, corrected.graph, placement, footprint,
                            {assemble.rooms, map, assemble.map_again}, progress);

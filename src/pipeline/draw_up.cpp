@@ -18,22 +18,27 @@ std::vector<AsrId> asrs_of(RoomId room, const std::map<AsrId, RoomId>& room_of_a
 }  // namespace
 
 void draw_up(MappedBuilding building, const AssembleOptions& options, Assembly& assembly) {
-  const auto plan_of = [&](const auto& outlines, const auto& placed_doors) {
-    FloorPlan plan = merge(outlines, placed_doors, options.merge);
+  const auto plan_of = [&](const auto& outlines, const auto& placed_doors, const auto& bodies) {
+    FloorPlan plan = merge(outlines, placed_doors, options.merge, bodies);
     for (PlanRoom& room : plan.rooms) room.asrs = asrs_of(room.id, building.room_of_asr);
-    for (const Polygon& piece : building.furniture) {
-      plan.furniture.push_back({piece, FurnitureKind::free_standing});
-    }
+    plan.furniture = building.furniture;
     return plan;
   };
-  assembly.plan = plan_of(building.outlines, building.doors);
+  const std::vector<Polygon> no_bodies;
+  if (building.is_drafted) {
+    assembly.plan = plan_of(building.outlines, building.doors, building.wall_bodies);
+    assembly.plan.edges = std::move(building.edges);
+    assembly.measured_plan = plan_of(building.measured_outlines, building.doors, no_bodies);
+    return;
+  }
+  assembly.plan = plan_of(building.outlines, building.doors, no_bodies);
   if (!options.regular_walls) return;
   assembly.measured_plan = std::move(assembly.plan);
   RegularWallOptions walls = options.regular;
   if (building.sensor == SensorKind::sonar) walls.blind_corner_m = options.sonar_corner_m;
   const RegularOutlines regular =
       with_regular_walls(std::move(building.outlines), building.doors, walls);
-  assembly.plan = plan_of(regular.outlines, regular.doors);
+  assembly.plan = plan_of(regular.outlines, regular.doors, no_bodies);
   if (regular.kept > 0) {
     assembly.plan.issues.push_back(
         {Severity::note, "", 0, "regular walls",

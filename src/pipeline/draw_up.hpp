@@ -3,7 +3,7 @@
 
 #include "roomatlas/assembly/assembly.hpp"
 #include "roomatlas/pipeline/options.hpp"
-#include "roomatlas/rooms/map_building.hpp"
+#include "roomatlas/rooms/mapped_building.hpp"
 
 namespace roomatlas {
 

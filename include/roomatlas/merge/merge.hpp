@@ -19,9 +19,12 @@ struct MergeOptions {
 /// so that bow-ties, spikes, repeated vertices and reversed rings heal by themselves; what had to
 /// be healed is an Issue. Where outlines of several rooms overlap, the room with more outlines
 /// there has the place; a tie goes to the smaller room, because a view through a door is small.
+/// Outside of rooms and doors, walls are as thick as the option says around each outline, and where
+/// `wall_bodies` say so.
 /// Coordinates are rounded to millimetres. Empty input gives an empty plan. Never throws on
 /// geometry; non-finite vertices are dropped and reported.
 [[nodiscard]] FloorPlan merge(const std::vector<PlacedOutline>& outlines,
-                              const std::vector<Door>& doors, const MergeOptions& options);
+                              const std::vector<Door>& doors, const MergeOptions& options,
+                              const std::vector<Polygon>& wall_bodies = {});
 
 }  // namespace roomatlas

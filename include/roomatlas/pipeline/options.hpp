@@ -3,6 +3,7 @@
 
 #include "roomatlas/asr/recorder.hpp"
 #include "roomatlas/correct/correct.hpp"
+#include "roomatlas/draft/draft_building.hpp"
 #include "roomatlas/graph/recognise.hpp"
 #include "roomatlas/loops/closures.hpp"
 #include "roomatlas/loops/feed_back.hpp"
@@ -12,7 +13,6 @@
 #include "roomatlas/mission/mission.hpp"
 #include "roomatlas/odometry/drive_directions.hpp"
 #include "roomatlas/rooms/assign_rooms.hpp"
-#include "roomatlas/rooms/segment_rooms.hpp"
 #include "roomatlas/sonar/sonar_trajectory.hpp"
 
 namespace roomatlas {
@@ -26,6 +26,12 @@ struct MapOptions {
   RecorderOptions record;
 };
 
+/// How the plan is drawn.
+enum class PlanStyle {
+  drafted,  ///< as an architect would: walls are inferred from all readings of the mission
+  traced,   ///< the paper's: rooms are the outlines of their ASRs
+};
+
 /// How ASRs become a floor plan.
 struct AssembleOptions {
   bool correct_sonars = true;  ///< a mission with sonars alone is corrected as a whole first; off:
@@ -34,11 +40,12 @@ struct AssembleOptions {
   bool match_rooms = true;  ///< match localized rooms by their walls; off: doorways alone
   ClosureOptions closures;
   RecogniseOptions recognise;
-  RoomOptions rooms;       ///< where rooms are decided by the ASRs' outlines
-  SegmentOptions segment;  ///< where they are decided by everything that the mission saw
+  PlanStyle plan = PlanStyle::drafted;
+  DraftBuildingOptions draft;  ///< of a drafted plan
+  RoomOptions rooms;           ///< of a traced plan: which ASRs are one room
   CorrectOptions correct;
   FeedBackOptions feed_back;
-  bool regular_walls = true;  ///< also draw walls along the building's directions
+  bool regular_walls = true;  ///< also draw a traced plan's walls along the building's directions
   RegularWallOptions regular;
   double sonar_corner_m = 0.8;  ///< `regular.blind_corner_m` where sonars were heard
   MergeOptions merge;

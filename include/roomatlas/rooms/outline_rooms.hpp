@@ -8,7 +8,7 @@
 #include "roomatlas/core/progress.hpp"
 #include "roomatlas/graph/room_graph.hpp"
 #include "roomatlas/rooms/assign_rooms.hpp"
-#include "roomatlas/rooms/map_building.hpp"
+#include "roomatlas/rooms/mapped_building.hpp"
 
 namespace roomatlas {
 

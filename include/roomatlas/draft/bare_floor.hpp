@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "roomatlas/draft/walls.hpp"
+
+namespace roomatlas {
+
+struct BareFloorOptions {
+  double min_prominence_m = 2.5;  ///< of a line that is a wall's; less takes cupboards for walls
+  double min_face_m = 0.4;        ///< of a face on it
+  double furniture_depth_m = 1.2;  ///< what stands against a wall is not deeper
+  double furniture_side_m = 3.0;   ///< what stands free, or sticks out of a wall, is not longer
+};
+
+/// The building as it would be seen without furniture: what stands free, or against walls that are
+/// known, counts as floor, and so does the unseen behind it. The masks share the occupancy's box.
+[[nodiscard]] Occupancy bare_floor(const Walls& walls, const Occupancy& occupancy,
+                                   const BareFloorOptions& options);
+
+}  // namespace roomatlas

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/draft/bare_floor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace roomatlas {
+namespace {
+
+constexpr double kBesideFace_m = 0.1;  // obstacles this near a wall's face are the wall's ...
+constexpr double kBehindFace_m = 0.15;  // ... and this near behind it
+constexpr double kNextFace_m = 4.0;     // posts and jambs stand between two faces on one line that
+                                        // are no farther apart
+constexpr double kSameLine_m = 0.08;
+constexpr double kParallelSine = 0.03;
+constexpr double kThickest_m = 0.4;     // piers between doors are not thicker; tables are
+constexpr int kExtentDirections = 12;   // of half a turn
+
+/// The faces on a face's line, as stretches along it, ascending.
+std::vector<Stretch> on_line(const WallFace& face, const std::vector<WallFace>& faces,
+                             double min_face_m) {
+  std::vector<Stretch> stretches;
+  for (const WallFace& other : faces) {
+    if (std::abs(std::sin(other.normal_rad - face.normal_rad)) >= kParallelSine) continue;
+    if (other.support_m() < min_face_m) continue;
+    const Point2 middle = (other.at(other.low_m()) + other.at(other.high_m())) / 2.0;
+    if (std::abs(middle.dot(face.normal()) - face.offset_m) >= kSameLine_m) continue;
+    for (const Stretch& seen : other.seen) {
+      const double a = other.at(seen.low_m).dot(face.along());
+      const double b = other.at(seen.high_m).dot(face.along());
+      stretches.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+  std::sort(stretches.begin(), stretches.end(),
+            [](const Stretch& a, const Stretch& b) { return a.low_m < b.low_m; });
+  return stretches;
+}
+
+/// How much wall was seen on a face's line, without gaps that are too large for one wall.
+double line_support_m(const WallFace& face, const std::vector<WallFace>& faces) {
+  double support_m = 0.0;
+  double group_m = 0.0;
+  double end_m = -1e9;
+  bool is_own = false;
+  for (const Stretch& one : on_line(face, faces, 0.0)) {
+    if (one.low_m > end_m + kNextFace_m) {
+      if (is_own) support_m = std::max(support_m, group_m);
+      group_m = 0.0;
+      is_own = false;
+    }
+    group_m += std::max(0.0, one.high_m - std::max(one.low_m, end_m));
+    end_m = std::max(end_m, one.high_m);
+    is_own = is_own || (one.low_m <= face.high_m() && one.high_m >= face.low_m());
+  }
+  return is_own ? std::max(support_m, group_m) : support_m;
+}
+
+/// Of each face, whether it is a wall's for certain.
+std::vector<bool> are_walls(const Walls& walls, const BareFloorOptions& options) {
+  std::vector<bool> is_wall;
+  for (const WallFace& face : walls.faces) {
+    is_wall.push_back(face.support_m() >= options.min_face_m &&
+                      line_support_m(face, walls.faces) >= options.min_prominence_m);
+  }
+  for (const WallBody& body : walls.bodies) {
+    const double both_m =
+        walls.faces[body.front].support_m() + walls.faces[body.back].support_m();
+    if (both_m < options.min_prominence_m) continue;
+    is_wall[body.front] = true;
+    is_wall[body.back] = true;
+  }
+  return is_wall;
+}
+
+/// Obstacles on the face's line up to the next face on it: posts, jambs and pieces of the same wall
+/// that are too short or too rough for faces.
+void add_posts(const WallFace& face, const std::vector<WallFace>& faces,
+               const Occupancy& occupancy, const BareFloorOptions& options, CellMask& mask) {
+  Stretch reach{face.low_m(), face.high_m()};
+  for (const Stretch& other : on_line(face, faces, options.min_face_m)) {
+    if (other.low_m >= reach.high_m && other.low_m <= face.high_m() + kNextFace_m) {
+      reach.high_m = std::max(reach.high_m, other.low_m);
+    }
+    if (other.high_m <= reach.low_m && other.high_m >= face.low_m() - kNextFace_m) {
+      reach.low_m = std::min(reach.low_m, other.high_m);
+    }
+  }
+  const double step_m = occupancy.frame.cell_m / 2.0;
+  for (double along_m = reach.low_m; along_m <= reach.high_m; along_m += step_m) {
+    for (double off_m = -kBehindFace_m; off_m <= kBesideFace_m; off_m += step_m) {
+      const Cell cell = occupancy.frame.cell_of(face.at(along_m) + off_m * face.normal());
+      if (occupancy.obstacle.at(cell)) mask.set(cell, true);
+    }
+  }
+}
+
+/// Where walls are for certain: the faces on prominent lines, and what lies between two faces.
+CellMask wall_cells(const Walls& walls, const std::vector<bool>& is_wall,
+                    const Occupancy& occupancy, const BareFloorOptions& options) {
+  CellMask mask(occupancy.free.box);
+  const CellFrame& frame = occupancy.frame;
+  for (std::size_t i = 0; i < walls.faces.size(); ++i) {
+    const WallFace& face = walls.faces[i];
+    if (!is_wall[i]) continue;
+    for (const Stretch& stretch : face.seen) {
+      for_each_cell_on_line(frame.cell_of(face.at(stretch.low_m)),
+                            frame.cell_of(face.at(stretch.high_m)), [&](const Cell& cell) {
+                              mask.set(cell, true);
+                              return true;
+                            });
+    }
+    if (face.is_regular) add_posts(face, walls.faces, occupancy, options, mask);
+  }
+  return mask;
+}
+
+/// Marks what lies between a wall and the floor in front of it: furniture that hides the wall.
+void add_before_wall(const WallFace& face, double along_m, const CellMask& walls,
+                     const Occupancy& occupancy, double depth_m, CellMask& hidden) {
+  const double step_m = occupancy.frame.cell_m / 2.0;
+  std::vector<Cell> passed;
+  for (double off_m = 2.0 * step_m; off_m < depth_m; off_m += step_m) {
+    const Cell cell = occupancy.frame.cell_of(face.at(along_m) + off_m * face.normal());
+    if (occupancy.free.at(cell)) {
+      for (const Cell& one : passed) hidden.set(one, true);
+      return;
+    }
+    if (off_m > kBesideFace_m && walls.at(cell)) return;
+    if (!walls.at(cell)) passed.push_back(cell);
+  }
+}
+
+/// The least extent of cells over all directions, in cells.
+double least_extent(const std::vector<Cell>& cells) {
+  double least = 1e9;
+  for (int step = 0; step < kExtentDirections; ++step) {
+    const Point2 along = direction(kPi * step / kExtentDirections);
+    double low = 1e9;
+    double high = -1e9;
+    for (const Cell& cell : cells) {
+      const double at = along.dot(Point2(cell.x, cell.y));
+      low = std::min(low, at);
+      high = std::max(high, at);
+    }
+    least = std::min(least, high - low + 1.0);
+  }
+  return least;
+}
+
+/// Components of what is neither floor nor wall that are small enough for furniture become floor.
+/// @param thicker_than_m only those that are thicker, as walls are not
+void add_small(const CellMask& walls, double side_m, double thicker_than_m, Occupancy& bare) {
+  const CellBox& box = bare.free.box;
+  const int most = static_cast<int>(side_m / bare.frame.cell_m);
+  CellMask is_done(box);
+  std::vector<Cell> part;
+  for_each_cell(box, [&](const Cell& start) {
+    if (is_done.at(start) || bare.free.at(start) || walls.at(start)) return;
+    part.assign(1, start);
+    is_done.set(start, true);
+    CellBox around{start, start};
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const Cell at = part[i];
+      around.min = {std::min(around.min.x, at.x), std::min(around.min.y, at.y)};
+      around.max = {std::max(around.max.x, at.x), std::max(around.max.y, at.y)};
+      for_each_cell({{at.x - 1, at.y - 1}, {at.x + 2, at.y + 2}}, [&](const Cell& near) {
+        if (!box.contains(near) || is_done.at(near)) return;
+        if (bare.free.at(near) || walls.at(near)) return;
+        is_done.set(near, true);
+        part.push_back(near);
+      });
+    }
+    const bool is_at_rim = around.min.x == box.min.x || around.min.y == box.min.y ||
+                           around.max.x == box.max.x - 1 || around.max.y == box.max.y - 1;
+    if (is_at_rim || std::max(around.width(), around.height()) >= most) return;
+    const bool touches_floor = std::any_of(part.begin(), part.end(), [&](const Cell& cell) {
+      return bare.free.at({cell.x + 1, cell.y}) || bare.free.at({cell.x - 1, cell.y}) ||
+             bare.free.at({cell.x, cell.y + 1}) || bare.free.at({cell.x, cell.y - 1});
+    });
+    if (!touches_floor) return;  // the core of a wall
+    if (least_extent(part) * bare.frame.cell_m < thicker_than_m) return;
+    for (const Cell& cell : part) bare.free.set(cell, true);
+  });
+}
+
+}  // namespace
+
+Occupancy bare_floor(const Walls& walls, const Occupancy& occupancy,
+                     const BareFloorOptions& options) {
+  Occupancy bare = occupancy;
+  add_small(CellMask(CellBox{}), options.furniture_side_m, kThickest_m, bare);
+  const std::vector<bool> is_wall = are_walls(walls, options);
+  CellMask lines = wall_cells(walls, is_wall, occupancy, options);
+  for_each_cell(lines.box, [&](const Cell& cell) {
+    if (bare.free.at(cell) && !occupancy.free.at(cell)) lines.set(cell, false);  // stands free
+  });
+  const CellMask thick = dilated(lines, 1);
+  CellMask hidden(occupancy.free.box);
+  const double step_m = occupancy.frame.cell_m / 2.0;
+  for (std::size_t i = 0; i < walls.faces.size(); ++i) {
+    const WallFace& face = walls.faces[i];
+    if (!is_wall[i] || !face.is_regular) continue;
+    for (double along_m = face.low_m(); along_m <= face.high_m(); along_m += step_m) {
+      add_before_wall(face, along_m, lines, occupancy, options.furniture_depth_m, hidden);
+    }
+  }
+  for_each_cell(bare.free.box, [&](const Cell& cell) {
+    if (hidden.at(cell)) bare.free.set(cell, true);
+    if (lines.at(cell) || (thick.at(cell) && occupancy.obstacle.at(cell) && !hidden.at(cell))) {
+      bare.free.set(cell, false);
+    }
+  });
+  // A wall that is hidden in part still parts: between the ends of what was seen of it.
+  for (std::size_t i = 0; i < walls.faces.size(); ++i) {
+    const WallFace& face = walls.faces[i];
+    if (!is_wall[i] || !face.is_regular) continue;
+    for (double along_m = face.low_m(); along_m <= face.high_m(); along_m += step_m) {
+      const Cell cell = occupancy.frame.cell_of(face.at(along_m));
+      if (!occupancy.free.at(cell)) bare.free.set(cell, false);
+    }
+  }
+  CellMask wall(bare.free.box);
+  for_each_cell(bare.free.box, [&](const Cell& cell) {
+    wall.set(cell, thick.at(cell) && !bare.free.at(cell));
+  });
+  add_small(wall, options.furniture_side_m, 0.0, bare);
+  for_each_cell(bare.free.box, [&](const Cell& cell) {
+    if (bare.free.at(cell)) {
+      bare.obstacle.set(cell, false);
+      bare.seen.set(cell, true);
+    } else if (wall.at(cell)) {
+      bare.obstacle.set(cell, true);
+    }
+  });
+  return bare;
+}
+
+}  // namespace roomatlas

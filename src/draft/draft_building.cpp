@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/draft/draft_building.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace roomatlas {
+namespace {
+
+RoomPartition partitioned(const Occupancy& bare, const BuildingEvidence& evidence,
+                          const PartitionOptions& options) {
+  PartitionEvidence known;
+  known.frame = bare.frame;
+  known.free = bare.free;
+  known.obstacle = bare.obstacle;
+  known.building_from_robot = evidence.building_from_robot;
+  return partition_rooms(known, options);
+}
+
+std::vector<Door> doors_of(const RoomPartition& partition) {
+  std::vector<Door> doors;
+  for (const Opening& opening : partition.openings) {
+    Door door;
+    static_cast<Doorway&>(door) = opening;
+    door.room_a = opening.room_a;
+    door.room_b = opening.room_b;
+    door.is_driven = opening.is_driven;
+    doors.push_back(std::move(door));
+  }
+  return doors;
+}
+
+/// The share of a room's edge along which an obstacle was seen.
+double measured_share(RoomId room, const std::vector<PlanEdge>& edges) {
+  double measured_m = 0.0;
+  double all_m = 0.0;
+  for (const PlanEdge& edge : edges) {
+    if (edge.room != room) continue;
+    const double length_m = (edge.line.b - edge.line.a).norm();
+    all_m += length_m;
+    if (edge.evidence == WallEvidence::measured) measured_m += length_m;
+  }
+  return all_m > 0.0 ? measured_m / all_m : 0.0;
+}
+
+/// Leaves out rooms that are glimpses through doors and windows.
+void drop_glimpses(const DraftBuildingOptions& options, DraftedBuilding& drafted) {
+  const std::vector<RoomId>& entered = drafted.partition.room_of_pose;
+  if (entered.empty()) return;  // a finished map: nothing says what was entered
+  std::erase_if(drafted.rooms, [&](const DraftedRoom& room) {
+    if (std::find(entered.begin(), entered.end(), room.id) != entered.end()) return false;
+    return area(room.outline) < options.min_unentered_m2 ||
+           measured_share(room.id, drafted.edges) < options.min_unentered_share;
+  });
+  std::set<RoomId> kept;
+  for (const DraftedRoom& room : drafted.rooms) kept.insert(room.id);
+  std::erase_if(drafted.edges, [&](const PlanEdge& edge) { return !kept.contains(edge.room); });
+  std::erase_if(drafted.doors, [&](const Door& door) {
+    return !kept.contains(*door.room_a) || !kept.contains(*door.room_b);
+  });
+}
+
+}  // namespace
+
+DraftedBuilding draft_building(const BuildingEvidence& evidence,
+                               const DraftBuildingOptions& options) {
+  DraftedBuilding drafted;
+  std::vector<WallFace> faces = find_wall_faces(evidence, options.faces);
+  drafted.occupancy = occupancy_of(evidence, faces, options.occupancy);
+  drafted.walls = build_walls(std::move(faces), evidence, drafted.occupancy, options.walls);
+  drafted.bare = bare_floor(drafted.walls, drafted.occupancy, options.bare);
+  drafted.partition = partitioned(drafted.bare, evidence, options.partition);
+  const RoomSeeds seeds{drafted.partition.room_of_cell, doors_of(drafted.partition)};
+  Draft draft = draft_plan(drafted.walls, drafted.occupancy, seeds, options.draft);
+  drafted.rooms = std::move(draft.rooms);
+  drafted.wall_bodies = std::move(draft.wall_bodies);
+  drafted.edges = edges_of(drafted.rooms, drafted.walls, evidence, drafted.occupancy);
+  drafted.doors = placed_doors(seeds.openings, drafted.walls, evidence, options.doors);
+  drop_glimpses(options, drafted);
+  drafted.furniture = find_furniture(drafted.rooms, drafted.occupancy, options.furniture);
+  return drafted;
+}
+
+}  // namespace roomatlas
