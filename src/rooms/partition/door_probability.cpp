@@ -9,12 +9,15 @@ namespace {
 
 constexpr double kDoorM = 0.9;        // the usual width
 constexpr double kClosetM2 = 3.0;     // smaller regions are hardly rooms
+constexpr double kFlush = 5.0;        // larger: less widening is already a door's
 constexpr double kMostExponent = 30;  // beyond, a probability is 0 or 1
 
 /// Support by walls, averaged over openings by their width.
 struct MeanSupport {
   double far_sum = 0.0;
   double near_higher = 0.0;
+  double flush_both = 0.0;
+  double flush_one = 0.0;
 };
 
 MeanSupport mean_support(const std::vector<const PieceOpening*>& openings, double widths_m) {
@@ -23,6 +26,8 @@ MeanSupport mean_support(const std::vector<const PieceOpening*>& openings, doubl
     const double share = opening->width_m / widths_m;
     mean.far_sum += share * (opening->lower.far + opening->higher.far);
     mean.near_higher += share * opening->higher.near;
+    mean.flush_both += share * std::exp(-kFlush * opening->widening.more);
+    mean.flush_one += share * std::exp(-kFlush * opening->widening.less);
   }
   return mean;
 }
@@ -48,6 +53,8 @@ DoorFigures door_figures(const Region& smaller, const Region&,
       1.0 / (1.0 + std::exp(3.0 * std::log(area / kClosetM2))),
       std::abs(std::log(widest_m / kDoorM)),
       std::min(1.1, area / std::max(0.05, smaller.hull_m2)),
+      support.flush_both,
+      support.flush_one,
   };
 }
 

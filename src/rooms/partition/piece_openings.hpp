@@ -2,6 +2,7 @@
 #pragma once
 
 #include "floor_pieces.hpp"
+#include "passage.hpp"
 
 namespace roomatlas {
 
@@ -14,6 +15,7 @@ struct PieceOpening {
   bool is_on_chord = false;  ///< the border follows a wall chord
   WallSupport lower;         ///< of the walls beyond the two jambs, each figure's smaller value
   WallSupport higher;        ///< and its larger one
+  Widening widening;
   int crossings = 0;         ///< how often the path goes through
 };
 
