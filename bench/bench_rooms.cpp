@@ -74,42 +74,19 @@ void evaluate_program(const std::filesystem::path& folder, const std::vector<std
   }
 }
 
-//DUMP
-void dump(const LabelledMap& map, const Raster<std::int32_t>& found, const RegionGraph& graph,
-          const DoorQueue& queue, const char* title) {
-  if (std::getenv("ROOMS_DUMP") == nullptr || title[0] != 'a') return;
-  const std::string stem = std::string(std::getenv("ROOMS_DUMP")) + "/" + map.name + (map.furnished ? "_1" : "_0");
-  FILE* f = std::fopen((stem + ".raw").c_str(), "wb");
-  const std::int32_t wh[2] = {found.box.width(), found.box.height()};
-  std::fwrite(wh, 4, 2, f);
-  std::fwrite(found.values.data(), 4, found.values.size(), f);
-  std::fwrite(map.true_room.values.data(), 4, found.values.size(), f);
-  std::fwrite(map.evidence.free.bits.data(), 1, found.values.size(), f);
-  std::fwrite(map.evidence.obstacle.bits.data(), 1, found.values.size(), f);
-  std::fclose(f);
-  f = std::fopen((stem + ".txt").c_str(), "w");
-  for (const auto& pair : graph.pairs()) {
-    const auto ops = graph.openings(pair);
-    for (const auto* o : ops) {
-      std::fprintf(f, "%f %f %f %f %f %d\n", o->jambs.a.x(), o->jambs.a.y(), o->jambs.b.x(), o->jambs.b.y(), queue.probability(pair), int(o->is_on_chord));
-    }
-  }
-  std::fclose(f);
-}
 /// The rooms of a map by given weights.
-RoomScore score_with(const LabelledMap& map, const DoorWeights& weights, const char* title) {
+RoomScore score_with(const LabelledMap& map, const DoorWeights& weights) {
   const PartitionOptions options;
   const CutBuilding cut = cut_building(map.evidence, options);
   RegionGraph graph(cut.pieces, cut.floor.frame, cut.openings);
   const JoinOptions join = join_options(options, false);
-  const DoorQueue queue = join_to_rooms(graph, weights, join);
+  join_to_rooms(graph, weights, join);
   Raster<std::int32_t> found(map.true_room.box, 0);
   for_each_cell(cut.pieces.piece_of_cell.box, [&](const Cell& cell) {
     const std::int32_t region = graph.region_of(cut.pieces.piece_of_cell[cell]);
     if (region == 0 || !found.box.contains(cell)) return;
     if (graph.region(region).area_m2 >= join.min_room_m2) found[cell] = region;
   });
-  dump(map, found, graph, queue, title);
   return room_score(found, map.true_room, map.evidence.frame.cell_m);
 }
 
@@ -157,7 +134,7 @@ void train(const std::filesystem::path& folder, const std::vector<std::string>& 
       for (std::size_t i = 0; i < names.size(); ++i) {
         const LabelledMap map = change.apply(read_labelled_map(folder, names[i], furnished));
         const double begin = cpu_s();
-        const RoomScore score = score_with(map, weights[i], change.title);
+        const RoomScore score = score_with(map, weights[i]);
         rows.push_back({names[i], score, cpu_s() - begin});
       }
       print_table(std::string("leaving one map out, ") + change.title +

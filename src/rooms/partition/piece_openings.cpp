@@ -180,10 +180,9 @@ PieceOpening on_chord_line(const WallChord& chord, const Border& border, const O
 }
 
 PieceOpening at_saddle(const JambFinder& finder, const Border& border, const OpenFloor& floor) {
-  const Cell saddle =
-      *std::max_element(border.begin(), border.end(), [&](const Cell& a, const Cell& b) {
-        return floor.clearance_m[a] < floor.clearance_m[b];
-      });
+  const Cell saddle = *std::max_element(
+      border.begin(), border.end(),
+      [&](const Cell& a, const Cell& b) { return floor.clearance_m[a] < floor.clearance_m[b]; });
   PieceOpening opening;
   if (const std::optional<Segment2> jambs = finder.jambs_at(saddle)) {
     opening.jambs = *jambs;
@@ -201,7 +200,7 @@ void finish(const OpenFloor& floor, const PiecePair& pair, PieceOpening& opening
   opening.piece_b = pair.second;
   opening.width_m = std::max(opening.width_m, kMinWidthM);
   take_support(floor, opening);
-  opening.widening = widening(floor, opening.jambs);
+  opening.passage = passage_at(floor, opening.jambs);
 }
 
 }  // namespace

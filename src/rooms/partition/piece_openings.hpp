@@ -15,8 +15,8 @@ struct PieceOpening {
   bool is_on_chord = false;  ///< the border follows a wall chord
   WallSupport lower;         ///< of the walls beyond the two jambs, each figure's smaller value
   WallSupport higher;        ///< and its larger one
-  Widening widening;
-  int crossings = 0;         ///< how often the path goes through
+  Passage passage;
+  int crossings = 0;  ///< how often the path goes through
 };
 
 /// All openings, by their pieces' numbers.
