@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "wall_lines.hpp"
+
 namespace roomatlas {
 namespace {
 
@@ -12,49 +14,8 @@ constexpr double kBesideFace_m = 0.1;  // obstacles this near a wall's face are 
 constexpr double kBehindFace_m = 0.15;  // ... and this near behind it
 constexpr double kNextFace_m = 4.0;     // posts and jambs stand between two faces on one line that
                                         // are no farther apart
-constexpr double kSameLine_m = 0.08;
-constexpr double kParallelSine = 0.03;
 constexpr double kThickest_m = 0.4;     // piers between doors are not thicker; tables are
 constexpr int kExtentDirections = 12;   // of half a turn
-
-/// The faces on a face's line, as stretches along it, ascending.
-std::vector<Stretch> on_line(const WallFace& face, const std::vector<WallFace>& faces,
-                             double min_face_m) {
-  std::vector<Stretch> stretches;
-  for (const WallFace& other : faces) {
-    if (std::abs(std::sin(other.normal_rad - face.normal_rad)) >= kParallelSine) continue;
-    if (other.support_m() < min_face_m) continue;
-    const Point2 middle = (other.at(other.low_m()) + other.at(other.high_m())) / 2.0;
-    if (std::abs(middle.dot(face.normal()) - face.offset_m) >= kSameLine_m) continue;
-    for (const Stretch& seen : other.seen) {
-      const double a = other.at(seen.low_m).dot(face.along());
-      const double b = other.at(seen.high_m).dot(face.along());
-      stretches.push_back({std::min(a, b), std::max(a, b)});
-    }
-  }
-  std::sort(stretches.begin(), stretches.end(),
-            [](const Stretch& a, const Stretch& b) { return a.low_m < b.low_m; });
-  return stretches;
-}
-
-/// How much wall was seen on a face's line, without gaps that are too large for one wall.
-double line_support_m(const WallFace& face, const std::vector<WallFace>& faces) {
-  double support_m = 0.0;
-  double group_m = 0.0;
-  double end_m = -1e9;
-  bool is_own = false;
-  for (const Stretch& one : on_line(face, faces, 0.0)) {
-    if (one.low_m > end_m + kNextFace_m) {
-      if (is_own) support_m = std::max(support_m, group_m);
-      group_m = 0.0;
-      is_own = false;
-    }
-    group_m += std::max(0.0, one.high_m - std::max(one.low_m, end_m));
-    end_m = std::max(end_m, one.high_m);
-    is_own = is_own || (one.low_m <= face.high_m() && one.high_m >= face.low_m());
-  }
-  return is_own ? std::max(support_m, group_m) : support_m;
-}
 
 /// Of each face, whether it is a wall's for certain.
 std::vector<bool> are_walls(const Walls& walls, const BareFloorOptions& options) {
@@ -66,7 +27,8 @@ std::vector<bool> are_walls(const Walls& walls, const BareFloorOptions& options)
   for (const WallBody& body : walls.bodies) {
     const double both_m =
         walls.faces[body.front].support_m() + walls.faces[body.back].support_m();
-    if (both_m < options.min_prominence_m) continue;
+    const bool is_thin = body.thickness_m <= options.thin_m;
+    if (both_m < (is_thin ? options.min_thin_m : options.min_prominence_m)) continue;
     is_wall[body.front] = true;
     is_wall[body.back] = true;
   }

@@ -7,14 +7,18 @@
 namespace roomatlas {
 namespace {
 
-RoomPartition partitioned(const Occupancy& bare, const BuildingEvidence& evidence,
-                          const PartitionOptions& options) {
+RoomPartition partitioned(const DraftedBuilding& drafted, const BuildingEvidence& evidence,
+                          const DraftBuildingOptions& options) {
+  const Occupancy& bare = drafted.bare;
   PartitionEvidence known;
   known.frame = bare.frame;
   known.free = bare.free;
   known.obstacle = bare.obstacle;
   known.building_from_robot = evidence.building_from_robot;
-  return partition_rooms(known, options);
+  known.wall_gaps = find_wall_gaps(drafted.walls, drafted.occupancy, options.gaps);
+  RoomPartition partition = partition_rooms(known, options.partition);
+  join_rooms(bare, options.join, partition);
+  return partition;
 }
 
 std::vector<Door> doors_of(const RoomPartition& partition) {
@@ -65,11 +69,12 @@ void drop_glimpses(const DraftBuildingOptions& options, DraftedBuilding& drafted
 DraftedBuilding draft_building(const BuildingEvidence& evidence,
                                const DraftBuildingOptions& options) {
   DraftedBuilding drafted;
-  std::vector<WallFace> faces = find_wall_faces(evidence, options.faces);
+  std::vector<WallFace> faces =
+      confirmed_faces(find_wall_faces(evidence, options.faces), evidence, options.walls);
   drafted.occupancy = occupancy_of(evidence, faces, options.occupancy);
-  drafted.walls = build_walls(std::move(faces), evidence, drafted.occupancy, options.walls);
+  drafted.walls = build_walls(std::move(faces), drafted.occupancy, options.walls);
   drafted.bare = bare_floor(drafted.walls, drafted.occupancy, options.bare);
-  drafted.partition = partitioned(drafted.bare, evidence, options.partition);
+  drafted.partition = partitioned(drafted, evidence, options);
   const RoomSeeds seeds{drafted.partition.room_of_cell, doors_of(drafted.partition)};
   Draft draft = draft_plan(drafted.walls, drafted.occupancy, seeds, options.draft);
   drafted.rooms = std::move(draft.rooms);

@@ -8,6 +8,7 @@
 #include "slanted_faces.hpp"
 #include "sonar_votes.hpp"
 #include "straight_runs.hpp"
+#include "trim_faces.hpp"
 
 namespace roomatlas {
 namespace {
@@ -25,7 +26,8 @@ constexpr std::size_t kFewest = 100;       // surfaces that may have a direction
 constexpr double kLaserBand_m = 0.04;      // off a wall's line
 constexpr double kSonarBand_m = 0.05;
 constexpr double kSonarWingFace_m = 1.5;     // of a wing's faces: corners make shorter ones in any
-constexpr std::size_t kSonarWingFaces = 3;   // direction; and a wing has as many
+constexpr std::size_t kSonarWingFaces = 3;   // direction; and a wing has as many, and this share
+constexpr double kSonarWingShare = 0.15;     // of all walls so far
 
 /// The difference of two directions that count modulo 90 degrees, [-45, 45] degrees.
 double quarter_difference(double a_rad, double b_rad) {
@@ -105,6 +107,12 @@ void drop_explained(const std::vector<WallFace>& faces, double half_cone_rad,
   });
 }
 
+double total_support_m(const std::vector<WallFace>& faces) {
+  double sum_m = 0.0;
+  for (const WallFace& face : faces) sum_m += face.support_m();
+  return sum_m;
+}
+
 std::vector<WallFace> sonar_faces(const BuildingEvidence& evidence,
                                   const WallFaceOptions& options) {
   const RunOptions runs{options.bin_along_m, kSonarBand_m, static_cast<double>(options.min_hits),
@@ -133,7 +141,9 @@ std::vector<WallFace> sonar_faces(const BuildingEvidence& evidence,
     votes = before - static_cast<double>(echoes.size());
     if (round > 0) {
       std::erase_if(found, [](const WallFace& face) { return face.support_m() < kSonarWingFace_m; });
-      if (votes < options.wing_share * all || found.size() < kSonarWingFaces) break;
+      const bool is_wing = found.size() >= kSonarWingFaces &&
+                           total_support_m(found) >= kSonarWingShare * total_support_m(faces);
+      if (votes < options.wing_share * all || !is_wing) break;
     }
     append(std::move(found), faces);
   }
@@ -260,10 +270,12 @@ double main_direction_rad(const std::vector<SurfacePoint>& surfaces) {
 
 std::vector<WallFace> find_wall_faces(const BuildingEvidence& evidence,
                                       const WallFaceOptions& options) {
-  const std::vector<WallFace> faces = evidence.kind == SensorKind::sonar
-                                          ? sonar_faces(evidence, options)
-                                          : laser_faces(evidence.surfaces, options);
-  return snapped(faces, options);
+  if (evidence.kind == SensorKind::laser) {
+    return snapped(laser_faces(evidence.surfaces, options), options);
+  }
+  std::vector<WallFace> faces = snapped(sonar_faces(evidence, options), options);
+  trim_at_corners(evidence.counts, faces);
+  return faces;
 }
 
 }  // namespace roomatlas

@@ -102,7 +102,6 @@ class Builder {
     for (const WallFace& face : walls_.faces) covers_.push_back(cover_of(face));
     std::vector<WallBody> bodies;
     for (std::size_t i = 0; i < walls_.faces.size(); ++i) {
-      if (walls_.faces[i].support_m() < options_.min_body_support_m) continue;
       for (std::size_t j = i + 1; j < walls_.faces.size(); ++j) {
         if (auto body = body_of(i, j)) bodies.push_back(std::move(*body));
       }
@@ -159,7 +158,6 @@ class Builder {
   [[nodiscard]] std::optional<WallBody> body_of(std::size_t i, std::size_t j) const {
     const WallFace& front = walls_.faces[i];
     const WallFace& back = walls_.faces[j];
-    if (back.support_m() < options_.min_body_support_m) return std::nullopt;
     if (front.normal().dot(back.normal()) > kOppositeCosine) return std::nullopt;
     WallBody body{i, j, 0.0, {}};
     for (const Stretch& a : covers_[i]) {
@@ -173,6 +171,9 @@ class Builder {
     if (body.thickness_m <= options_.thinnest_m || body.thickness_m > options_.thickest_m) {
       return std::nullopt;
     }
+    const bool is_thin = body.thickness_m <= options_.thin_m;
+    const double least_m = is_thin ? options_.min_thin_support_m : options_.min_body_support_m;
+    if (std::min(front.support_m(), back.support_m()) < least_m) return std::nullopt;
     return body;
   }
 
@@ -203,17 +204,24 @@ class Builder {
 
 }  // namespace
 
-Walls build_walls(std::vector<WallFace> faces, const BuildingEvidence& evidence,
-                  const Occupancy& occupancy, const WallOptions& options) {
+std::vector<WallFace> confirmed_faces(std::vector<WallFace> faces,
+                                      const BuildingEvidence& evidence,
+                                      const WallOptions& options) {
   const bool is_sonar = evidence.kind == SensorKind::sonar;
-  Walls walls;
+  std::vector<WallFace> kept;
   for (WallFace& face : faces) {
     face.seen =
         confirmed(face, evidence.counts, is_sonar ? options.sonar_share : options.laser_share);
     if (face.seen.empty()) continue;
     const double shortest_m = is_sonar ? options.min_sonar_face_m : options.min_laser_face_m;
-    if (face.support_m() >= shortest_m) walls.faces.push_back(std::move(face));
+    if (face.support_m() >= shortest_m) kept.push_back(std::move(face));
   }
+  return kept;
+}
+
+Walls build_walls(std::vector<WallFace> faces, const Occupancy& occupancy,
+                  const WallOptions& options) {
+  Walls walls{std::move(faces), {}};
   for (WallFace& face : walls.faces) {
     face.prominence_m = line_support_m(face, walls.faces, options.same_line_m);
   }

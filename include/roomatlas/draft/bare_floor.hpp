@@ -7,6 +7,8 @@ namespace roomatlas {
 
 struct BareFloorOptions {
   double min_prominence_m = 2.5;  ///< of a line that is a wall's; less takes cupboards for walls
+  double thin_m = 0.25;            ///< between two faces: a wall, however short ...
+  double min_thin_m = 0.8;         ///< ... of both faces together
   double min_face_m = 0.4;        ///< of a face on it
   double furniture_depth_m = 1.2;  ///< what stands against a wall is not deeper
   double furniture_side_m = 3.0;   ///< what stands free, or sticks out of a wall, is not longer

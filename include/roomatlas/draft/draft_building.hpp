@@ -6,6 +6,8 @@
 #include "roomatlas/draft/doors.hpp"
 #include "roomatlas/draft/draft_plan.hpp"
 #include "roomatlas/draft/furniture.hpp"
+#include "roomatlas/draft/join_rooms.hpp"
+#include "roomatlas/draft/wall_gaps.hpp"
 #include "roomatlas/rooms/mapped_building.hpp"
 #include "roomatlas/rooms/partition_rooms.hpp"
 
@@ -18,7 +20,9 @@ struct DraftBuildingOptions {
   OccupancyOptions occupancy;
   WallOptions walls;
   BareFloorOptions bare;
+  WallGapOptions gaps;
   PartitionOptions partition;
+  JoinRoomsOptions join;
   DraftOptions draft;
   DoorOptions doors;
   FurnitureOptions furniture;

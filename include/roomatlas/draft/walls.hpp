@@ -14,7 +14,9 @@ struct WallOptions {
   double min_laser_face_m = 0.25;  ///< what is left of a face after that; shorter ones are none
   double min_sonar_face_m = 0.4;
   double same_line_m = 0.08;     ///< faces this near are on one line of the building
-  double min_body_support_m = 0.6;  ///< of the faces of a wall
+  double min_body_support_m = 0.6;  ///< of the faces of a wall ...
+  double thin_m = 0.25;             ///< ... and of one no thicker than this ...
+  double min_thin_support_m = 0.3;  ///< ... less: beside doors there is little to see
   double thinnest_m = 0.02;
   double thickest_m = 0.45;      ///< larger takes rooms of cupboards for walls
   double nested_m = 0.05;        ///< a wall that much thicker than another on the same face is a
@@ -38,7 +40,13 @@ struct Walls {
   std::vector<WallBody> bodies;  ///< thinnest first
 };
 
-[[nodiscard]] Walls build_walls(std::vector<WallFace> faces, const BuildingEvidence& evidence,
-                                const Occupancy& occupancy, const WallOptions& options);
+/// The faces cut to where the counted cells reflect; those of which too little is left are dropped.
+[[nodiscard]] std::vector<WallFace> confirmed_faces(std::vector<WallFace> faces,
+                                                    const BuildingEvidence& evidence,
+                                                    const WallOptions& options);
+
+/// @param faces confirmed
+[[nodiscard]] Walls build_walls(std::vector<WallFace> faces, const Occupancy& occupancy,
+                                const WallOptions& options);
 
 }  // namespace roomatlas

@@ -71,9 +71,10 @@ bool crosses(const Segment2& a, const Segment2& b) {
 }  // namespace
 
 std::vector<WallChord> find_wall_chords(const OpenFloor& floor,
-                                        const std::vector<WallFace>& faces) {
+                                        const std::vector<FloorSide>& faces,
+                                        const std::vector<Segment2>& known) {
   std::vector<WallChord> found;
-  for (const WallFace& face : faces) {
+  for (const FloorSide& face : faces) {
     const Point2 along = direction(face.heading_rad);
     const Point2 into_floor(-along.y(), along.x());
     for (const auto& [end, away] : {std::pair{face.ends.b, along}, {face.ends.a, Point2(-along)}}) {
@@ -85,8 +86,14 @@ std::vector<WallChord> find_wall_chords(const OpenFloor& floor,
   std::stable_sort(found.begin(), found.end(), [](const WallChord& a, const WallChord& b) {
     return strength(a) > strength(b);
   });
+  std::vector<WallChord> all;
+  for (const Segment2& gap : known) {
+    const Point2 along = (gap.b - gap.a).normalized();
+    all.push_back({gap, wall_support(floor, gap.a, -along), wall_support(floor, gap.b, along)});
+  }
+  all.insert(all.end(), found.begin(), found.end());
   std::vector<WallChord> chords;
-  for (const WallChord& chord : found) {
+  for (const WallChord& chord : all) {
     if (std::none_of(chords.begin(), chords.end(), [&](const WallChord& stronger) {
           return is_same(chord.line, stronger.line) || crosses(chord.line, stronger.line);
         })) {

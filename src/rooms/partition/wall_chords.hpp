@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "wall_faces.hpp"
+#include "floor_sides.hpp"
 #include "wall_support.hpp"
 
 namespace roomatlas {
@@ -18,9 +18,10 @@ struct WallChord {
 };
 
 /// The chords from both ends of each face that walls beyond their ends support, the strongest
-/// first; none crosses a stronger one or runs beside it.
+/// first; none crosses a stronger one or runs beside it. Before them those that are known.
 [[nodiscard]] std::vector<WallChord> find_wall_chords(const OpenFloor& floor,
-                                                      const std::vector<WallFace>& faces);
+                                                      const std::vector<FloorSide>& faces,
+                                                      const std::vector<Segment2>& known);
 
 /// Of each open cell the chord that runs over it, 1, 2, 3 ...; 0: none does.
 [[nodiscard]] Raster<std::int32_t> chord_of_cell(const OpenFloor& floor,

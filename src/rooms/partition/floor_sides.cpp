@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "wall_faces.hpp"
+#include "floor_sides.hpp"
 
 #include <algorithm>
 #include <array>
@@ -106,13 +106,13 @@ std::vector<double> wall_directions_rad(const std::vector<Segment2>& faces) {
   return directions;
 }
 
-std::vector<WallFace> find_wall_faces(const OpenFloor& floor) {
+std::vector<FloorSide> find_floor_sides(const OpenFloor& floor) {
   std::vector<Segment2> edges;
   for (const CellBoundary& boundary : trace_boundaries(floor.open, floor.frame)) {
     add_edges(boundary.edge_midpoints, edges);
   }
   const std::vector<double> directions = wall_directions_rad(edges);
-  std::vector<WallFace> faces;
+  std::vector<FloorSide> faces;
   for (const Segment2& edge : edges) {
     const double length_m = (edge.b - edge.a).norm();
     if (length_m < kMinFaceM) continue;

@@ -8,7 +8,7 @@
 namespace roomatlas {
 
 /// A straight piece of the floor's boundary; the floor lies left of the way from a to b.
-struct WallFace {
+struct FloorSide {
   Segment2 ends;
   double heading_rad = 0.0;  ///< of the way from a to b, along a direction of the building's walls
                              ///< where one is near
@@ -21,6 +21,6 @@ struct WallFace {
 
 /// All faces that are long enough for a wall and follow one of the building's directions, or are
 /// very long; each along its direction.
-[[nodiscard]] std::vector<WallFace> find_wall_faces(const OpenFloor& floor);
+[[nodiscard]] std::vector<FloorSide> find_floor_sides(const OpenFloor& floor);
 
 }  // namespace roomatlas
