@@ -2,14 +2,14 @@
 #include "roomatlas/draft/join_rooms.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
+
+#include "roomatlas/draft/wall_gaps.hpp"
 
 namespace roomatlas {
 namespace {
 
-constexpr std::array kOff_m = {0.4, 0.7, 1.0};  // where the floor on a side is measured
 constexpr double kStep_m = 0.05;
 constexpr double kBeyond_m = 0.5;   // of wall beyond a jamb
 constexpr double kBand_m = 0.1;     // off the opening's line
@@ -17,25 +17,6 @@ constexpr double kBeside_m = 0.3;   // floor beside it: the middle of a block is
 
 bool is_free(const Occupancy& bare, const Point2& at) {
   return bare.free.at(bare.frame.cell_of(at));
-}
-
-/// How far the floor reaches from a point, up to `most_m`.
-double reach_m(const Occupancy& bare, const Point2& from, const Point2& along, double most_m) {
-  double off_m = 0.0;
-  while (off_m < most_m && is_free(bare, from + off_m * along)) off_m += kStep_m;
-  return off_m;
-}
-
-/// Whether the floor on one side is wider than the opening, everywhere near it.
-bool widens(const Occupancy& bare, const Segment2& jambs, const Point2& across, double by_m) {
-  const Point2 middle = (jambs.a + jambs.b) / 2.0;
-  const double width_m = (jambs.b - jambs.a).norm();
-  const Point2 along = (jambs.b - jambs.a) / width_m;
-  const double most_m = width_m / 2.0 + by_m + kStep_m;
-  return std::all_of(kOff_m.begin(), kOff_m.end(), [&](double off_m) {
-    const Point2 at = middle + off_m * across;
-    return reach_m(bare, at, along, most_m) + reach_m(bare, at, -along, most_m) >= width_m + by_m;
-  });
 }
 
 /// The share of the first stretch beyond a jamb that is wall with floor beside it.
@@ -63,10 +44,10 @@ bool parts(const Occupancy& bare, const Opening& opening, const JoinRoomsOptions
   if (width_m <= options.widest_sure_m) return true;
   const Point2 along = (jambs.b - jambs.a) / width_m;
   const Point2 across(-along.y(), along.x());
-  if (widens(bare, jambs, across, options.widening_m) &&
-      widens(bare, jambs, -across, options.widening_m)) {
-    return true;
-  }
+  const bool left = widens(bare.free, bare.frame, jambs, across, options.widening_m);
+  const bool right = widens(bare.free, bare.frame, jambs, -across, options.widening_m);
+  if (left && right) return true;
+  if (!left && !right) return false;  // a cut across a corridor
   return std::min(wall_beyond(bare, jambs.a, -along), wall_beyond(bare, jambs.b, along)) >=
          options.wall_share;
 }
