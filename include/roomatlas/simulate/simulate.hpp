@@ -82,7 +82,8 @@ struct SimulatedStep {
 [[nodiscard]] RangeSensor range_sensor(const SimulationOptions& options);
 
 /// Drives the robot through the world and hands each step to `sink`, in order.
-/// @param world walls and furniture are obstacles; doors are gaps in the walls
+/// @param world walls, furniture and the leaves of open doors are obstacles; doors are gaps in the
+///   walls
 /// Throws InputError when the drive has fewer than two points or passes through a wall (it names
 /// the leg).
 void simulate(const FloorPlan& world, const Drive& drive, const SimulationOptions& options,
