@@ -119,6 +119,10 @@ void add_simulate(CLI::App* command, SimulateArguments& a) {
       ->expected(3)
       ->check(finite())
       ->configurable(false);
+  command
+      ->add_option("--furnish", a.furnish,
+                   "seed of furniture and open door leaves that are put into the rooms first")
+      ->configurable(false);
   output(command, a.out, "folder for mission.clf, truth.tum and truth.geojson");
 }
 

@@ -19,6 +19,7 @@
 #include "roomatlas/io/logs/open_mission.hpp"
 #include "roomatlas/io/maps/read_world.hpp"
 #include "roomatlas/simulate/explore.hpp"
+#include "roomatlas/simulate/furnish.hpp"
 #include "roomatlas/simulate/simulate.hpp"
 
 // Online stage; what it has found, in memory or in a file.
