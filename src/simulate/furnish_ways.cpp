@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "furnish_ways.hpp"
 
+#include "floor_cells.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,45 +14,6 @@ constexpr double kDoorwayM = 0.6;       // of floor around a door line that belo
 constexpr double kDoorMiddleM = 0.1;    // ways lead to there
 constexpr double kLeastPlaceM2 = 0.25;  // smaller places need no wide way; less leaves out more
 constexpr double kRimM = 1.0;           // around the room's box
-
-/// Visits the cells of the box whose middle lies in the polygon (even-odd).
-template <typename Visit>
-void for_each_cell_in(const Polygon& polygon, const CellFrame& frame, const CellBox& box,
-                      Visit visit) {
-  std::vector<std::vector<double>> crossings(static_cast<std::size_t>(box.height()));
-  for (const Segment2& edge : edges_of({polygon})) {
-    const bool rises = edge.a.y() < edge.b.y();
-    const Point2& low = rises ? edge.a : edge.b;
-    const Point2& high = rises ? edge.b : edge.a;
-    const double first = std::ceil(low.y() / frame.cell_m - 0.5);
-    const double last = std::ceil(high.y() / frame.cell_m - 0.5) - 1.0;
-    const int from = static_cast<int>(std::max<double>(first, box.min.y));
-    const int to = static_cast<int>(std::min<double>(last, box.max.y - 1));
-    for (int y = from; y <= to; ++y) {
-      const double share = (frame.center_of({0, y}).y() - low.y()) / (high.y() - low.y());
-      crossings[static_cast<std::size_t>(y - box.min.y)].push_back(low.x() +
-                                                                   share * (high.x() - low.x()));
-    }
-  }
-  for (int y = box.min.y; y < box.max.y; ++y) {
-    auto& row = crossings[static_cast<std::size_t>(y - box.min.y)];
-    std::sort(row.begin(), row.end());
-    for (std::size_t i = 0; i + 1 < row.size(); i += 2) {
-      const int from = static_cast<int>(std::ceil(row[i] / frame.cell_m - 0.5));
-      const int to = static_cast<int>(std::ceil(row[i + 1] / frame.cell_m - 0.5));
-      for (int x = std::max(from, box.min.x); x < std::min(to, box.max.x); ++x) visit(Cell{x, y});
-    }
-  }
-}
-
-/// The cells of the box whose middle may lie nearer than `radius_m` to the points.
-CellBox around(const Ring& points, double radius_m, const CellFrame& frame, const CellBox& box) {
-  const Box2 bound = bounds(points);
-  const Cell low = frame.cell_of(bound.min - Point2::Constant(radius_m));
-  const Cell high = frame.cell_of(bound.max + Point2::Constant(radius_m));
-  return {{std::max(low.x, box.min.x), std::max(low.y, box.min.y)},
-          {std::min(high.x + 1, box.max.x), std::min(high.y + 1, box.max.y)}};
-}
 
 CellBox box_of(const PlanRoom& room, const CellFrame& frame) {
   Box2 bound;
@@ -97,7 +60,7 @@ void RoomWays::mark_floor(const FloorPlan& world, const PlanRoom& room) {
   for (const PlanDoor& door : world.doors) {
     if (!leads_to(door, room.id)) continue;
     const Point2 middle = (door.jambs.a + door.jambs.b) / 2.0;
-    for_each_cell(around({door.jambs.a, door.jambs.b}, kDoorwayM, frame_, box_),
+    for_each_cell(cells_around({door.jambs.a, door.jambs.b}, kDoorwayM, frame_, box_),
                   [&](const Cell& cell) {
                     const Point2 at = frame_.center_of(cell);
                     if (distance(door.jambs, at) <= kDoorwayM) open(cell);
@@ -108,7 +71,7 @@ void RoomWays::mark_floor(const FloorPlan& world, const PlanRoom& room) {
 }
 
 void RoomWays::close_near(const Segment2& edge, double radius_m) {
-  for_each_cell(around({edge.a, edge.b}, radius_m, frame_, box_), [&](const Cell& cell) {
+  for_each_cell(cells_around({edge.a, edge.b}, radius_m, frame_, box_), [&](const Cell& cell) {
     if (distance(edge, frame_.center_of(cell)) < radius_m) flags_[box_.index_of(cell)] = 0;
   });
 }
@@ -172,7 +135,7 @@ bool RoomWays::hangs_together(std::uint8_t flag, std::size_t least_cells) {
 bool RoomWays::add(const Ring& outline, double way_clearance_m) {
   std::vector<std::pair<std::size_t, std::uint8_t>> before;
   const double reach_m = std::max(turning_m_, way_clearance_m);
-  for_each_cell(around(outline, reach_m, frame_, box_), [&](const Cell& cell) {
+  for_each_cell(cells_around(outline, reach_m, frame_, box_), [&](const Cell& cell) {
     const Point2 at = frame_.center_of(cell);
     const double away_m = contains(outline, at) ? 0.0 : distance_to_boundary(outline, at);
     std::uint8_t& flags = flags_[box_.index_of(cell)];
