@@ -113,6 +113,8 @@ void add_simulate(CLI::App* command, SimulateArguments& a) {
       ->configurable(false);
   command->add_option("--drive", a.drive, "way-points; without them the robot explores by itself")
       ->configurable(false);
+  command->add_flag("--tour", a.tour, "drive through all rooms as somebody who knows them would")
+      ->configurable(false);
   command
       ->add_option("--start", a.start, "where the exploring robot starts: x,y in m, heading in deg")
       ->delimiter(',')

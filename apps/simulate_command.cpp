@@ -16,6 +16,7 @@
 #include "roomatlas/io/trajectories/tum.hpp"
 #include "roomatlas/simulate/explore.hpp"
 #include "roomatlas/simulate/furnish.hpp"
+#include "roomatlas/simulate/tour.hpp"
 #include "roomatlas/simulate/world.hpp"
 
 namespace roomatlas::apps {
@@ -119,10 +120,17 @@ void simulate(const Settings& settings, const SimulateArguments& arguments) {
   }
   if (arguments.random_rooms)
     return simulate_rooms(settings, *arguments.random_rooms, arguments.out);
+  if (arguments.tour && !arguments.drive.empty()) {
+    throw UsageError("simulate: expected either --drive FILE or --tour");
+  }
   FloorPlan world = sound_world(arguments);
-  const Task task = task_in(world, settings, arguments);
+  Task task = task_in(world, settings, arguments);
   if (arguments.furnish) {
     world = furnished_for(task, std::move(world), *arguments.furnish, settings.simulation);
+  }
+  if (arguments.tour) {
+    task.drive = tour(world, task.explore.world_from_start->position(),
+                      {settings.simulation.footprint, TourOptions{}.view_m});
   }
   make_folder(arguments.out);
   for (const char* name : {"mission.clf", "truth.tum", "truth.geojson"}) {
@@ -130,7 +138,7 @@ void simulate(const Settings& settings, const SimulateArguments& arguments) {
   }
   MissionFiles files(settings, arguments.out);
   const auto write = [&](const SimulatedStep& step) { files.write(step); };
-  if (arguments.drive.empty()) {
+  if (task.drive.empty() && arguments.drive.empty()) {
     report(explore(world, settings.simulation, task.explore, write), world, settings.json);
   } else {
     roomatlas::simulate(world, task.drive, settings.simulation, write);

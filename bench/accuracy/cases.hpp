@@ -51,11 +51,12 @@ inline Case simulated(const std::string& world, const std::string& sensor, bool 
           ""};
 }
 
-/// A building of the labelled maps of rooms/, as it is or furnished.
+/// A building of the labelled maps of rooms/, as it is or furnished, on a tour of its rooms.
 inline Case labelled_building(const std::string& map, const std::string& sensor, bool furnished) {
   Case one = simulated("", sensor, true);
   one.name = "building " + map + (furnished ? ", furnished, " : ", ") + sensor;
   one.map = map;
+  one.simulation.push_back("--tour");
   if (furnished) one.simulation.insert(one.simulation.end(), {"--furnish", "1"});
   return one;
 }

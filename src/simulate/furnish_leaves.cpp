@@ -21,7 +21,9 @@ constexpr double kShorterM = 0.04;     // than the door is wide
 constexpr double kBesideJambM = 0.05;  // where the wall's face is looked for
 constexpr double kThickestWallM = 0.6;
 constexpr double kFaceStepM = 0.01;
-constexpr int kTries = 8;  // side, jamb and angle
+constexpr double kHalfWayM = 0.38;  // from the leaf to the middle of the way past it, where a robot
+                                    // that turns needs 0.30: less makes doors that few get through
+constexpr int kTries = 8;           // side, jamb and angle
 
 bool is_in(const std::vector<Polygon>& polygons, const Point2& point) {
   return std::any_of(polygons.begin(), polygons.end(),
@@ -94,7 +96,7 @@ void open_some_doors(FloorPlan& world, std::uint64_t seed, double share, Furnish
       const PlanRoom* room = room_at(world, door, (leaf->a + leaf->b) / 2.0);
       const Ring outline = leaf_outline(*leaf);
       if (room == nullptr || !site.has_place_for_leaf(outline)) continue;
-      if (!ways.at(room->id).add(outline, 0.0)) continue;
+      if (!ways.at(room->id).add(outline, kHalfWayM)) continue;
       site.add(outline);
       door.leaf = leaf;
     }

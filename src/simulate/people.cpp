@@ -29,7 +29,7 @@ People::People(const FloorPlan& world, const SimulationOptions& options, const P
                   kPersonRadius_m + kTouchMarginM),
       random_(options.seed, "people") {
   if (options.people == 0) return;
-  ways_.emplace(world, robot);
+  ways_.emplace(world, robot, WalkOptions{});
   people_.resize(static_cast<std::size_t>(options.people));
   for (Person& person : people_) {
     person.speed_m_per_s = between(kSlowestMPerS, kFastestMPerS);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -11,10 +12,16 @@
 
 namespace roomatlas {
 
-/// Where people can walk in a world: the floor that hangs together with one place.
+struct WalkOptions {
+  double cell_m = 0.1;       ///< larger misses doors
+  double clearance_m = 0.3;  ///< of one's middle from all that stands, less most of a cell
+  double easy_m = 0.6;       ///< nearer to walls one goes only where one must
+};
+
+/// Where one can go in a world: the floor that hangs together with one place.
 class WalkWays {
  public:
-  WalkWays(const FloorPlan& world, const Point2& start);
+  WalkWays(const FloorPlan& world, const Point2& start, const WalkOptions& options);
 
   /// One of all places to walk on.
   /// @param share which, [0, 1)
@@ -22,7 +29,12 @@ class WalkWays {
   /// A way of about this length; shorter where the floor ends. Empty where nobody can walk.
   /// @param share which of the ends that are that far away, [0, 1)
   [[nodiscard]] Polyline way_from(const Point2& from, double length_m, double share);
+  /// The way to the nearest of some places, its corners alone. Empty where none is reached.
+  [[nodiscard]] Polyline way_to_nearest(const Point2& from,
+                                        const std::function<bool(const Point2&)>& is_goal);
   [[nodiscard]] bool is_walked(const Point2& at) const;
+  /// All places, a cell apart, row by row.
+  [[nodiscard]] std::vector<Point2> places() const;
 
  private:
   struct Visit {
@@ -33,9 +45,14 @@ class WalkWays {
   };
   /// The cell of a place, or the nearest one beside it that can be walked on.
   [[nodiscard]] std::optional<Cell> cell_near(const Point2& at) const;
-  /// Cells in the order of their distance, up to `length_m` (Dijkstra 1959).
-  [[nodiscard]] std::vector<Cell> cells_within(const Cell& start, double length_m);
+  /// Visits cells in the order of their distance from `start`, with that distance, until `visit`
+  /// returns false (Dijkstra 1959).
+  void search(const Cell& start, const std::function<bool(const Cell&, double)>& visit);
+  [[nodiscard]] Polyline way_to(Cell cell, const Cell& start) const;
+  [[nodiscard]] Polyline straightened(const Polyline& way) const;
+  [[nodiscard]] double clearance_between(const Point2& from, const Point2& to) const;
 
+  WalkOptions options_;
   CellFrame frame_;
   Raster<float> clearance_;  ///< metres, of the middle of each cell
   std::vector<Cell> cells_;  ///< that are walked on, row by row

@@ -112,6 +112,17 @@ TEST(Simulate, FurnitureKeepsClearOfADrive) {
   EXPECT_GT(leaves, 2);
 }
 
+TEST(Simulate, ATourIsDrivenInTheFurnishedWorld) {
+  const Folder folder;
+  const std::string world = kWorlds + "eight_rooms.geojson --furnish 1 --tour --speed 2 ";
+  const Outcome outcome = run("-q simulate " + world + "-o " + (folder / "out").string());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_GT(content_of(folder / "out" / "truth.tum").size(), 10000U);
+  const Outcome both = run("-q simulate " + world + "--drive " + kWorlds + "eight_rooms.drive -o " +
+                           (folder / "both").string());
+  EXPECT_EQ(both.exit_code, 2) << both.err;
+}
+
 TEST(Simulate, AWorldWithoutRoomsIsNotFurnished) {
   const std::string world = R"({"type":"FeatureCollection","roomatlas":{"schema":"plan","version":1,
     "units":"m"},"features":[{"type":"Feature","properties":{"kind":"wall"},"geometry":{
