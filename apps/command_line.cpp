@@ -113,11 +113,17 @@ void add_simulate(CLI::App* command, SimulateArguments& a) {
       ->configurable(false);
   command->add_option("--drive", a.drive, "way-points; without them the robot explores by itself")
       ->configurable(false);
+  command->add_flag("--tour", a.tour, "drive through all rooms as somebody who knows them would")
+      ->configurable(false);
   command
       ->add_option("--start", a.start, "where the exploring robot starts: x,y in m, heading in deg")
       ->delimiter(',')
       ->expected(3)
       ->check(finite())
+      ->configurable(false);
+  command
+      ->add_option("--furnish", a.furnish,
+                   "seed of furniture and open door leaves that are put into the rooms first")
       ->configurable(false);
   output(command, a.out, "folder for mission.clf, truth.tum and truth.geojson");
 }

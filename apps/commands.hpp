@@ -24,7 +24,9 @@ struct SimulateArguments {
   Path world;
   WorldFileOptions file;                     ///< of a world that is a picture
   Path drive;                                ///< empty: the robot explores
+  bool tour = false;                         ///< through all rooms, instead of a drive
   std::vector<double> start;                 ///< x and y in metres, heading in degrees; or empty
+  std::optional<std::uint64_t> furnish;      ///< seed of the furniture that is put in
   std::optional<std::int64_t> random_rooms;  ///< instead of a world
   Path out;
 };

@@ -279,6 +279,8 @@ void add_simulation(Parameters& all, Settings& settings) {
   stage.add("laser-noise", simulation.laser.range_noise_m, "m; standard deviation of a range", 0.0,
             1.0);
   stage.add("laser-dropout", simulation.laser.dropout_share, "share of lost beams", 0.0, 1.0);
+  stage.add("people", simulation.people,
+            "how many walk about, are seen by the sensor and make way for the robot", 0.0, 1000.0);
   stage.add("max-time", settings.explore.max_time_s, "s; the robot's own drive ends then", 1.0,
             1e6);
   stage.choice("explore-on", settings.explore.on_odometry,

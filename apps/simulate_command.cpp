@@ -15,6 +15,8 @@
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/trajectories/tum.hpp"
 #include "roomatlas/simulate/explore.hpp"
+#include "roomatlas/simulate/furnish.hpp"
+#include "roomatlas/simulate/tour.hpp"
 #include "roomatlas/simulate/world.hpp"
 
 namespace roomatlas::apps {
@@ -78,25 +80,68 @@ std::optional<Pose2> start_of(const std::vector<double>& start) {
 
 }  // namespace
 
+/// What the robot is to do in the world.
+struct Task {
+  Drive drive;  ///< empty: it explores
+  ExploreOptions explore;
+};
+
+/// The drive is read and the start chosen in the empty rooms, so that furniture keeps clear of
+/// them.
+Task task_in(const FloorPlan& world, const Settings& settings, const SimulateArguments& arguments) {
+  Task task{{}, settings.explore};
+  if (!arguments.drive.empty()) {
+    task.drive = read_drive(arguments.drive);
+    return task;
+  }
+  task.explore.world_from_start = start_of(arguments.start);
+  if (!task.explore.world_from_start) {
+    task.explore.world_from_start = default_start(world, settings.simulation.footprint);
+  }
+  return task;
+}
+
+FloorPlan furnished_for(const Task& task, FloorPlan world, std::uint64_t seed,
+                        const SimulationOptions& simulation) {
+  FurnishOptions options;
+  options.footprint = simulation.footprint;
+  options.route = task.drive;
+  if (task.drive.empty()) options.route = {task.explore.world_from_start->position()};
+  const std::size_t pieces = world.furniture.size();
+  world = furnished(std::move(world), seed, options);
+  spdlog::info("{} bodies of furniture put in, {} doors stand open",
+               world.furniture.size() - pieces, open_leaves(world).size());
+  return world;
+}
+
 void simulate(const Settings& settings, const SimulateArguments& arguments) {
   if (arguments.world.empty() == !arguments.random_rooms) {
     throw UsageError("simulate: expected either WORLD or --random-rooms N");
   }
   if (arguments.random_rooms)
     return simulate_rooms(settings, *arguments.random_rooms, arguments.out);
-  const FloorPlan world = sound_world(arguments);
-  ExploreOptions explore_options = settings.explore;
-  explore_options.world_from_start = start_of(arguments.start);
+  if (arguments.tour && !arguments.drive.empty()) {
+    throw UsageError("simulate: expected either --drive FILE or --tour");
+  }
+  FloorPlan world = sound_world(arguments);
+  Task task = task_in(world, settings, arguments);
+  if (arguments.furnish) {
+    world = furnished_for(task, std::move(world), *arguments.furnish, settings.simulation);
+  }
+  if (arguments.tour) {
+    task.drive = tour(world, task.explore.world_from_start->position(),
+                      {settings.simulation.footprint, TourOptions{}.view_m});
+  }
   make_folder(arguments.out);
   for (const char* name : {"mission.clf", "truth.tum", "truth.geojson"}) {
     require_output_file(arguments.out / name, {arguments.world, arguments.drive});
   }
   MissionFiles files(settings, arguments.out);
   const auto write = [&](const SimulatedStep& step) { files.write(step); };
-  if (arguments.drive.empty()) {
-    report(explore(world, settings.simulation, explore_options, write), world, settings.json);
+  if (task.drive.empty() && arguments.drive.empty()) {
+    report(explore(world, settings.simulation, task.explore, write), world, settings.json);
   } else {
-    roomatlas::simulate(world, read_drive(arguments.drive), settings.simulation, write);
+    roomatlas::simulate(world, task.drive, settings.simulation, write);
   }
   files.finish(world);
 }

@@ -2,8 +2,9 @@
 // The tables of docs/evaluation.md: all recorded logs and worlds, mapped in every variant by the
 // built program itself. Markdown on stdout, times and what is going on on stderr.
 //
-//   bench_accuracy [--slow] [NAME...]    NAME: cases that begin so; without any all that are not
-//   slow
+//   bench_accuracy [--slow] [--full] [NAME...]
+//     NAME    cases that begin so; without any all that are not slow
+//     --full  the full variant alone
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -25,6 +26,7 @@ const fs::path kOut = kSource / "out" / "accuracy";
 
 struct Choice {
   bool with_slow = false;
+  bool full_alone = false;
   std::vector<std::string> names;
 
   [[nodiscard]] bool includes(const Case& one) const {
@@ -65,9 +67,18 @@ Mission recorded_mission(const Case& one) {
   return mission;
 }
 
+/// What names the world to `roomatlas simulate`.
+Words world_of(const Case& one, const fs::path& worlds) {
+  if (one.map.empty()) return {(worlds / (one.world + ".geojson")).string()};
+  const fs::path map = recorded_data() / "rooms" / one.map / one.map;
+  return {map.string() + ".pgm.gz", "--room-labels", map.string() + "_gt_labels.pgm.gz",
+          "--resolution", "0.05"};
+}
+
 Mission simulated_mission(const Case& one, const fs::path& folder) {
   const fs::path worlds = kSource / "data" / "worlds";
-  Words arguments = {"simulate", (worlds / (one.world + ".geojson")).string()};
+  Words arguments = world_of(one, worlds);
+  arguments.insert(arguments.begin(), "simulate");
   for (const std::string& flag : one.simulation) {
     arguments.push_back(flag.ends_with(".drive") ? (worlds / flag).string() : flag);
   }
@@ -94,12 +105,12 @@ Mapped mapped(const Case& one, const Variant& variant, const Mission& mission,
 }
 
 /// Every variant of one case; what cannot be measured says why, and the rest goes on.
-void measure(const Case& one, std::vector<Mapped>& all) {
+void measure(const Case& one, bool full_alone, std::vector<Mapped>& all) {
   const fs::path folder = kOut / plain(one.name);
   fs::remove_all(folder);  // `build` would go on with an older map
   fs::create_directories(folder / "mission");
   const Mission mission =
-      one.world.empty() ? recorded_mission(one) : simulated_mission(one, folder / "mission");
+      one.log.empty() ? simulated_mission(one, folder / "mission") : recorded_mission(one);
   if (!mission.failure.empty()) {
     all.push_back(not_measured(one, "", mission.failure));
     std::fprintf(stderr, "%s: %s\n", one.name.c_str(), mission.failure.c_str());
@@ -107,6 +118,7 @@ void measure(const Case& one, std::vector<Mapped>& all) {
   }
   bool is_first = true;
   for (const Variant& variant : variants()) {
+    if (full_alone && &variant != &variants().front()) break;
     all.push_back(mapped(one, variant, mission, folder / plain(variant.name)));
     Mapped& latest = all.back();
     std::fprintf(stderr, "%s, %s: %.1f s %s\n", one.name.c_str(), variant.name.c_str(),
@@ -124,13 +136,15 @@ int main(int argc, char** argv) {
     const std::string word = argv[i];
     if (word == "--slow") {
       choice.with_slow = true;
+    } else if (word == "--full") {
+      choice.full_alone = true;
     } else {
       choice.names.push_back(word);
     }
   }
   std::vector<Mapped> all;
   for (const Case& one : cases()) {
-    if (choice.includes(one)) measure(one, all);
+    if (choice.includes(one)) measure(one, choice.full_alone, all);
   }
   if (all.empty()) {
     std::fprintf(stderr, "no case begins with that; bench/accuracy/cases.hpp has their names\n");

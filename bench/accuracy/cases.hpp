@@ -25,6 +25,7 @@ struct Case {
   Words truth;        ///< files below the folder of recorded data
   Words flags;        ///< of `roomatlas build`: how truth and mission are brought together
   bool is_slow = false;
+  std::string map{};  ///< a labelled map in rooms/ of the recorded data, instead of a world
 };
 
 inline const std::vector<Variant>& variants() {
@@ -46,7 +47,18 @@ inline Case simulated(const std::string& world, const std::string& sensor, bool 
           {"--odometry", "typical", "--sensor", sensor, "--seed", "1"},
           {},
           {},
-          is_slow};
+          is_slow,
+          ""};
+}
+
+/// A building of the labelled maps of rooms/, as it is or furnished, on a tour of its rooms.
+inline Case labelled_building(const std::string& map, const std::string& sensor, bool furnished) {
+  Case one = simulated("", sensor, true);
+  one.name = "building " + map + (furnished ? ", furnished, " : ", ") + sensor;
+  one.map = map;
+  one.simulation.push_back("--tour");
+  if (furnished) one.simulation.insert(one.simulation.end(), {"--furnish", "1"});
+  return one;
 }
 
 /// In the order of the tables.
@@ -83,6 +95,15 @@ inline std::vector<Case> cases() {
   }
   all.push_back(simulated("afit_floor", "sonar", true));
   all.push_back(simulated("afit_floor", "laser", true));
+  for (const char* map :
+       {"Freiburg52_scan", "Freiburg79_scan", "NLB", "lab_a_scan", "lab_b_scan", "lab_c_scan",
+        "lab_d_scan", "office_a", "office_c", "office_d", "office_f", "office_g", "office_i"}) {
+    for (const bool furnished : {false, true}) {
+      for (const char* sensor : {"laser", "sonar"}) {
+        all.push_back(labelled_building(map, sensor, furnished));
+      }
+    }
+  }
   return all;
 }
 

@@ -19,7 +19,9 @@
 #include "roomatlas/io/logs/open_mission.hpp"
 #include "roomatlas/io/maps/read_world.hpp"
 #include "roomatlas/simulate/explore.hpp"
+#include "roomatlas/simulate/furnish.hpp"
 #include "roomatlas/simulate/simulate.hpp"
+#include "roomatlas/simulate/tour.hpp"
 
 // Online stage; what it has found, in memory or in a file.
 #include "roomatlas/asr/memory_store.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "obstacles.hpp"
+#include "roomatlas/simulate/world.hpp"
 #include "route.hpp"
 
 #include <algorithm>
@@ -69,6 +70,7 @@ void require_clear(const FloorPlan& world, const std::vector<Leg>& legs, double 
   for (const Leg& leg : legs) {
     require_clear(world.walls, "a wall", leg, clearance_m);
     require_clear(outlines_of(world.furniture), "furniture", leg, clearance_m);
+    require_clear(open_leaves(world), "an open door leaf", leg, clearance_m);
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "obstacles.hpp"
 
+#include "roomatlas/simulate/world.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,6 +28,14 @@ void append_edges(const Ring& ring, std::vector<Segment2>& edges) {
 
 }  // namespace
 
+std::vector<Polygon> bodies_of(const FloorPlan& world) {
+  std::vector<Polygon> bodies = world.walls;
+  for (const auto& more : {outlines_of(world.furniture), open_leaves(world)}) {
+    bodies.insert(bodies.end(), more.begin(), more.end());
+  }
+  return bodies;
+}
+
 std::vector<Segment2> edges_of(const std::vector<Polygon>& polygons) {
   std::vector<Segment2> edges;
   for (const Polygon& polygon : polygons) {
@@ -40,10 +50,9 @@ ObstacleIndex::Bucket ObstacleIndex::bucket_of(const Point2& point) {
           static_cast<int>(std::floor(point.y() / kBucketM))};
 }
 
-ObstacleIndex::ObstacleIndex(const FloorPlan& world) : edges_(edges_of(world.walls)) {
-  const std::vector<Polygon> outlines = outlines_of(world.furniture);
-  const std::vector<Segment2> furniture = edges_of(outlines);
-  edges_.insert(edges_.end(), furniture.begin(), furniture.end());
+ObstacleIndex::ObstacleIndex(const FloorPlan& world) {
+  const std::vector<Polygon> bodies = bodies_of(world);
+  edges_ = edges_of(bodies);
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     const Segment2& edge = edges_[i];
     const auto [min_x, min_y] = bucket_of(edge.a.cwiseMin(edge.b));
@@ -55,11 +64,9 @@ ObstacleIndex::ObstacleIndex(const FloorPlan& world) : edges_(edges_of(world.wal
       }
     }
   }
-  for (const auto* polygons : {&world.walls, &outlines}) {
-    for (const Polygon& polygon : *polygons) {
-      add_corners(normalized(polygon.outer, true));
-      for (const Ring& hole : polygon.holes) add_corners(normalized(hole, false));
-    }
+  for (const Polygon& body : bodies) {
+    add_corners(normalized(body.outer, true));
+    for (const Ring& hole : body.holes) add_corners(normalized(hole, false));
   }
 }
 

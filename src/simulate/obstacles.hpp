@@ -12,6 +12,9 @@
 
 namespace roomatlas {
 
+/// All that a robot may run into: walls, furniture, leaves of doors that stand open, in this order.
+[[nodiscard]] std::vector<Polygon> bodies_of(const FloorPlan& world);
+
 /// All edges of some polygons, those of holes included and those of no length left out.
 [[nodiscard]] std::vector<Segment2> edges_of(const std::vector<Polygon>& polygons);
 
@@ -21,9 +24,9 @@ struct Obstacles {
   std::vector<Point2> corners;  ///< convex ones that stand free, such as door jambs
 };
 
-/// The walls and furniture of a world in square buckets, so that what is near a point is found
-/// without looking at the whole building. Casting the rays of one sweep against these few costs
-/// less than walking a grid does at the ranges of a sonar.
+/// The walls, furniture and open leaves of a world in square buckets, so that what is near a point
+/// is found without looking at the whole building. Casting the rays of one sweep against these few
+/// costs less than walking a grid does at the ranges of a sonar.
 class ObstacleIndex {
  public:
   explicit ObstacleIndex(const FloorPlan& world);

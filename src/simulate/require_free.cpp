@@ -44,6 +44,7 @@ NearestObstacle nearest_obstacle(const FloorPlan& world, const Point2& point) {
   NearestObstacle best;
   update(world.walls, point, "wall", best);
   update(outlines_of(world.furniture), point, "piece of furniture", best);
+  update(open_leaves(world), point, "open door leaf", best);
   return best;
 }
 

@@ -26,6 +26,7 @@ void require_sound(const SimulationOptions& options) {
   require(positive(options.sonar_max_range_m), "sonar_max_range_m > 0");
   require(positive(options.laser_max_range_m), "laser_max_range_m > 0");
   require(within(options.sonar_cone_deg, 0.0, 179.0), "sonar_cone_deg in [0, 179]");
+  require(options.people >= 0 && options.people <= 1000, "people in [0, 1000]");
   require(positive(options.footprint.length_m), "footprint.length_m > 0");
   require(positive(options.footprint.width_m), "footprint.width_m > 0");
 

@@ -46,6 +46,7 @@ Robot::Robot(const FloorPlan& world, const SimulationOptions& options,
              const Pose2& world_from_start)
     : options_(options),
       obstacles_(world),
+      people_(world, options, world_from_start.position()),
       sensor_(std::make_shared<const RangeSensor>(range_sensor(options))),
       odometer_(options.odometry, options.seed),
       reader_(options),
@@ -70,6 +71,7 @@ SimulatedStep Robot::step(const std::vector<Motion>& motions) {
     odometry.turn_rate_rad_per_s += reported.turn_rad * options_.rate_hz;
   }
   world_from_robot_ = after(motions, world_from_robot_);
+  people_.step(world_from_robot_.position());
   periods_ += 1.0;
   return sense(odometry);
 }
@@ -77,13 +79,16 @@ SimulatedStep Robot::step(const std::vector<Motion>& motions) {
 SimulatedStep Robot::sense(OdometryStep odometry) {
   odometry.timestamp_s = options_.start_timestamp_s + periods_ / options_.rate_hz;
   odometry.odom_from_robot = odometer_.odom_from_robot();
-  const auto near = obstacles_.within(world_from_robot_.position(),
-                                      sensor_->max_range_m + reach_of(options_.footprint));
+  auto near = obstacles_.within(world_from_robot_.position(),
+                                sensor_->max_range_m + reach_of(options_.footprint));
+  const std::vector<Segment2> people = people_.edges();
+  near.edges.insert(near.edges.end(), people.begin(), people.end());
   SimulatedStep step;
   step.odometry = odometry;
   step.reading = {odometry.timestamp_s, odometry.odom_from_robot, sensor_,
                   reader_.read(near, world_from_robot_, *sensor_)};
   step.truth = {odometry.timestamp_s, world_from_robot_};
+  step.people = people_.places();
   return step;
 }
 

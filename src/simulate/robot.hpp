@@ -3,6 +3,7 @@
 
 #include "obstacles.hpp"
 #include "odometer.hpp"
+#include "people.hpp"
 #include "range_reader.hpp"
 #include "roomatlas/simulate/simulate.hpp"
 #include "route.hpp"
@@ -24,10 +25,12 @@ class Robot {
   /// Senses where the robot stands, at time 0. Call once, first.
   [[nodiscard]] SimulatedStep start();
 
-  /// Makes the motions of one period, whatever is in the way, and senses where they end.
+  /// Makes the motions of one period, whatever is in the way, and senses where they end. People
+  /// walk on meanwhile.
   [[nodiscard]] SimulatedStep step(const std::vector<Motion>& motions);
 
-  /// Whether the robot's rectangle would stand in an obstacle after these motions.
+  /// Whether the robot's rectangle would stand in an obstacle after these motions. People are
+  /// none: they make way.
   [[nodiscard]] bool would_touch(const std::vector<Motion>& motions) const;
 
   [[nodiscard]] const Pose2& world_from_robot() const { return world_from_robot_; }
@@ -37,6 +40,7 @@ class Robot {
 
   SimulationOptions options_;
   ObstacleIndex obstacles_;
+  People people_;
   std::shared_ptr<const RangeSensor> sensor_;
   Odometer odometer_;
   RangeReader reader_;

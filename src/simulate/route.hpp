@@ -19,7 +19,7 @@ struct Leg {
 /// a way-point that is not finite or where fewer than two points differ.
 [[nodiscard]] std::vector<Leg> legs_of(const Drive& drive);
 
-/// Throws InputError naming the first leg that enters a wall or furniture, or comes closer to
+/// Throws InputError naming the first leg that enters a wall, furniture or an open leaf, or comes closer to
 /// one than `clearance_m`.
 void require_clear(const FloorPlan& world, const std::vector<Leg>& legs, double clearance_m);
 

@@ -75,6 +75,62 @@ TEST(Simulate, TheSameSeedGivesTheSameBytesAndAnotherSeedOthers) {
   EXPECT_NE(content_of(folder / "a" / "mission.clf"), content_of(folder / "c" / "mission.clf"));
 }
 
+/// Of the true plan in a folder: pieces of furniture, and doors that stand open.
+std::pair<std::int64_t, std::int64_t> furnishing(const std::filesystem::path& folder) {
+  const Json truth = Json::parse(content_of(folder / "truth.geojson"));
+  std::pair<std::int64_t, std::int64_t> found;
+  for (const Json& feature : truth["features"]) {
+    if (feature["properties"]["kind"] == "furniture") ++found.first;
+    if (feature["properties"].contains("leaf")) ++found.second;
+  }
+  return found;
+}
+
+TEST(Simulate, FurnitureAndPeopleComeBySeedAndFurnitureIsInTheTruth) {
+  const Folder folder;
+  const std::string world = kWorlds + "two_rooms.geojson --sensor laser --max-time 30 ";
+  simulated(world + "--furnish 3 --people 2", folder / "a");
+  simulated(world + "--furnish 3 --people 2", folder / "b");
+  simulated(world + "--furnish 3", folder / "alone");
+  simulated(world, folder / "empty");
+  EXPECT_TRUE(same_files(folder / "a", folder / "b"));
+  EXPECT_GE(furnishing(folder / "a").first, 8);
+  EXPECT_EQ(furnishing(folder / "empty"), std::pair(std::int64_t{0}, std::int64_t{0}));
+  EXPECT_EQ(content_of(folder / "a" / "truth.geojson"),
+            content_of(folder / "alone" / "truth.geojson"));
+  EXPECT_NE(content_of(folder / "a" / "mission.clf"), content_of(folder / "alone" / "mission.clf"));
+}
+
+TEST(Simulate, FurnitureKeepsClearOfADrive) {
+  const Folder folder;
+  const Outcome outcome =
+      run("-q simulate " + kWorlds + "eight_rooms.geojson --furnish 1 --drive " + kWorlds +
+          "eight_rooms.drive -o " + (folder / "out").string());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto [pieces, leaves] = furnishing(folder / "out");
+  EXPECT_GT(pieces, 50);
+  EXPECT_GT(leaves, 2);
+}
+
+TEST(Simulate, ATourIsDrivenInTheFurnishedWorld) {
+  const Folder folder;
+  const std::string world = kWorlds + "eight_rooms.geojson --furnish 1 --tour --speed 2 ";
+  const Outcome outcome = run("-q simulate " + world + "-o " + (folder / "out").string());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_GT(content_of(folder / "out" / "truth.tum").size(), 10000U);
+  const Outcome both = run("-q simulate " + world + "--drive " + kWorlds + "eight_rooms.drive -o " +
+                           (folder / "both").string());
+  EXPECT_EQ(both.exit_code, 2) << both.err;
+}
+
+TEST(Simulate, AWorldWithoutRoomsIsNotFurnished) {
+  const std::string world = R"({"type":"FeatureCollection","roomatlas":{"schema":"plan","version":1,
+    "units":"m"},"features":[{"type":"Feature","properties":{"kind":"wall"},"geometry":{
+    "type":"Polygon","coordinates":[[[-0.2,-0.2],[4.2,-0.2],[4.2,4.2],[-0.2,4.2],[-0.2,-0.2]],
+                                    [[0,0],[0,4],[4,4],[4,0],[0,0]]]}}]})";
+  expect_refusal(world, "--start 2,2,0 --furnish 1", 3, "no rooms");
+}
+
 TEST(Simulate, AnExploringRobotReportsWhatItEnteredAndTouched) {
   const Folder folder;
   for (const char* belief : {"truth", "odometry"}) {

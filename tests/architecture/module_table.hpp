@@ -32,7 +32,7 @@ inline const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"assembly", {"plan", "asr", "graph", "sonar", "correct", "loops", "mission"}},
     {"evaluate", {"core", "plan", "polyline", "asr", "correct", "planar"}},
     {"draw", {"core", "plan", "asr"}},
-    {"simulate", {"core", "plan", "mission", "grid", "asr", "planar"}},
+    {"simulate", {"core", "plan", "mission", "grid", "polyline", "asr", "planar"}},
     {"pipeline",
      {"core", "mission", "odometry", "match", "asr", "graph", "sonar", "correct", "loops", "rooms",
       "draft", "merge", "assembly", "evaluate"}},

@@ -25,9 +25,14 @@ PlanRoom room(RoomId id, const std::string& name, const Ring& outline) {
 
 PlanDoor door(std::int64_t id, std::optional<RoomId> a, std::optional<RoomId> b, double x,
               double y) {
-  return {id,  {{x, y - 0.45}, {x, y + 0.45}},
-          0.9, rectangle(x - 0.1, y - 0.45, x + 0.1, y + 0.45),
-          a,   b};
+  return {id,
+          {{x, y - 0.45}, {x, y + 0.45}},
+          0.9,
+          rectangle(x - 0.1, y - 0.45, x + 0.1, y + 0.45),
+          a,
+          b,
+          DoorKind::door,
+          std::nullopt};
 }
 
 /// Three rooms of 4 m x 4 m in a row, in one wall body, doors from each to the next.
@@ -145,7 +150,8 @@ TEST(RequireFree, ARobotInAWallIsToldTheWallAndAFreePlace) {
 
 TEST(RequireFree, ARobotTooNearToFurnitureIsToldHowNear) {
   FloorPlan world = three_rooms();
-  world.furniture = {{{rectangle(2, 1, 3, 3), {}}, FurnitureKind::free_standing}};  // on the middle of room 1
+  world.furniture = {
+      {{rectangle(2, 1, 3, 3), {}}, FurnitureKind::free_standing}};  // on the middle of room 1
   EXPECT_EQ(input_error([&] {
               require_free(world, {3.2, 2.5}, 0.3);
             }),

@@ -48,6 +48,7 @@ struct SimulationOptions {
   double sonar_max_range_m = 5.0;  ///< at or beyond: no echo
   double sonar_cone_deg = 20.0;    ///< full opening angle; wider hears jambs earlier
   double laser_max_range_m = 8.0;  ///< at or beyond: no echo
+  int people = 0;  ///< who walk about, are seen by the sensor and make way for the robot
   RobotFootprint footprint;
   OdometryErrors odometry;
   SonarErrors sonar;
@@ -56,6 +57,9 @@ struct SimulationOptions {
 
 /// A scripted drive: way-points in world metres, driven in straight lines and turns on the spot.
 using Drive = std::vector<Point2>;
+
+/// Of a person, who is round.
+constexpr double kPersonRadius_m = 0.2;
 
 struct OdometryStep {
   double timestamp_s = 0.0;
@@ -68,6 +72,7 @@ struct SimulatedStep {
   OdometryStep odometry;
   RangeReading reading;
   TruePose truth;
+  std::vector<Point2> people;  ///< where they stand, world metres; fewer where there is no place
 };
 
 /// The ring of the Pioneer 2: 16 sonars, 8 in front, 8 behind, at their real bearings
@@ -82,7 +87,8 @@ struct SimulatedStep {
 [[nodiscard]] RangeSensor range_sensor(const SimulationOptions& options);
 
 /// Drives the robot through the world and hands each step to `sink`, in order.
-/// @param world walls and furniture are obstacles; doors are gaps in the walls
+/// @param world walls, furniture and the leaves of open doors are obstacles; doors are gaps in the
+///   walls
 /// Throws InputError when the drive has fewer than two points or passes through a wall (it names
 /// the leg).
 void simulate(const FloorPlan& world, const Drive& drive, const SimulationOptions& options,

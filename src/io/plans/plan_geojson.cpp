@@ -62,27 +62,38 @@ Json feature_of(const PlanDoor& door) {
   properties["width_m"] = to_millimetre(door.width_m);
   properties["jambs"] = Json::array({to_json(door.jambs.a), to_json(door.jambs.b)});
   properties["rooms"] = rooms_of(door);
+  if (door.kind != DoorKind::door) properties["opening"] = to_string(door.kind);
+  if (door.leaf) {
+    properties["leaf"] = Json::array({to_json(door.leaf->a), to_json(door.leaf->b)});
+  }
   properties["indoor"] = "door";
   properties["ref"] = std::to_string(door.id);
   return feature_of(std::move(properties), to_geometry(door.opening));
 }
 
-/// Walls and furniture; a polygon of which rounding leaves nothing has no feature.
-void append_bodies(const std::vector<Polygon>& polygons, const Json& properties,
-                   std::vector<Json>& features) {
-  for (const Polygon& polygon : polygons) {
-    Json geometry = to_geometry(std::vector<Polygon>{polygon});
-    if (geometry["coordinates"].empty()) continue;
-    features.push_back(feature_of(properties, std::move(geometry)));
-  }
+/// A wall or a piece of furniture; a polygon of which rounding leaves nothing has no feature.
+void append_body(const Polygon& polygon, Json properties, std::vector<Json>& features) {
+  Json geometry = to_geometry(std::vector<Polygon>{polygon});
+  if (geometry["coordinates"].empty()) return;
+  features.push_back(feature_of(std::move(properties), std::move(geometry)));
+}
+
+Json properties_of(const PlanFurniture& piece) {
+  Json properties = {{"kind", "furniture"}};
+  if (piece.kind != FurnitureKind::free_standing) properties["furniture"] = to_string(piece.kind);
+  return properties;
 }
 
 std::vector<Json> features_of(const FloorPlan& plan) {
   std::vector<Json> features;
   for (const PlanRoom& room : plan.rooms) features.push_back(feature_of(room));
   for (const PlanDoor& door : plan.doors) features.push_back(feature_of(door));
-  append_bodies(plan.walls, {{"kind", "wall"}, {"indoor", "wall"}}, features);
-  append_bodies(outlines_of(plan.furniture), {{"kind", "furniture"}}, features);
+  for (const Polygon& wall : plan.walls) {
+    append_body(wall, {{"kind", "wall"}, {"indoor", "wall"}}, features);
+  }
+  for (const PlanFurniture& piece : plan.furniture) {
+    append_body(piece.outline, properties_of(piece), features);
+  }
   return features;
 }
 

@@ -93,15 +93,42 @@ void read_rooms(const JsonField& rooms, PlanDoor& door) {
   if (*door.room_a > *door.room_b) std::swap(door.room_a, door.room_b);
 }
 
+Segment2 read_line(const JsonField& positions) {
+  if (positions.size() != 2) positions.fail("two positions");
+  return {read_position(positions.element(0)), read_position(positions.element(1))};
+}
+
+DoorKind read_opening(const JsonField& opening) {
+  const std::string word = opening.text();
+  for (const DoorKind kind : {DoorKind::door, DoorKind::passage, DoorKind::window}) {
+    if (word == to_string(kind)) return kind;
+  }
+  opening.fail("\"door\", \"passage\" or \"window\"");
+}
+
+FurnitureKind read_furniture_kind(const JsonField& furniture) {
+  const std::string word = furniture.text();
+  for (const FurnitureKind kind : {FurnitureKind::against_wall, FurnitureKind::free_standing}) {
+    if (word == to_string(kind)) return kind;
+  }
+  furniture.fail("\"against_wall\" or \"free_standing\"");
+}
+
+PlanFurniture read_furniture(const JsonField& properties, const JsonField& geometry) {
+  PlanFurniture piece{read_polygon(geometry), FurnitureKind::free_standing};
+  if (const auto kind = properties.find("furniture")) piece.kind = read_furniture_kind(*kind);
+  return piece;
+}
+
 PlanDoor read_door(const JsonField& properties, const JsonField& geometry) {
   PlanDoor door;
   door.id = properties.at("id").positive_integer();
-  const JsonField jambs = properties.at("jambs");
-  if (jambs.size() != 2) jambs.fail("two positions");
-  door.jambs = {read_position(jambs.element(0)), read_position(jambs.element(1))};
+  door.jambs = read_line(properties.at("jambs"));
   const auto width_m = properties.find("width_m");
   door.width_m = width_m ? width_m->number_not_negative() : (door.jambs.b - door.jambs.a).norm();
   if (const auto rooms = properties.find("rooms")) read_rooms(*rooms, door);
+  if (const auto opening = properties.find("opening")) door.kind = read_opening(*opening);
+  if (const auto leaf = properties.find("leaf")) door.leaf = read_line(*leaf);
   if (!geometry.is_null()) door.opening = read_polygon(geometry).outer;
   return door;
 }
@@ -120,7 +147,7 @@ void read_feature(const JsonField& feature, FloorPlan& plan) {
   } else if (word == "wall") {
     plan.walls.push_back(read_polygon(geometry));
   } else if (word == "furniture") {
-    plan.furniture.push_back({read_polygon(geometry), FurnitureKind::free_standing});
+    plan.furniture.push_back(read_furniture(properties, geometry));
   } else {
     kind.fail("\"room\", \"corridor\", \"hall\", \"door\", \"wall\" or \"furniture\"");
   }

@@ -55,6 +55,17 @@ TEST(PlanGeojsonErrors, BadJsonIsNamedWithItsPlace) {
               HasSubstr("not valid JSON"));
 }
 
+TEST(PlanGeojsonErrors, AnUnknownWordForAnOpeningOrAPieceOfFurnitureIsRefused) {
+  EXPECT_THAT(refusal(second_feature(
+                  R"({"kind":"door","id":1,"jambs":[[0,0],[1,0]],"opening":"hole"})", "null")),
+              AllOf(HasSubstr("features[1].properties.opening"), HasSubstr("\"window\"")));
+  EXPECT_THAT(refusal(second_feature(
+                  R"({"kind":"door","id":1,"jambs":[[0,0],[1,0]],"leaf":[[0,0]]})", "null")),
+              AllOf(HasSubstr("features[1].properties.leaf"), HasSubstr("two positions")));
+  EXPECT_THAT(refusal(second_feature(R"({"kind":"furniture","furniture":"soft"})", kTriangle)),
+              AllOf(HasSubstr("features[1].properties.furniture"), HasSubstr("\"free_standing\"")));
+}
+
 TEST(PlanGeojsonErrors, AForeignHeaderIsRefused) {
   const std::string sound = testing_io::collection("");
   EXPECT_EQ(refusal(sound), "no error");

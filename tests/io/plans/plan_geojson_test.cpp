@@ -13,6 +13,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing_io::read_plan_text;
 
 constexpr double kMillimetre = 0.001;
@@ -70,9 +71,11 @@ FloorPlan small_plan() {
                 {2, "2", RoomKind::corridor, {east}, 2.0, {8, 0.5}, {}},
                 {7, "Büro", RoomKind::room, {east, west}, 3.3333, {8, 0.5}, {2, 3}}};
   const Ring opening = {{6, 1}, {7, 1}, {7, 1.9}, {6, 1.9}};
-  plan.doors = {{1, {{6.5, 1}, {6.5, 1.9}}, 0.9, opening, 1, 2},
-                {2, {{0, 1}, {0, 1.9}}, 0.9, {}, 7, std::nullopt},
-                {3, {{0, 2}, {0, 2.8}}, 0.8, opening, std::nullopt, std::nullopt}};
+  const DoorKind door = DoorKind::door;
+  const auto none = std::nullopt;
+  plan.doors = {{1, {{6.5, 1}, {6.5, 1.9}}, 0.9, opening, 1, 2, door, none},
+                {2, {{0, 1}, {0, 1.9}}, 0.9, {}, 7, none, door, none},
+                {3, {{0, 2}, {0, 2.8}}, 0.8, opening, none, none, door, none}};
   plan.walls = {hall, east};
   plan.furniture = {{west, FurnitureKind::free_standing}};
   return plan;
@@ -95,6 +98,30 @@ TEST(PlanGeojson, WritingWhatWasReadGivesTheSameBytes) {
   const std::string text = to_geojson(small_plan());
   EXPECT_EQ(to_geojson(small_plan()), text);
   EXPECT_EQ(to_geojson(read_plan_text(text)), text);
+}
+
+TEST(PlanGeojson, WhatADoorAndAPieceOfFurnitureAreIsKeptWhereItDiffersFromTheDefault) {
+  FloorPlan plan = small_plan();
+  EXPECT_THAT(to_geojson(plan), AllOf(Not(HasSubstr("leaf")), Not(HasSubstr("opening")),
+                                      Not(HasSubstr("free_standing"))));
+  plan.doors[0].leaf = Segment2{{6.5, 1}, {7.3, 1.2}};
+  plan.doors[1].kind = DoorKind::window;
+  plan.doors[2].kind = DoorKind::passage;
+  plan.furniture[0].kind = FurnitureKind::against_wall;
+  const std::string text = to_geojson(plan);
+  EXPECT_THAT(
+      text, AllOf(HasSubstr(R"("leaf":[[6.5,1.0],[7.3,1.2]])"), HasSubstr(R"("opening":"window")"),
+                  HasSubstr(R"("opening":"passage")"), HasSubstr(R"("furniture":"against_wall")")));
+  const FloorPlan read = read_plan_text(text);
+  ASSERT_TRUE(read.doors[0].leaf);
+  expect_near(read.doors[0].leaf->a, {6.5, 1});
+  expect_near(read.doors[0].leaf->b, {7.3, 1.2});
+  EXPECT_FALSE(read.doors[1].leaf);
+  EXPECT_EQ(read.doors[0].kind, DoorKind::door);
+  EXPECT_EQ(read.doors[1].kind, DoorKind::window);
+  EXPECT_EQ(read.doors[2].kind, DoorKind::passage);
+  EXPECT_EQ(read.furniture[0].kind, FurnitureKind::against_wall);
+  EXPECT_EQ(to_geojson(read), text);
 }
 
 TEST(PlanGeojson, AnEmptyPlanIsAnEmptyCollection) {
