@@ -35,7 +35,7 @@ struct PlanDoor {
   std::optional<RoomId> room_a;  ///< the rooms on its two sides, where known; room_a < room_b
   std::optional<RoomId> room_b;
   DoorKind kind = DoorKind::door;
-  std::optional<Segment2> leaf;  ///< as it stands, where it was seen open: hinge to free end
+  std::optional<Segment2> leaf = std::nullopt;  ///< as it stands, where seen open: hinge to end
 };
 
 /// What speaks for a stretch of a room's edge.

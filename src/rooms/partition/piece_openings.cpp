@@ -174,6 +174,7 @@ void take_support(const OpenFloor& floor, PieceOpening& opening) {
 PieceOpening on_chord_line(const WallChord& chord, const Border& border, const OpenFloor& floor) {
   PieceOpening opening;
   opening.is_on_chord = true;
+  opening.is_known = chord.is_known;
   opening.jambs = chord.line;
   opening.width_m = std::min(chord.length_m(), extent_m(border, floor.frame));
   return opening;

@@ -13,6 +13,7 @@ struct PieceOpening {
   Segment2 jambs;
   double width_m = 0.0;
   bool is_on_chord = false;  ///< the border follows a wall chord
+  bool is_known = false;     ///< ... in a wall that is known otherwise
   WallSupport lower;         ///< of the walls beyond the two jambs, each figure's smaller value
   WallSupport higher;        ///< and its larger one
   Passage passage;

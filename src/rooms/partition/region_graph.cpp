@@ -9,6 +9,8 @@
 namespace roomatlas {
 namespace {
 
+constexpr double kKnownWall = 2.5;  // added to the exponent of openings in walls that are known:
+                                    // maps of cells alone, from which the rest was learned, know none
 constexpr double kMinCorridorM = 0.7;  // narrower gaps between straight walls are no corridors
 
 std::size_t at(std::int32_t number) { return static_cast<std::size_t>(number); }
@@ -124,7 +126,7 @@ std::vector<const PieceOpening*> RegionGraph::openings(const Pair& pair) const {
 bool RegionGraph::share_corridor(const Pair& pair) const {
   const std::vector<const PieceOpening*> all = openings(pair);
   return std::any_of(all.begin(), all.end(), [](const PieceOpening* opening) {
-    return opening->width_m >= kMinCorridorM && is_across_corridor(opening->passage);
+    return !opening->is_known && opening->width_m >= kMinCorridorM && is_across_corridor(opening->passage);
   });
 }
 
@@ -133,6 +135,16 @@ DoorFigures RegionGraph::figures(const Pair& pair) const {
   const Region& b = region(pair.second);
   return a.area_m2 <= b.area_m2 ? door_figures(a, b, openings(pair))
                                 : door_figures(b, a, openings(pair));
+}
+
+double RegionGraph::known_share(const Pair& pair) const {
+  double known_m = 0.0;
+  double all_m = 0.0;
+  for (const PieceOpening* opening : openings(pair)) {
+    all_m += opening->width_m;
+    if (opening->is_known) known_m += opening->width_m;
+  }
+  return all_m > 0.0 ? known_m / all_m : 0.0;
 }
 
 std::int32_t RegionGraph::region_of(std::int32_t piece) const {
@@ -165,7 +177,9 @@ std::vector<RegionGraph::Pair> DoorQueue::join(RegionGraph& graph, const RegionG
 }
 
 void DoorQueue::ask(const RegionGraph& graph, const RegionGraph::Pair& pair) {
-  const double probability = door_probability(graph.figures(pair), model_);
+  DoorWeights model = model_;
+  model.bias += kKnownWall * graph.known_share(pair);
+  const double probability = door_probability(graph.figures(pair), model);
   probability_[pair] = probability;
   by_probability_.insert({probability, pair});
 }

@@ -33,6 +33,8 @@ class RegionGraph {
   /// Whether a corridor goes on straight from one to the other.
   [[nodiscard]] bool share_corridor(const Pair& pair) const;
   [[nodiscard]] DoorFigures figures(const Pair& pair) const;
+  /// The share of the openings' widths that lies in walls that are known otherwise, [0, 1].
+  [[nodiscard]] double known_share(const Pair& pair) const;
   /// The region that a piece has become part of; 0 for 0.
   [[nodiscard]] std::int32_t region_of(std::int32_t piece) const;
 

@@ -89,7 +89,7 @@ std::vector<WallChord> find_wall_chords(const OpenFloor& floor,
   std::vector<WallChord> all;
   for (const Segment2& gap : known) {
     const Point2 along = (gap.b - gap.a).normalized();
-    all.push_back({gap, wall_support(floor, gap.a, -along), wall_support(floor, gap.b, along)});
+    all.push_back({gap, wall_support(floor, gap.a, -along), wall_support(floor, gap.b, along), true});
   }
   all.insert(all.end(), found.begin(), found.end());
   std::vector<WallChord> chords;

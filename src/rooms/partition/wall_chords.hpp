@@ -14,6 +14,7 @@ struct WallChord {
   Segment2 line;
   WallSupport at_a;  ///< of the wall beyond end a
   WallSupport at_b;
+  bool is_known = false;  ///< a gap of a wall that is known otherwise
   [[nodiscard]] double length_m() const { return (line.b - line.a).norm(); }
 };
 
