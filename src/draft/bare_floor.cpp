@@ -13,7 +13,9 @@ namespace {
 constexpr double kBesideFace_m = 0.1;  // obstacles this near a wall's face are the wall's ...
 constexpr double kBehindFace_m = 0.15;  // ... and this near behind it
 constexpr double kNextFace_m = 4.0;     // posts and jambs stand between two faces on one line that
-                                        // are no farther apart
+                                        // are no farther apart ...
+constexpr double kBuildingLine_m = 5.0;  // ... or, with this much wall on the line ...
+constexpr double kNextOnBuildingLine_m = 8.0;  // ... than this
 constexpr double kThickest_m = 0.4;     // piers between doors are not thicker; tables are
 constexpr int kExtentDirections = 12;   // of half a turn
 
@@ -40,11 +42,13 @@ std::vector<bool> are_walls(const Walls& walls, const BareFloorOptions& options)
 void add_posts(const WallFace& face, const std::vector<WallFace>& faces,
                const Occupancy& occupancy, const BareFloorOptions& options, CellMask& mask) {
   Stretch reach{face.low_m(), face.high_m()};
+  const double next_m =
+      face.prominence_m >= kBuildingLine_m ? kNextOnBuildingLine_m : kNextFace_m;
   for (const Stretch& other : on_line(face, faces, options.min_face_m)) {
-    if (other.low_m >= reach.high_m && other.low_m <= face.high_m() + kNextFace_m) {
+    if (other.low_m >= reach.high_m && other.low_m <= face.high_m() + next_m) {
       reach.high_m = std::max(reach.high_m, other.low_m);
     }
-    if (other.high_m <= reach.low_m && other.high_m >= face.low_m() - kNextFace_m) {
+    if (other.high_m <= reach.low_m && other.high_m >= face.low_m() - next_m) {
       reach.low_m = std::min(reach.low_m, other.high_m);
     }
   }

@@ -125,8 +125,9 @@ std::vector<const PieceOpening*> RegionGraph::openings(const Pair& pair) const {
 
 bool RegionGraph::share_corridor(const Pair& pair) const {
   const std::vector<const PieceOpening*> all = openings(pair);
+  if (known_share(pair) > 0.0) return false;  // it runs along a wall with doors
   return std::any_of(all.begin(), all.end(), [](const PieceOpening* opening) {
-    return !opening->is_known && opening->width_m >= kMinCorridorM && is_across_corridor(opening->passage);
+    return opening->width_m >= kMinCorridorM && is_across_corridor(opening->passage);
   });
 }
 
