@@ -116,7 +116,9 @@ std::string draw_plan(const FloorPlan& plan, const PlanAnnotations& annotations,
   add_furniture(svg, plan, sheet);
   add_walls(svg, plan, sheet);
   add_edges(svg, plan, sheet);
-  add_unexplored(svg, plan.edges.empty() ? annotations.unexplored : unexplored_lines(plan), sheet);
+  const bool has_edges = !plan.edges.empty();
+  add_unexplored(svg, has_edges ? unexplored_lines(plan) : annotations.unexplored, has_edges,
+                 sheet);
   add_doors(svg, plan, sheet);
   add_trajectory(svg, annotations.trajectory, options.show_trajectory, sheet);
   add_room_graph(svg, plan, annotations.room_graph, options.show_room_graph, sheet);

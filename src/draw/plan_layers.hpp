@@ -18,7 +18,7 @@ void add_rooms(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet);
 void add_furniture(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet);
 /// Solid where walls are thick, lighter where they are partitions.
 void add_walls(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet);
-/// The inferred edges of rooms, dashed, and their walls without the solid fill.
+/// The inferred edges of rooms, dashed; walls that nobody measured without the solid fill.
 void add_edges(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet);
 /// Doors with leaf and arc where the leaf was seen, else as openings; passages and windows.
 void add_doors(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet);
@@ -28,7 +28,9 @@ void add_doors(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet);
 [[nodiscard]] std::vector<Polyline> unexplored_lines(const FloorPlan& plan);
 /// Takes away the wall that a plan assumes where nobody saw one, and dashes the limit instead.
 /// @param lines with free space to their left, building metres
-void add_unexplored(pugi::xml_node svg, const std::vector<Polyline>& lines, const Sheet& sheet);
+/// @param is_wall_blank `add_edges` has taken the wall away
+void add_unexplored(pugi::xml_node svg, const std::vector<Polyline>& lines, bool is_wall_blank,
+                    const Sheet& sheet);
 void add_trajectory(pugi::xml_node svg, const Polyline& trajectory, bool is_shown,
                     const Sheet& sheet);
 void add_room_graph(pugi::xml_node svg, const FloorPlan& plan,

@@ -83,36 +83,31 @@ void add_walls(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
 void add_edges(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
   const LineWeights weights = line_weights(sheet.scale);
   pugi::xml_node layer = add_layer(svg, "edges");
-  const auto walls = assumed_walls(plan, wall_faces(plan.walls), WallEvidence::inferred);
-  std::vector<Segment2> faces;    // dashed: what is assumed
-  std::vector<Segment2> middles;  // where the measured half of a wall ends
-  std::vector<Ring> bodies = assumed_corners(walls);
-  for (const AssumedWall& wall : walls) {
-    const Segment2 behind{wall.edge.a + wall.back(), wall.edge.b + wall.back()};
-    bodies.push_back({wall.edge.a, behind.a, behind.b, wall.edge.b});
-    faces.push_back(wall.edge);
-    (wall.is_half ? middles : faces).push_back(behind);
-  }
-  add_rings(add(layer, "g", {{"class", "assumed"}, {"fill", kPaper}}), bodies, sheet);
+  const auto walls = assumed_pieces(plan, wall_faces(plan.walls));
+  add_rings(add(layer, "g", {{"class", "assumed"}, {"fill", kPaper}}), bodies_of(walls), sheet);
   // Over the outlines of walls and rooms, which would shine through the dashes.
   pugi::xml_node blanks =
       add(layer, "g",
-          {{"class", "blanks"}, {"stroke", kPaper}, {"stroke-width", number(weights.cut + 0.1)}});
+          {{"class", "blanks"}, {"stroke", kPaper}, {"stroke-width", number(weights.cut + 0.3)}});
+  pugi::xml_node halves =
+      add(layer, "g",
+          {{"class", "halves"}, {"stroke", kWallFill}, {"stroke-width", number(weights.fine)}});
   pugi::xml_node dashes = add(layer, "g",
                               {{"class", "dashes"},
                                {"stroke", kInferredStroke},
                                {"stroke-width", number(weights.visible)},
                                {"stroke-dasharray", kInferredDash}});
-  for (const Segment2& face : faces) {
-    const Segment2 line = on_paper(face, sheet);
-    add_line(blanks, line.a, line.b);
-    add_line(dashes, line.a, line.b, {{"class", "inferred"}});
-  }
-  pugi::xml_node halves =
-      add(layer, "g", {{"stroke", kWallFill}, {"stroke-width", number(weights.fine)}});
-  for (const Segment2& middle : middles) {
-    const Segment2 line = on_paper(middle, sheet);
-    add_line(halves, line.a, line.b);
+  for (const AssumedWall& wall : walls) {
+    const bool is_inferred = wall.evidence == WallEvidence::inferred;
+    for (const bool is_far : {false, true}) {
+      const Segment2 line = on_paper(is_far ? wall.face() : wall.edge, sheet);
+      if (is_far && wall.is_half) {  // where the measured half of a wall ends
+        add_line(halves, line.a, line.b);
+        continue;
+      }
+      add_line(blanks, line.a, line.b);
+      if (is_inferred) add_line(dashes, line.a, line.b, {{"class", "inferred"}});
+    }
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "wall_pieces.hpp"
 
+#include "roomatlas/draw/assumed_walls.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -135,6 +137,8 @@ Point2 AssumedWall::back() const {
   return {depth_m * along.y(), -depth_m * along.x()};
 }
 
+Segment2 AssumedWall::face() const { return {edge.a + back(), edge.b + back()}; }
+
 namespace {
 
 /// Whether a measured edge of another room runs along the place.
@@ -149,8 +153,9 @@ bool is_measured(const SegmentGrid& measured, const Point2& at, const Point2& al
 }
 
 /// The wall behind one place of an edge.
-AssumedWall behind(const Segment2& piece, const SegmentGrid& faces, const SegmentGrid& measured) {
-  AssumedWall wall{piece};
+AssumedWall behind(const Segment2& piece, WallEvidence evidence, const SegmentGrid& faces,
+                   const SegmentGrid& measured) {
+  AssumedWall wall{piece, evidence};
   const Point2 along = (piece.b - piece.a).normalized();
   const Point2 outwards = -left_of(along);
   const Point2 middle = (piece.a + piece.b) / 2.0;
@@ -164,8 +169,7 @@ AssumedWall behind(const Segment2& piece, const SegmentGrid& faces, const Segmen
 
 }  // namespace
 
-std::vector<AssumedWall> assumed_walls(const FloorPlan& plan, const SegmentGrid& faces,
-                                       WallEvidence evidence) {
+std::vector<AssumedWall> assumed_pieces(const FloorPlan& plan, const SegmentGrid& faces) {
   SegmentGrid measured(kCell_m);
   for (const PlanEdge& edge : plan.edges) {
     if (edge.evidence == WallEvidence::measured) measured.add(edge.line);
@@ -173,32 +177,35 @@ std::vector<AssumedWall> assumed_walls(const FloorPlan& plan, const SegmentGrid&
   std::vector<AssumedWall> walls;
   for (const PlanEdge& edge : plan.edges) {
     const Point2 run = edge.line.b - edge.line.a;
-    if (edge.evidence != evidence || !run.allFinite() || run.norm() == 0.0) continue;
+    const bool is_assumed = edge.evidence != WallEvidence::measured;
+    if (!is_assumed || !run.allFinite() || run.norm() == 0.0) continue;
     const int steps = std::max(1, static_cast<int>(std::lround(run.norm() / kSample_m)));
     const auto at = [&](int k) { return Point2(edge.line.a + run * (double(k) / steps)); };
-    bool is_first = true;
+    const std::size_t first = walls.size();
     for (int k = 0; k < steps; ++k) {
-      const AssumedWall piece = behind({at(k), at(k + 1)}, faces, measured);
-      const bool goes_on = !is_first && piece.is_half == walls.back().is_half &&
+      const AssumedWall piece = behind({at(k), at(k + 1)}, edge.evidence, faces, measured);
+      const bool goes_on = walls.size() > first && piece.is_half == walls.back().is_half &&
                            std::abs(piece.depth_m - walls.back().depth_m) < kSameDepth_m;
       if (goes_on) {
         walls.back().edge.b = piece.edge.b;
       } else {
         walls.push_back(piece);
       }
-      is_first = false;
     }
   }
   return walls;
 }
 
-std::vector<Ring> assumed_corners(const std::vector<AssumedWall>& walls) {
+std::vector<Ring> bodies_of(const std::vector<AssumedWall>& walls) {
   const auto key = [](const Point2& point) {
     return std::pair(std::llround(1000.0 * point.x()), std::llround(1000.0 * point.y()));
   };
   std::multimap<std::pair<long long, long long>, const AssumedWall*> begins;
-  for (const AssumedWall& wall : walls) begins.emplace(key(wall.edge.a), &wall);
-  std::vector<Ring> corners;
+  std::vector<Ring> bodies;
+  for (const AssumedWall& wall : walls) {
+    begins.emplace(key(wall.edge.a), &wall);
+    bodies.push_back({wall.edge.a, wall.face().a, wall.face().b, wall.edge.b});
+  }
   for (const AssumedWall& wall : walls) {
     const Point2 corner = wall.edge.b;
     const auto [first, last] = begins.equal_range(key(corner));
@@ -206,11 +213,19 @@ std::vector<Ring> assumed_corners(const std::vector<AssumedWall>& walls) {
       const AssumedWall& other = *next->second;
       const bool is_convex = cross(wall.edge.b - wall.edge.a, other.edge.b - other.edge.a) > 0.0;
       if (!is_convex) continue;
-      corners.push_back({corner, corner + wall.back(), corner + wall.back() + other.back(),
-                         corner + other.back()});
+      bodies.push_back({corner, corner + wall.back(), corner + wall.back() + other.back(),
+                        corner + other.back()});
     }
   }
-  return corners;
+  return bodies;
 }
 
 }  // namespace roomatlas::drawing
+
+namespace roomatlas {
+
+std::vector<Ring> assumed_walls(const FloorPlan& plan) {
+  return drawing::bodies_of(drawing::assumed_pieces(plan, drawing::wall_faces(plan.walls)));
+}
+
+}  // namespace roomatlas

@@ -20,18 +20,19 @@ namespace roomatlas::drawing {
 
 /// A piece of wall that nobody measured, behind a room's edge.
 struct AssumedWall {
-  Segment2 edge;         ///< the room lies to its left
-  double depth_m = 0.0;  ///< of the wall behind it; 0: there is none
+  Segment2 edge;  ///< the room lies to its left
+  WallEvidence evidence = WallEvidence::inferred;
+  double depth_m = 0.0;  ///< of the wall behind it
   bool is_half = false;  ///< its other face was measured: the depth is half of the wall's
-  [[nodiscard]] Point2 back() const;  ///< from the edge to the wall's other side
+  [[nodiscard]] Point2 back() const;    ///< from the edge to the wall's other side
+  [[nodiscard]] Segment2 face() const;  ///< that side
 };
 
-/// The walls behind the edges of one kind of evidence, in pieces of one thickness.
-[[nodiscard]] std::vector<AssumedWall> assumed_walls(const FloorPlan& plan,
-                                                     const SegmentGrid& faces,
-                                                     WallEvidence evidence);
+/// The walls behind the edges that were not measured, in pieces of one thickness.
+[[nodiscard]] std::vector<AssumedWall> assumed_pieces(const FloorPlan& plan,
+                                                      const SegmentGrid& faces);
 
-/// The corners between such pieces of one room, which lie behind neither of two of them.
-[[nodiscard]] std::vector<Ring> assumed_corners(const std::vector<AssumedWall>& walls);
+/// What they take, and the corners between them, which lie behind neither of two of them.
+[[nodiscard]] std::vector<Ring> bodies_of(const std::vector<AssumedWall>& walls);
 
 }  // namespace roomatlas::drawing

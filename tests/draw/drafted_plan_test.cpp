@@ -232,6 +232,9 @@ TEST(DraftedPlan, WallsThatNobodyMeasuredAreDashedAndNotFilled) {
   EXPECT_FALSE(is_blank(paper(3.88, 2)));   // ... but room 1 saw its own
   EXPECT_FALSE(is_blank(paper(6.7, 2.5)));  // measured
   EXPECT_EQ(drawn.all("//g[@id='unexplored']//path[@class='unexplored']").size(), 1U);
+  EXPECT_TRUE(is_blank(paper(3, 6.02)));  // behind the unexplored edge of room 3
+  EXPECT_TRUE(is_blank(paper(3, 6.28)));
+  EXPECT_FALSE(is_blank(paper(0.2, 6.2)));
 }
 
 TEST(DraftedPlan, WallsAreSolidOrLightByTheirThickness) {

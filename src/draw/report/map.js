@@ -71,14 +71,17 @@ function makeMap(data, onSelect) {
 
   // What nobody measured is light and dashed, whatever the wall behind it is.
   const evidence = L.featureGroup();
+  for (const body of data.assumed) {
+    L.polygon(ring(body), { ...plan, interactive: false, color: '#fbfcfd', weight: 1, fillColor: '#fbfcfd', fillOpacity: 1 }).addTo(evidence);
+  }
   const claims = {
-    inferred: [{ color: '#fff', weight: 5 }, { color: '#7b8794', weight: 1.5, dashArray: '4 3' }, 'inferred: not measured'],
-    unexplored: [{ color: '#fff', weight: 5 }, { color: '#5f6b7a', weight: 1.5, dashArray: '7 5' }, 'unexplored'],
+    inferred: [{ color: '#7b8794', weight: 1.5, dashArray: '4 3' }, 'inferred: not measured'],
+    unexplored: [{ color: '#5f6b7a', weight: 1.5, dashArray: '7 5' }, 'unexplored'],
   };
   for (const edge of data.edges) {
     if (!claims[edge.evidence]) continue;
-    const [blank, dashes, what] = claims[edge.evidence];
-    L.polyline(ring(edge.line), { ...plan, interactive: false, ...blank, lineCap: 'butt' }).addTo(evidence);
+    const [dashes, what] = claims[edge.evidence];
+    L.polyline(ring(edge.line), { ...plan, interactive: false, color: '#fff', weight: 2, lineCap: 'butt' }).addTo(evidence);
     L.polyline(ring(edge.line), { ...plan, ...dashes }).bindTooltip(what).addTo(evidence);
   }
 

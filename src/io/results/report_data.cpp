@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "plans/geojson_geometry.hpp"
+#include "roomatlas/draw/assumed_walls.hpp"
 #include "roomatlas/draw/plots.hpp"
 #include "roomatlas/evaluate/plan_accuracy.hpp"
 #include "roomatlas/io/results/summary.hpp"
@@ -252,6 +253,8 @@ std::string report_data(const ReportSources& from) {
   data["walls"] = json_of(from.plan.walls);
   data["furniture"] = furniture_of(from.plan);
   data["edges"] = edges_of(from.plan);
+  data["assumed"] = Json::array();
+  for (const Ring& wall : assumed_walls(from.plan)) data["assumed"].push_back(json_of(wall));
   data["issues"] = issues_of(from.plan.issues);
   data["unexplored"] = Json::array();
   if (from.plan.edges.empty()) {  // else these say it
