@@ -130,11 +130,15 @@ std::vector<RoomLabel> candidates(const Subject& subject, int scale) {
   const RoomLabel one_line = measured(
       room.id, {{number + room.name + "  " + area_text(room.area_m2), last_mm, Weight::bold}});
   for (const bool is_turned : {false, true}) add(one_line, is_turned);
-  for (const double size_mm : {2.5, last_mm, kSmallestName_mm}) {
-    RoomLabel alone = measured(room.id, {{subject.number(), size_mm, Weight::bold, true}});
+  const auto add_number = [&](double size_mm, bool has_ring, bool is_turned) {
+    RoomLabel alone = measured(room.id, {{subject.number(), size_mm, Weight::bold, has_ring}});
     alone.shows_area = false;
-    add(std::move(alone), false);
+    add(std::move(alone), is_turned);
+  };
+  for (const double size_mm : {2.5, last_mm}) {
+    for (const bool is_turned : {false, true}) add_number(size_mm, true, is_turned);
   }
+  for (const bool is_turned : {false, true}) add_number(kSmallestName_mm, false, is_turned);
   return labels;
 }
 
