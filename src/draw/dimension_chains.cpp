@@ -9,11 +9,13 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kStep_m = 0.3;          // by which an outline steps at a wall that counts
-constexpr double kSquare_sine = 0.0872;  // 5 degrees: a face so near to a right angle counts
-constexpr double kSame_m = 0.03;         // stations nearer than this are one
-constexpr double kTouch_m = 0.05;        // faces that miss each other by less belong together
-constexpr double kThickest_m = 0.7;      // of an outside wall
+constexpr double kStep_m = 0.3;  // by which an outline steps at a wall that counts
+constexpr double kSquare_sine =
+    0.0872;                           // 5 degrees: a short face so near to a right angle counts ...
+constexpr double kLongSine = 0.0262;  // ... and a long one within 1.5 degrees
+constexpr double kSame_m = 0.03;      // stations nearer than this are one
+constexpr double kTouch_m = 0.05;     // faces that miss each other by less belong together
+constexpr double kThickest_m = 0.7;   // of an outside wall
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
 /// One side of the building as seen from outside: `u` runs along the chain, `d` outwards.
@@ -25,6 +27,12 @@ struct Side {
   }
 };
 
+/// Whether an edge stands at a right angle to the chain.
+bool stands_square(const Point2& edge) {
+  const double run = std::abs(edge.x());
+  return run <= kLongSine * edge.norm() || (run <= kSame_m && run <= kSquare_sine * edge.norm());
+}
+
 struct Edge {
   Point2 a;  ///< (u, d), a.x() <= b.x()
   Point2 b;
@@ -33,8 +41,7 @@ struct Edge {
     const double run = b.x() - a.x();
     return run > 0.0 ? a.y() + (b.y() - a.y()) * (u - a.x()) / run : std::max(a.y(), b.y());
   }
-  /// At a right angle to the chain.
-  [[nodiscard]] bool is_face() const { return b.x() - a.x() <= kSquare_sine * (b - a).norm(); }
+  [[nodiscard]] bool is_face() const { return stands_square(b - a); }
   [[nodiscard]] double low() const { return std::min(a.y(), b.y()); }
   [[nodiscard]] double high() const { return std::max(a.y(), b.y()); }
 };
@@ -50,7 +57,7 @@ Ring upright(const Ring& ring, const Side& side) {
   const auto edge = [&](std::size_t i) { return Point2(seen[(i + 1) % size] - seen[i % size]); };
   std::vector<bool> is_face;
   for (std::size_t i = 0; i < size; ++i) {
-    is_face.push_back(std::abs(edge(i).x()) <= kSquare_sine * edge(i).norm());
+    is_face.push_back(stands_square(edge(i)));
   }
   const auto first = std::find(is_face.begin(), is_face.end(), false);
   if (first == is_face.end()) return seen;
@@ -157,6 +164,33 @@ std::vector<double> stations_of(const std::vector<Edge>& edges) {
   return stations;
 }
 
+/// The wall's corner behind the outermost corner of the rooms: where no face ends the building,
+/// such as at an arc. `u` itself where there is none.
+double outer_corner(const std::vector<Edge>& rooms, const std::vector<Edge>& walls, double u,
+                    double sign) {
+  double depth = 0.0;
+  double nearest = kTouch_m;
+  for (const Edge& edge : rooms) {
+    for (const Point2& corner : {edge.a, edge.b}) {
+      if (std::abs(corner.x() - u) >= nearest) continue;
+      nearest = std::abs(corner.x() - u);
+      depth = corner.y();
+    }
+  }
+  double best = u;
+  double aside = kThickest_m / 2.0;  // of the corner behind from the one before
+  for (const Edge& wall : walls) {
+    for (const Point2& corner : {wall.a, wall.b}) {
+      const double thickness = sign * (corner.x() - u);
+      const bool is_behind = thickness > kSame_m / 2.0 && thickness <= kThickest_m;
+      if (nearest == kTouch_m || !is_behind || std::abs(corner.y() - depth) >= aside) continue;
+      aside = std::abs(corner.y() - depth);
+      best = corner.x();
+    }
+  }
+  return best;
+}
+
 /// The outer face of the wall behind the outermost face of the rooms, if there is one.
 /// @param sign -1 at the chain's begin, 1 at its end
 double outer_face(const std::vector<Edge>& rooms, const std::vector<Edge>& walls, double u,
@@ -174,7 +208,7 @@ double outer_face(const std::vector<Edge>& rooms, const std::vector<Edge>& walls
     });
     if (is_behind) best = at;
   }
-  return best;
+  return best != u ? best : outer_corner(rooms, walls, u, sign);
 }
 
 std::optional<DimensionChain> chain_along(const Side& side,

@@ -15,7 +15,7 @@ constexpr double kNearlyMost = 0.75;       // of the strongest peak: another one
 constexpr double kNear_rad = 0.0524;       // 3 degrees: an edge so near follows the direction
 constexpr double kLeastShare = 1.0 / 3.0;  // of all edges; fewer are no direction
 constexpr double kNoTurn_rad = 1e-4;       // less cannot be seen on a sheet: 0.1 mm in 1 m
-constexpr double kBlockShare = 0.6;        // of a room's edges, for a room of the main block
+constexpr double kBlockShare = 0.6;        // of a room's edges, for a direction of its own
 constexpr double kRectangle = 0.85;        // of its box that a room fills to be called a rectangle
 
 template <typename Visit>
@@ -107,13 +107,10 @@ double main_direction_rad(const FloorPlan& plan) {
 std::vector<const PlanRoom*> main_block(const FloorPlan& plan, double direction_rad) {
   std::vector<const PlanRoom*> block;
   for (const PlanRoom& room : plan.rooms) {
-    double all_m = 0.0;
-    double along_m = 0.0;
-    for_each_edge(room, [&](double angle_rad, double length_m) {
-      all_m += length_m;
-      if (std::abs(wrap_quarter(angle_rad - direction_rad)) <= kNear_rad) along_m += length_m;
-    });
-    if (all_m > 0.0 && along_m >= kBlockShare * all_m) block.push_back(&room);
+    const Direction own = direction_of({&room});
+    const bool is_aside = own.share >= kBlockShare &&
+                          std::abs(wrap_quarter(own.angle_rad - direction_rad)) > 2.0 * kNear_rad;
+    if (!is_aside) block.push_back(&room);
   }
   if (!block.empty()) return block;
   for (const PlanRoom& room : plan.rooms) block.push_back(&room);

@@ -70,6 +70,24 @@ TEST(DimensionChains, CountAStepOfTheOutlineButNotARoomBehindAnother) {
   EXPECT_THAT(dimension_chains(plan)[0].stations_m, testing::ElementsAre(0, 3, 3.2, 7));
 }
 
+TEST(DimensionChains, EndAtTheWallOfAnArcToo) {
+  FloorPlan plan;
+  plan.rooms = {room(1, "1", RoomKind::room, {{0, 0}, {6, 4}})};
+  const auto with_arc = [](const Point2& low, const Point2& high) {  // above a rectangle
+    Ring ring = {low, {high.x(), low.y()}};
+    const double radius = (high.x() - low.x()) / 2.0;
+    for (int i = 0; i <= 20; ++i) {
+      ring.push_back(Point2(low.x() + radius, high.y()) + radius * direction(kPi * i / 20));
+    }
+    return ring;
+  };
+  plan.rooms[0].parts[0].outer = with_arc({0, 0}, {6, 4});
+  plan.walls = {{with_arc({-0.2, -0.2}, {6.2, 4}), {plan.rooms[0].parts[0].outer}}};
+  const auto chains = dimension_chains(plan);
+  EXPECT_NEAR(chains[0].total_m(), 6.4, 1e-9);
+  EXPECT_NEAR(chains[1].total_m(), 0.2 + 4.0 + 3.2, 1e-9);
+}
+
 TEST(Centimetres, AddUpForAnyChoiceOfStationsAndAreNeverOffByMoreThanOne) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> length_m(0.02, 3.0);

@@ -15,8 +15,9 @@ namespace roomatlas {
 ///   angle
 [[nodiscard]] double main_direction_rad(const FloorPlan& plan);
 
-/// The rooms of which most edges follow a direction or stand at a right angle to it: a wing at
-/// another angle is left out. All rooms where none does.
+/// The rooms but for those with a direction of their own that is another one (of at least 60 % of
+/// their edges, more than 6 degrees off): a wing at another angle is left out. All rooms where no
+/// other is left.
 [[nodiscard]] std::vector<const PlanRoom*> main_block(const FloorPlan& plan, double direction_rad);
 
 /// Dimensions along one side of a building: from the outer face of one outside wall over the faces
