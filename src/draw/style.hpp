@@ -27,9 +27,9 @@ constexpr const char* kUnexploredDash = "1.6 1";
 constexpr const char* kInferredDash = "0.9 0.6";
 constexpr const char* kLintelDash = "1.2 0.7";
 
-constexpr double kPartition_m = 0.14;  // walls up to here are drawn as partitions: a half-brick
-                                       // wall with plaster; bearing walls are thicker
-constexpr double kHatchPitch_mm = 1.3;                  // between the lines of a hatch
+constexpr double kPartition_m = 0.14;   // walls up to here are drawn as partitions: a half-brick
+                                        // wall with plaster; bearing walls are thicker
+constexpr double kHatchPitch_mm = 1.3;  // between the lines of a hatch
 constexpr double kAgainstWall_rad = 0.785398163397448;  // direction of a hatch: up to the right ...
 constexpr double kFreeStanding_rad = -0.785398163397448;  // ... and down to the right
 
