@@ -58,8 +58,9 @@ void add_export_options(CLI::App* command, ExportOptions& options) {
       ->expected(3)
       ->configurable(false);
   command
-      ->add_option("--north", options.north,
-                   "deg, clockwise from up the plan: where north is; as --georef says without it")
+      ->add_option(
+          "--north", options.north,
+          "deg, clockwise from the plan's y axis: where north is; as --georef says without it")
       ->check(within(-360.0, 360.0))
       ->configurable(false);
 }

@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "output_places.hpp"
 #include "roomatlas/correct/place.hpp"
+#include "roomatlas/evaluate/plan_accuracy.hpp"
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/maps/nav2_export.hpp"
 #include "roomatlas/io/pictures/svg_pictures.hpp"
@@ -80,7 +81,7 @@ PlanAnnotations annotations_of(const Exported& from) {
   for (const VisitEstimate& visit : uncertainty.visits) {
     annotations.uncertainty.push_back({visit.at, visit.covariance_m2});
   }
-  annotations.accuracy_m = uncertainty.typical_m;
+  annotations.accuracy = plan_accuracy(from.plan, from.correction, uncertainty.typical_m);
   annotations.unexplored = unexplored_boundary(from.plan, from.placed.walls_after);
   return annotations;
 }

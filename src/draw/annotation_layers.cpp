@@ -34,13 +34,27 @@ void add_leader(pugi::xml_node node, const RoomLabel& label) {
        {"fill", kFaintInk}});
 }
 
+/// The ring around a room's number, its middle at `centre`.
+void add_ring(pugi::xml_node node, const Point2& centre, const LabelLine& line) {
+  const Point2 half = line.ring_mm() / 2.0;
+  const std::string radius = number(half.y());
+  add_rectangle(node, {centre - half, centre + half},
+                {{"class", "number-ring"},
+                 {"rx", radius},
+                 {"ry", radius},
+                 {"fill", "#ffffff"},
+                 {"stroke", kInk},
+                 {"stroke-width", "0.18"}});
+}
+
 void add_lines(pugi::xml_node node, const RoomLabel& label, bool has_halo) {
   double top = label.center_mm.y();
-  for (const LabelLine& line : label.lines) top -= line.size_mm * kLineSpacing / 2.0;
+  for (const LabelLine& line : label.lines) top -= line.pitch_mm() / 2.0;
   for (const LabelLine& line : label.lines) {
-    const double pitch = line.size_mm * kLineSpacing;
-    const double baseline = top + pitch / 2.0 + line.size_mm * kCapHeight / 2.0;
-    const Point2 at(label.center_mm.x(), baseline);
+    const double pitch = line.pitch_mm();
+    const double middle = top + (line.is_number ? line.ring_mm().y() : pitch) / 2.0;
+    const Point2 at(label.center_mm.x(), middle + line.size_mm * kCapHeight / 2.0);
+    if (line.is_number) add_ring(node, {at.x(), middle}, line);
     if (has_halo) add_halo(node, at, line);
     add_text(node, at, line.text, {line.size_mm, line.weight, Anchor::middle, kInk});
     top += pitch;
@@ -62,41 +76,8 @@ void add_labels(pugi::xml_node svg, const std::vector<RoomLabel>& labels, bool h
       const std::string turn = "rotate(-90 " + number(center.x()) + " " + number(center.y()) + ")";
       node.append_attribute("transform") = turn.c_str();
     }
-    add_lines(node, label, has_halo);
+    add_lines(node, label, has_halo || label.is_over_furniture);
   }
-}
-
-void add_dimensions(pugi::xml_node svg, const Box2& building_m, const Sheet& sheet) {
-  pugi::xml_node group =
-      add_layer(svg, "dimensions", true, {{"stroke", kFaintInk}, {"stroke-width", kHairline_mm}});
-  const Box2& box = sheet.content_mm;
-  const double below = box.max.y() + 7.0;
-  const double beside = box.min.x() - 7.0;
-  const Point2 tick(0.9, -0.9);
-  const auto dimension = [&](const Point2& a, const Point2& b, const Point2& overshoot) {
-    add_line(group, a - overshoot, b + overshoot);
-    for (const Point2& end : {a, b}) {
-      add_line(group, end - tick, end + tick, {{"stroke-width", kFrame_mm}});
-    }
-  };
-  const TextStyle style{2.4, Weight::normal, Anchor::middle, kFaintInk};
-  const auto add_measure = [&](const Point2& at, double length_m) {
-    pugi::xml_node text = add_text(group, at, fixed(length_m, 2) + "\u00a0m", style);
-    text.append_attribute("stroke") = "none";
-    return text;
-  };
-  for (const double x : {box.min.x(), box.max.x()}) {
-    add_line(group, {x, box.max.y() + 2.0}, {x, below + 1.5});
-  }
-  dimension({box.min.x(), below}, {box.max.x(), below}, {1.5, 0.0});
-  add_measure({(box.min.x() + box.max.x()) / 2.0, below - 1.0}, building_m.size().x());
-  for (const double y : {box.min.y(), box.max.y()}) {
-    add_line(group, {box.min.x() - 2.0, y}, {beside - 1.5, y});
-  }
-  dimension({beside, box.min.y()}, {beside, box.max.y()}, {0.0, 1.5});
-  const Point2 at(beside - 1.0, (box.min.y() + box.max.y()) / 2.0);
-  const std::string turn = "rotate(-90 " + number(at.x()) + " " + number(at.y()) + ")";
-  add_measure(at, building_m.size().y()).append_attribute("transform") = turn.c_str();
 }
 
 }  // namespace roomatlas::drawing

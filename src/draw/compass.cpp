@@ -61,15 +61,18 @@ void add_axis(pugi::xml_node parent, const Point2& origin, const Point2& along,
 
 }  // namespace
 
-void add_compass(pugi::xml_node parent, const Point2& centre_mm, std::optional<double> north_deg) {
+void add_compass(pugi::xml_node parent, const Point2& centre_mm, std::optional<double> north_deg,
+                 double turn_rad) {
   pugi::xml_node group = add_group(parent, north_deg ? "north" : "axes");
   if (north_deg) {
-    add_north(group, centre_mm, *north_deg);
+    add_north(group, centre_mm, *north_deg + degrees(turn_rad));
     return;
   }
-  const Point2 origin = centre_mm + Point2(-5.5, 5.5);
-  add_axis(group, origin, {1.0, 0.0}, "x");
-  add_axis(group, origin, {0.0, -1.0}, "y");
+  const Point2 x(std::cos(turn_rad), std::sin(turn_rad));  // y is down on paper
+  const Point2 y(x.y(), -x.x());
+  const Point2 origin = centre_mm - 5.5 * (x + y);
+  add_axis(group, origin, x, "x");
+  add_axis(group, origin, y, "y");
 }
 
 }  // namespace roomatlas::drawing

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/draw/dimensions.hpp"
 #include "roomatlas/draw/draw.hpp"
 
 #include "plan_layers.hpp"
@@ -20,19 +21,19 @@ constexpr double kNoteSize_mm = 2.2;
 constexpr double kNoteLine_mm = 3.4;
 constexpr int kMaxSheets = 4;  // tried, while notes grow as labels lose their places
 
-void extend(Box2& box, const Ring& ring) {
-  for (const Point2& point : ring) {
-    if (point.allFinite()) box.extend(point);
-  }
-}
-
-Box2 building_box(const FloorPlan& plan) {
+/// In axes that are turned by `turn_rad`.
+Box2 building_box(const FloorPlan& plan, double turn_rad) {
   Box2 box;
+  const auto extend = [&](const Ring& ring) {
+    for (const Point2& point : ring) {
+      if (point.allFinite()) box.extend(in_turned_axes(point, turn_rad));
+    }
+  };
   for (const PlanRoom& room : plan.rooms) {
-    for (const Polygon& part : room.parts) extend(box, part.outer);
+    for (const Polygon& part : room.parts) extend(part.outer);
   }
-  for (const Polygon& wall : plan.walls) extend(box, wall.outer);
-  for (const PlanDoor& door : plan.doors) extend(box, door.opening);
+  for (const Polygon& wall : plan.walls) extend(wall.outer);
+  for (const PlanDoor& door : plan.doors) extend(door.opening);
   return box;
 }
 
@@ -68,11 +69,13 @@ struct Layout {
   std::vector<std::string> notes;
 };
 
-Layout lay_out(const FloorPlan& plan, const Box2& box, bool has_graph) {
+Layout lay_out(const FloorPlan& plan, bool has_graph) {
+  const double turn_rad = main_direction_rad(plan);
+  const Box2 box = building_box(plan, turn_rad);
   Layout layout;
   for (int attempt = 0; attempt < kMaxSheets; ++attempt) {
     const double notes_mm = kNoteLine_mm * static_cast<double>(layout.notes.size());
-    layout.sheet = choose_sheet(box, notes_mm);
+    layout.sheet = choose_sheet(box, notes_mm, turn_rad);
     const auto nodes = has_graph ? graph_nodes(plan, layout.sheet) : std::vector<Box2>{};
     layout.labels = place_labels(plan, layout.sheet, nodes);
     const std::size_t reserved = layout.notes.size();
@@ -104,8 +107,7 @@ void add_empty_notice(pugi::xml_node svg, const Sheet& sheet) {
 
 std::string draw_plan(const FloorPlan& plan, const PlanAnnotations& annotations,
                       const DrawOptions& options) {
-  const Box2 box = building_box(plan);
-  const Layout layout = lay_out(plan, box, options.show_room_graph);
+  const Layout layout = lay_out(plan, options.show_room_graph);
   const Sheet& sheet = layout.sheet;
   pugi::xml_document document;
   pugi::xml_node svg = add_page(document, sheet.size_mm.x(), sheet.size_mm.y(),
@@ -113,7 +115,10 @@ std::string draw_plan(const FloorPlan& plan, const PlanAnnotations& annotations,
   add_rooms(svg, plan, sheet);
   add_furniture(svg, plan, sheet);
   add_walls(svg, plan, sheet);
-  add_unexplored(svg, annotations.unexplored, sheet);
+  add_edges(svg, plan, sheet);
+  const bool has_edges = !plan.edges.empty();
+  add_unexplored(svg, has_edges ? unexplored_lines(plan) : annotations.unexplored, has_edges,
+                 sheet);
   add_doors(svg, plan, sheet);
   add_trajectory(svg, annotations.trajectory, options.show_trajectory, sheet);
   add_room_graph(svg, plan, annotations.room_graph, options.show_room_graph, sheet);
@@ -123,10 +128,10 @@ std::string draw_plan(const FloorPlan& plan, const PlanAnnotations& annotations,
                          options.show_corrections || options.show_uncertainty;
   add_labels(svg, layout.labels, has_lines);
   add_door_widths(svg, plan, layout.labels, sheet);
-  if (box.empty()) {
+  add_dimensions(svg, plan, sheet);
+  if (plan.rooms.empty() && plan.walls.empty()) {
     add_empty_notice(svg, sheet);
   } else {
-    add_dimensions(svg, box, sheet);
     add_notes(svg, layout);
   }
   add_title_block(svg, plan, annotations, options, sheet);

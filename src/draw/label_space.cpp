@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "label_space.hpp"
 
+#include "plan_layers.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -50,33 +52,55 @@ bool is_inside(const Polygon& polygon_mm, const Box2& box_mm) {
          contains(polygon_mm, Point2((box_mm.min + box_mm.max) / 2.0));
 }
 
+bool LabelSpace::meets(const Body& body, const Box2& box_mm) {
+  return overlap(body.box, box_mm) &&
+         (boundary_touches(body.shape, box_mm) ||
+          contains(body.shape, Point2((box_mm.min + box_mm.max) / 2.0)));
+}
+
 LabelSpace::LabelSpace(const FloorPlan& plan, const Sheet& sheet) {
   for (const PlanDoor& door : plan.doors) {
-    if (!door.opening.empty()) taken_.push_back(bounds(sheet.to_paper(door.opening)));
+    const Box2 box = door_box(door, sheet);
+    if (!box.empty()) taken_.push_back(box);
   }
-  for (const Polygon& piece : sheet.to_paper(outlines_of(plan.furniture))) taken_.push_back(bounds(piece.outer));
+  const auto add = [](const std::vector<Polygon>& shapes, std::vector<Body>& bodies) {
+    for (const Polygon& shape : shapes) bodies.push_back({shape, bounds(shape.outer)});
+  };
+  add(sheet.to_paper(outlines_of(plan.furniture)), furniture_mm_);
   const Box2& content = sheet.content_mm;
   taken_.push_back({{sheet.drawing_mm.min.x(), sheet.drawing_mm.min.y()},
                     {content.min.x() - 1.0, sheet.drawing_mm.max.y()}});
   taken_.push_back({{sheet.drawing_mm.min.x(), content.max.y() + 1.0}, sheet.drawing_mm.max});
-  for (const PlanRoom& room : plan.rooms) {
-    const auto parts_mm = sheet.to_paper(room.parts);
-    building_mm_.insert(building_mm_.end(), parts_mm.begin(), parts_mm.end());
+  for (const PlanRoom& room : plan.rooms) add(sheet.to_paper(room.parts), building_mm_);
+  add(sheet.to_paper(plan.walls), building_mm_);
+}
+
+LabelSpace LabelSpace::within(const Box2& part_mm, bool with_furniture) const {
+  LabelSpace part;
+  for (const Box2& taken : taken_) {
+    if (overlap(taken, part_mm)) part.taken_.push_back(taken);
   }
-  const auto walls_mm = sheet.to_paper(plan.walls);
-  building_mm_.insert(building_mm_.end(), walls_mm.begin(), walls_mm.end());
+  for (const Body& body : furniture_mm_) {
+    if (with_furniture && overlap(body.box, part_mm)) part.furniture_mm_.push_back(body);
+  }
+  return part;
+}
+
+bool LabelSpace::has_furniture(const Box2& part_mm) const {
+  return std::any_of(furniture_mm_.begin(), furniture_mm_.end(),
+                     [&](const Body& body) { return overlap(body.box, part_mm); });
 }
 
 bool LabelSpace::is_free(const Box2& box_mm) const {
   return std::none_of(taken_.begin(), taken_.end(),
-                      [&](const Box2& taken) { return overlap(taken, box_mm); });
+                      [&](const Box2& taken) { return overlap(taken, box_mm); }) &&
+         std::none_of(furniture_mm_.begin(), furniture_mm_.end(),
+                      [&](const Body& body) { return meets(body, box_mm); });
 }
 
 bool LabelSpace::is_outside_building(const Box2& box_mm) const {
-  const Point2 centre = (box_mm.min + box_mm.max) / 2.0;
-  return std::none_of(building_mm_.begin(), building_mm_.end(), [&](const Polygon& body) {
-    return contains(body, centre) || boundary_touches(body, box_mm);
-  });
+  return std::none_of(building_mm_.begin(), building_mm_.end(),
+                      [&](const Body& body) { return meets(body, box_mm); });
 }
 
 }  // namespace roomatlas::drawing

@@ -85,7 +85,8 @@ void add_uncertainty(pugi::xml_node svg, const std::vector<UncertainPlace>& plac
         kQuantile95 * sheet.to_paper.mm_per_m * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();
     const Eigen::Vector2d longest = axes.eigenvectors().col(1);
     const Point2 at = sheet.to_paper(place.at);
-    const double turn_deg = degrees(std::atan2(-longest.y(), longest.x()));  // y is down on paper
+    const Point2 on_paper = sheet.to_paper.direction(longest);
+    const double turn_deg = degrees(std::atan2(on_paper.y(), on_paper.x()));
     add(layer, "ellipse",
         {{"cx", number(at.x())},
          {"cy", number(at.y())},

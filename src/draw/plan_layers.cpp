@@ -37,7 +37,7 @@ void add_rooms(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
   pugi::xml_node group = add_layer(svg, "rooms", true,
                                    {{"fill-rule", "evenodd"},
                                     {"stroke", kWallFill},
-                                    {"stroke-width", kThin_mm},
+                                    {"stroke-width", number(line_weights(sheet.scale).fine)},
                                     {"stroke-linejoin", "round"}});
   for (const PlanRoom& room : plan.rooms) {
     pugi::xml_node path = add(group, "path",
@@ -46,41 +46,6 @@ void add_rooms(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
                                {"fill", tint(room.kind)},
                                {"d", path_of(sheet.to_paper(room.parts))}});
     add_tooltip(path, room.name + ", " + to_string(room.kind) + ", " + area_text(room.area_m2));
-  }
-}
-
-void add_furniture(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
-  pugi::xml_node group = add_layer(svg, "furniture", true,
-                                   {{"fill", kFurnitureFill},
-                                    {"fill-rule", "evenodd"},
-                                    {"stroke", kFaintInk},
-                                    {"stroke-width", kHairline_mm}});
-  for (const PlanFurniture& piece : plan.furniture) {
-    add(group, "path", {{"d", path_of(sheet.to_paper({piece.outline}))}});
-  }
-}
-
-void add_walls(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
-  pugi::xml_node group =
-      add_layer(svg, "walls", true, {{"fill", kWallFill}, {"fill-rule", "evenodd"}});
-  for (const Polygon& wall : plan.walls) {
-    add(group, "path", {{"d", path_of(sheet.to_paper({wall}))}});
-  }
-}
-
-void add_doors(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
-  pugi::xml_node group = add_layer(svg, "doors", true, {{"fill", kDoorFill}});
-  for (const PlanDoor& door : plan.doors) {
-    if (door.opening.size() != 4) continue;
-    pugi::xml_node node = add_group(group, ("door-" + std::to_string(door.id)).c_str());
-    add_tooltip(node, "door, " + fixed(door.width_m, 2) + " m");
-    const Ring ring = sheet.to_paper(door.opening);
-    // Without a seam to the floor on either side, and with a line where each floor ends.
-    add(node, "path",
-        {{"d", path_of({{ring, {}}})}, {"stroke", kDoorFill}, {"stroke-width", kThin_mm}});
-    const Attributes threshold = {{"stroke", kFaintInk}, {"stroke-width", kHairline_mm}};
-    add_line(node, ring[0], ring[1], threshold);
-    add_line(node, ring[2], ring[3], threshold);
   }
 }
 

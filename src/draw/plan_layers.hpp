@@ -14,12 +14,23 @@
 namespace roomatlas::drawing {
 
 void add_rooms(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet);
+/// Thin outlines, hatched one way against walls and the other way where they stand free.
 void add_furniture(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet);
+/// Solid where walls are thick, lighter where they are partitions.
 void add_walls(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet);
+/// The inferred edges of rooms, dashed; walls that nobody measured without the solid fill.
+void add_edges(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet);
+/// Doors with leaf and arc where the leaf was seen, else as openings; passages and windows.
 void add_doors(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet);
+/// What a door's symbol covers on the sheet, its arc included.
+[[nodiscard]] Box2 door_box(const PlanDoor& door, const Sheet& sheet);
+/// The unexplored edges of a plan as lines with their room to the left.
+[[nodiscard]] std::vector<Polyline> unexplored_lines(const FloorPlan& plan);
 /// Takes away the wall that a plan assumes where nobody saw one, and dashes the limit instead.
 /// @param lines with free space to their left, building metres
-void add_unexplored(pugi::xml_node svg, const std::vector<Polyline>& lines, const Sheet& sheet);
+/// @param is_wall_blank `add_edges` has taken the wall away
+void add_unexplored(pugi::xml_node svg, const std::vector<Polyline>& lines, bool is_wall_blank,
+                    const Sheet& sheet);
 void add_trajectory(pugi::xml_node svg, const Polyline& trajectory, bool is_shown,
                     const Sheet& sheet);
 void add_room_graph(pugi::xml_node svg, const FloorPlan& plan,
@@ -38,7 +49,7 @@ void add_labels(pugi::xml_node svg, const std::vector<RoomLabel>& labels, bool h
 /// The clear width of each door beside it, where there is a place for it in a room.
 void add_door_widths(pugi::xml_node svg, const FloorPlan& plan,
                      const std::vector<RoomLabel>& labels, const Sheet& sheet);
-/// The overall width and height, with dimension lines.
-void add_dimensions(pugi::xml_node svg, const Box2& building_m, const Sheet& sheet);
+/// Chains of dimensions below and to the left of the building: over its walls, and overall.
+void add_dimensions(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet);
 
 }  // namespace roomatlas::drawing

@@ -4,6 +4,8 @@
 #include "label_space.hpp"
 #include "svg.hpp"
 
+#include "roomatlas/draw/dimensions.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,11 +14,13 @@
 namespace roomatlas::drawing {
 namespace {
 
-constexpr std::array<double, 5> kNameSizes_mm = {3.6, 3.1, 2.6, 2.2, 1.9};  // the largest that fits
 constexpr double kSmallestName_mm = 1.7;  // beside a room; smaller cannot be read on paper
-constexpr double kAreaToName = 0.78;      // font sizes
-constexpr double kAir_mm = 0.5;           // around the text
-constexpr int kMaxNameLines = 3;          // more look like a list
+constexpr double kLargestOver_mm = 2.1;   // over furniture
+constexpr double kAreaToName = 0.78;      // font sizes ...
+constexpr double kExtentToName = 0.66;    // ... but at least:
+constexpr double kSmallestExtent_mm = 1.6;
+constexpr double kAir_mm = 0.5;   // around the text
+constexpr int kMaxNameLines = 3;  // more look like a list
 
 /// The widest line when `words` are broken into `count` lines as evenly as a greedy fill can.
 std::vector<std::string> broken(const std::string& name, int count, double size_mm) {
@@ -47,45 +51,94 @@ RoomLabel measured(RoomId room, std::vector<LabelLine> lines) {
   double height = 0.0;
   double width = 0.0;
   for (const LabelLine& line : label.lines) {
-    width = std::max(width, text_width_mm(line.text, line.size_mm, line.weight));
-    height += line.size_mm * kLineSpacing;
+    width = std::max(width, line.width_mm());
+    height += line.pitch_mm();
   }
   label.size_mm = Point2(width, height) + Point2::Constant(2.0 * kAir_mm);
   return label;
 }
 
-RoomLabel name_over_area(const PlanRoom& room, double name_mm, int name_lines) {
-  std::vector<LabelLine> lines;
-  for (const std::string& text : broken(room.name, name_lines, name_mm)) {
-    lines.push_back({text, name_mm, Weight::bold});
+/// A room to be labelled, and its inside measures where it has any.
+struct Subject {
+  const PlanRoom& room;
+  std::optional<RoomExtent> extent;
+
+  [[nodiscard]] std::string number() const { return std::to_string(room.id); }
+  [[nodiscard]] bool is_named() const { return !room.name.empty() && room.name != number(); }
+};
+
+/// Number, name, area and measures, one below the other; no lines where the name has too few words.
+RoomLabel tag(const Subject& subject, double name_mm, int name_lines, bool has_extent) {
+  std::vector<LabelLine> lines = {{subject.number(), name_mm, Weight::bold, true}};
+  if (subject.is_named()) {
+    const auto names = broken(subject.room.name, name_lines, name_mm);
+    if (names.empty()) return {};
+    for (const std::string& text : names) lines.push_back({text, name_mm, Weight::bold});
+  } else if (name_lines > 1) {
+    return {};
   }
-  if (lines.empty()) return {};
-  lines.push_back({area_text(room.area_m2), name_mm * kAreaToName, Weight::normal});
-  return measured(room.id, std::move(lines));
+  lines.push_back({area_text(subject.room.area_m2), name_mm * kAreaToName, Weight::normal});
+  if (has_extent) {
+    const std::string text = fixed(subject.extent->width_m, 2) + "\u2009\u00d7\u2009" +
+                             fixed(subject.extent->depth_m, 2);
+    lines.push_back({text, std::max(kSmallestExtent_mm, name_mm * kExtentToName), Weight::normal});
+  }
+  return measured(subject.room.id, std::move(lines));
 }
 
+/// A way to write a tag: the size of the name, and whether it reads upwards.
+struct Way {
+  double name_mm;
+  bool is_turned;
+};
+
+/// Upright is easier to read than large.
+constexpr std::array<Way, 10> kWays = {{{3.5, false},
+                                        {3.0, false},
+                                        {2.5, false},
+                                        {3.5, true},
+                                        {3.0, true},
+                                        {2.1, false},
+                                        {2.5, true},
+                                        {1.8, false},
+                                        {2.1, true},
+                                        {1.8, true}}};
+
+/// The largest name on a drawing of that scale, so that small rooms do not drown in text.
+double largest_name_mm(int scale) { return scale <= 100 ? 3.5 : scale <= 150 ? 3.0 : 2.5; }
+
 /// What is tried, best first.
-std::vector<RoomLabel> candidates(const PlanRoom& room) {
+std::vector<RoomLabel> candidates(const Subject& subject, int scale) {
+  const PlanRoom& room = subject.room;
   std::vector<RoomLabel> labels;
-  const auto add_both_ways = [&](RoomLabel label) {
+  const auto add = [&](RoomLabel label, bool is_turned) {
     if (label.lines.empty()) return;
-    labels.push_back(label);
-    label.is_turned = true;
+    label.is_turned = is_turned;
     labels.push_back(std::move(label));
   };
-  for (const double size_mm : kNameSizes_mm) {
-    for (int lines = 1; lines <= kMaxNameLines; ++lines) {
-      add_both_ways(name_over_area(room, size_mm, lines));
+  for (const Way& way : kWays) {
+    if (way.name_mm > largest_name_mm(scale)) continue;
+    for (const bool has_extent : {true, false}) {
+      if (has_extent && !subject.extent) continue;
+      for (int lines = 1; lines <= kMaxNameLines; ++lines) {
+        add(tag(subject, way.name_mm, lines, has_extent), way.is_turned);
+      }
     }
   }
-  const double last_mm = kNameSizes_mm.back();
-  add_both_ways(
-      measured(room.id, {{room.name + "  " + area_text(room.area_m2), last_mm, Weight::bold}}));
-  for (const double size_mm : {kNameSizes_mm[2], last_mm, kSmallestName_mm}) {
-    RoomLabel name_only = measured(room.id, {{room.name, size_mm, Weight::bold}});
-    name_only.shows_area = false;
-    add_both_ways(std::move(name_only));
+  const double last_mm = kWays.back().name_mm;
+  const std::string number = subject.is_named() ? subject.number() + "  " : "";
+  const RoomLabel one_line = measured(
+      room.id, {{number + room.name + "  " + area_text(room.area_m2), last_mm, Weight::bold}});
+  for (const bool is_turned : {false, true}) add(one_line, is_turned);
+  const auto add_number = [&](double size_mm, bool has_ring, bool is_turned) {
+    RoomLabel alone = measured(room.id, {{subject.number(), size_mm, Weight::bold, has_ring}});
+    alone.shows_area = false;
+    add(std::move(alone), is_turned);
+  };
+  for (const double size_mm : {2.5, last_mm}) {
+    for (const bool is_turned : {false, true}) add_number(size_mm, true, is_turned);
   }
+  for (const bool is_turned : {false, true}) add_number(kSmallestName_mm, false, is_turned);
   return labels;
 }
 
@@ -171,7 +224,40 @@ bool place_outside(const Point2& label_point_mm, const Sheet& sheet, const Label
   return false;
 }
 
+/// Inside the room, off furniture if that can be.
+std::optional<RoomLabel> placed_inside(const Subject& subject, const Sheet& sheet,
+                                       const LabelSpace& space) {
+  const PlanRoom& room = subject.room;
+  const Polygon room_mm = sheet.to_paper({room.parts.front()}).front();
+  const Point2 centre_mm = visual_centre(room_mm, sheet.to_paper(room.label_point));
+  const std::vector<Point2> positions_mm = positions(room_mm, centre_mm);
+  for (const bool over_furniture : {false, true}) {
+    const LabelSpace here = space.within(bounds(room_mm.outer), !over_furniture);
+    if (over_furniture && !space.has_furniture(bounds(room_mm.outer))) break;
+    for (RoomLabel& label : candidates(subject, sheet.scale)) {
+      const bool is_large = label.lines.front().size_mm > kLargestOver_mm;
+      if (over_furniture && is_large) continue;  // it would hide what it lies on
+      label.is_over_furniture = over_furniture;
+      if (place_inside(room_mm, positions_mm, here, label)) return label;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+double LabelLine::width_mm() const {
+  return is_number ? ring_mm().x() : text_width_mm(text, size_mm, weight);
+}
+
+double LabelLine::pitch_mm() const {
+  return is_number ? ring_mm().y() + 0.35 * size_mm : size_mm * kLineSpacing;
+}
+
+Point2 LabelLine::ring_mm() const {
+  const double height = 1.75 * size_mm;
+  return {std::max(height, text_width_mm(text, size_mm, weight) + 0.8 * size_mm), height};
+}
 
 Box2 RoomLabel::box_mm() const {
   const Point2 half = (is_turned ? Point2(size_mm.y(), size_mm.x()) : size_mm) / 2.0;
@@ -192,22 +278,18 @@ std::vector<RoomLabel> place_labels(const FloorPlan& plan, const Sheet& sheet,
     space.occupy(label.box_mm());
     placed.push_back(label);
   };
+  const double turn_rad = sheet.turn_rad;
   for (const PlanRoom& room : plan.rooms) {
     if (room.parts.empty()) continue;
-    const Polygon room_mm = sheet.to_paper({room.parts.front()}).front();
-    const Point2 centre_mm = visual_centre(room_mm, sheet.to_paper(room.label_point));
-    const std::vector<Point2> positions_mm = positions(room_mm, centre_mm);
-    bool is_placed = false;
-    for (RoomLabel& label : candidates(room)) {
-      if (!place_inside(room_mm, positions_mm, space, label)) continue;
-      keep(label);
-      is_placed = true;
-      break;
+    const auto label = placed_inside({room, extent_of(room, turn_rad)}, sheet, space);
+    if (label) {
+      keep(*label);
+    } else {
+      homeless.push_back(&room);
     }
-    if (!is_placed) homeless.push_back(&room);
   }
   for (const PlanRoom* room : homeless) {
-    RoomLabel label = name_over_area(*room, kNameSizes_mm.back(), 1);
+    RoomLabel label = tag({*room, {}}, kWays.back().name_mm, 1, false);
     if (place_outside(sheet.to_paper(room->label_point), sheet, space, label)) keep(label);
   }
   return placed;

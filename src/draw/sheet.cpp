@@ -77,7 +77,16 @@ const Paper& choose_paper(const Point2& building_m, double notes_mm) {
 }  // namespace
 
 Point2 PaperTransform::operator()(const Point2& point_m) const {
-  return {offset_mm.x() + mm_per_m * point_m.x(), offset_mm.y() - mm_per_m * point_m.y()};
+  return offset_mm + mm_per_m * direction(point_m);
+}
+
+Point2 PaperTransform::direction(const Point2& building) const {
+  return {right.dot(building), -cross(right, building)};
+}
+
+Point2 in_turned_axes(const Point2& point_m, double turn_rad) {
+  const Point2 right = direction(turn_rad);
+  return {right.dot(point_m), cross(right, point_m)};
 }
 
 Polyline PaperTransform::operator()(const Polyline& line_m) const {
@@ -113,7 +122,7 @@ double round_length_m(double length_m) {
   return decade;
 }
 
-Sheet choose_sheet(const Box2& building_m, double notes_mm) {
+Sheet choose_sheet(const Box2& building_m, double notes_mm, double turn_rad) {
   const Point2 size_m = building_m.size();
   const Paper& paper = choose_paper(size_m, notes_mm);
   Sheet sheet;
@@ -128,6 +137,8 @@ Sheet choose_sheet(const Box2& building_m, double notes_mm) {
   const Point2 centre_mm = (area.min + area.max) / 2.0;
   const Point2 centre_m =
       building_m.empty() ? Point2::Zero() : Point2((building_m.min + building_m.max) / 2.0);
+  sheet.turn_rad = turn_rad;
+  if (turn_rad != 0.0) sheet.to_paper.right = direction(turn_rad);
   sheet.to_paper.mm_per_m = kMillimetres / sheet.scale;
   sheet.to_paper.offset_mm = {centre_mm.x() - sheet.to_paper.mm_per_m * centre_m.x(),
                               centre_mm.y() + sheet.to_paper.mm_per_m * centre_m.y()};

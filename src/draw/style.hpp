@@ -10,8 +10,13 @@ namespace roomatlas::drawing {
 constexpr const char* kInk = "#1f2933";       // text
 constexpr const char* kFaintInk = "#5f6b7a";  // captions, dimensions
 constexpr const char* kWallFill = "#39424e";
+constexpr const char* kPartitionFill = "#a9b1bb";  // of thin walls
+constexpr const char* kInferredStroke = "#7b8794";
+constexpr const char* kPaper = "#ffffff";
 constexpr const char* kDoorFill = "#ffffff";
-constexpr const char* kFurnitureFill = "#c9ced6";
+constexpr const char* kFurnitureFill = "#f4f5f7";
+constexpr const char* kFurnitureStroke = "#8a94a1";
+constexpr const char* kHatchStroke = "#b9c0c9";
 constexpr const char* kPathStroke = "#d55e00";
 constexpr const char* kGraphStroke = "#0072b2";
 constexpr const char* kCorrectionStroke = "#a2337c";
@@ -19,10 +24,34 @@ constexpr const char* kUncertaintyStroke = "#00795c";
 constexpr const char* kUnexploredStroke = "#5f6b7a";
 
 constexpr const char* kUnexploredDash = "1.6 1";
+constexpr const char* kInferredDash = "0.9 0.6";
+constexpr const char* kLintelDash = "1.2 0.7";
+
+constexpr double kPartition_m = 0.14;   // walls up to here are drawn as partitions: a half-brick
+                                        // wall with plaster; bearing walls are thicker
+constexpr double kHatchPitch_mm = 1.3;  // between the lines of a hatch
+constexpr double kAgainstWall_rad = 0.785398163397448;  // direction of a hatch: up to the right ...
+constexpr double kFreeStanding_rad = -0.785398163397448;  // ... and down to the right
 
 constexpr const char* kHairline_mm = "0.13";
 constexpr const char* kThin_mm = "0.2";
 constexpr const char* kFrame_mm = "0.35";
+
+/// Widths of lines in millimetres: a group of ISO 128, each next one thinner by the root of two.
+struct LineWeights {
+  double cut = 0.35;      ///< the outline of what a plan cuts through: walls
+  double visible = 0.25;  ///< edges that are seen: leaves of doors, glass
+  double fine = 0.18;     ///< dimensions, arcs, thresholds
+  double hatch = 0.13;    ///< and furniture
+};
+
+/// Thinner at smaller scales, as on building drawings after DIN 1356: 0.5 mm for what is cut up to
+/// 1:50, 0.35 mm up to 1:100, 0.25 mm beyond.
+[[nodiscard]] constexpr LineWeights line_weights(int scale) {
+  if (scale <= 50) return {0.5, 0.35, 0.25, 0.18};
+  if (scale <= 125) return {0.35, 0.25, 0.18, 0.13};
+  return {0.25, 0.18, 0.13, 0.13};
+}
 
 [[nodiscard]] constexpr const char* tint(RoomKind kind) {
   switch (kind) {

@@ -2,6 +2,7 @@
 #include "title_block.hpp"
 
 #include "compass.hpp"
+#include "legend.hpp"
 #include "room_labels.hpp"
 #include "style.hpp"
 #include "svg.hpp"
@@ -15,7 +16,8 @@ namespace {
 constexpr double kInset_mm = 3.0;                                        // of text in its cell
 constexpr double kLine_mm = 4.9;                                         // between lines of text
 constexpr double kText_mm = 2.4;                                         // height of letters
-constexpr std::array<double, 4> kCellShares = {0.29, 0.24, 0.21, 0.26};  // of the strip's width
+constexpr std::array<double, 4> kCellShares = {0.27, 0.25, 0.27, 0.21};  // of the strip's width
+constexpr int kLines = 5;                                                // of text in a cell
 
 /// A cell of the strip, and where its next line of text goes.
 struct Cell {
@@ -36,6 +38,11 @@ std::array<Cell, 4> cells_of(const Box2& strip) {
   return cells;
 }
 
+std::ptrdiff_t count_of_doors(const FloorPlan& plan) {
+  return std::count_if(plan.doors.begin(), plan.doors.end(),
+                       [](const PlanDoor& door) { return door.kind == DoorKind::door; });
+}
+
 void add_heading(pugi::xml_node group, const Cell& cell, const FloorPlan& plan,
                  const PlanAnnotations& annotations) {
   const bool has_title = !plan.title.empty() && plan.title != annotations.mission;
@@ -45,7 +52,9 @@ void add_heading(pugi::xml_node group, const Cell& cell, const FloorPlan& plan,
     add_text(group, {cell.left(), cell.baseline(line) + (line > 0 ? 0.6 : 0.0)},
              shortened(text, line < 4 ? width : cell.width(), style.size_mm, style.weight), style);
   };
-  add_row(0, title, {4.2, Weight::bold, Anchor::start, kInk});
+  double title_mm = 4.2;
+  while (title_mm > 2.6 && text_width_mm(title, title_mm, Weight::bold) > width) title_mm -= 0.2;
+  add_row(0, title, {title_mm, Weight::bold, Anchor::start, kInk});
   int line = 1;
   if (!annotations.mission.empty()) {
     add_row(line++, "Mission " + annotations.mission, {kText_mm, Weight::normal, {}, kInk});
@@ -56,105 +65,66 @@ void add_heading(pugi::xml_node group, const Cell& cell, const FloorPlan& plan,
   add_row(4, "Measured by a robot. Not a survey.", {2.1, Weight::normal, {}, kFaintInk});
 }
 
-/// Two digits that mean something, no more.
 std::string accuracy_text(double accuracy_m) {
   return "\u00b1\u00a0" + fixed(accuracy_m, accuracy_m < 1.0 ? 2 : 1) + "\u00a0m";
 }
 
-void add_facts(pugi::xml_node group, const Cell& cell, const FloorPlan& plan,
-               const PlanAnnotations& annotations) {
-  double area_m2 = 0.0;
-  for (const PlanRoom& room : plan.rooms) area_m2 += room.area_m2;
-  std::vector<std::pair<std::string, std::string>> rows = {
-      {"Rooms", std::to_string(plan.rooms.size())},
-      {"Doors", std::to_string(plan.doors.size())},
-      {"Floor area", area_text(area_m2)}};
-  if (annotations.path_length_m > 0.0) {
-    rows.emplace_back("Path driven", fixed(annotations.path_length_m, 0) + "\u00a0m");
-  }
-  if (annotations.accuracy_m) {
-    rows.emplace_back("Estimated accuracy", accuracy_text(*annotations.accuracy_m));
-  }
-  int line = 0;
-  for (const auto& [name, value] : rows) {
-    add_text(group, {cell.left(), cell.baseline(line)}, name,
-             {kText_mm, Weight::normal, Anchor::start, kFaintInk});
-    add_text(group, {cell.left() + cell.width(), cell.baseline(line)}, value,
-             {kText_mm, Weight::bold, Anchor::end, kInk});
-    ++line;
-  }
-}
-
-/// One kind of thing on the sheet, as a swatch or a line.
-struct LegendEntry {
+/// A name and what is said of it; alone where there is nothing to be said.
+struct Fact {
   std::string name;
-  Attributes swatch;  ///< of a rectangle; empty for a line
-  Attributes line;
+  std::string value;
 };
 
-std::vector<LegendEntry> legend_of(const FloorPlan& plan, bool has_unexplored,
-                                   const DrawOptions& options) {
-  std::vector<LegendEntry> entries;
-  const Attributes outline = {{"stroke", kFaintInk}, {"stroke-width", kHairline_mm}};
-  const auto add_swatch = [&](const std::string& name, const char* fill) {
-    Attributes swatch = outline;
-    swatch.emplace_back("fill", fill);
-    entries.push_back({name, swatch, {}});
-  };
-  for (const RoomKind kind : {RoomKind::room, RoomKind::corridor, RoomKind::hall}) {
-    if (std::any_of(plan.rooms.begin(), plan.rooms.end(),
-                    [&](const PlanRoom& room) { return room.kind == kind; })) {
-      add_swatch(to_string(kind), tint(kind));
-    }
+std::vector<Fact> accuracy_facts(const PlanAccuracy& accuracy) {
+  std::vector<Fact> facts;
+  if (accuracy.within_room_m) {
+    facts.push_back({"Accuracy in a room", accuracy_text(*accuracy.within_room_m)});
   }
-  if (!plan.walls.empty()) add_swatch("wall", kWallFill);
-  if (!plan.doors.empty()) add_swatch("door", kDoorFill);
-  if (!plan.furniture.empty()) add_swatch("furniture", kFurnitureFill);
-  if (has_unexplored) {
-    entries.push_back({"unexplored",
-                       {},
-                       {{"stroke", kUnexploredStroke},
-                        {"stroke-width", kFrame_mm},
-                        {"stroke-dasharray", kUnexploredDash}}});
+  if (accuracy.between_rooms_m) {
+    facts.push_back({"Accuracy between rooms", accuracy_text(*accuracy.between_rooms_m)});
   }
-  if (options.show_trajectory) {
-    entries.push_back({"path", {}, {{"stroke", kPathStroke}, {"stroke-width", kFrame_mm}}});
+  if (accuracy.over_building_m) {
+    facts.push_back({"Accuracy over " + fixed(accuracy.extent_m, 0) + "\u00a0m",
+                     accuracy_text(*accuracy.over_building_m)});
   }
-  if (options.show_room_graph) {
-    entries.push_back(
-        {"room graph",
-         {},
-         {{"stroke", kGraphStroke}, {"stroke-width", kFrame_mm}, {"stroke-dasharray", "1.2 0.8"}}});
-  }
-  if (options.show_corrections) {
-    entries.push_back(
-        {"correction", {}, {{"stroke", kCorrectionStroke}, {"stroke-width", kFrame_mm}}});
-  }
-  if (options.show_uncertainty) {
-    entries.push_back(
-        {"95 % sure", {}, {{"stroke", kUncertaintyStroke}, {"stroke-width", kFrame_mm}}});
-  }
-  return entries;
+  if (facts.empty()) return facts;
+  const bool is_loose = accuracy.loops == 0;
+  facts.push_back({std::string("1 \u03c3, estimated; ") +
+                       (is_loose ? "scale and bending not verified" : "scale not verified"),
+                   ""});
+  return facts;
 }
 
-void add_legend(pugi::xml_node parent, const Cell& cell, const std::vector<LegendEntry>& entries) {
-  constexpr double kSwatch_mm = 4.5;  // width of a sample in the legend
-  const int count = static_cast<int>(entries.size());
-  const int rows = std::max(5, (count + 1) / 2);  // of two columns
-  const double pitch_mm = 5.0 * kLine_mm / rows;
-  pugi::xml_node group = add_group(parent, "legend");
-  for (int i = 0; i < count; ++i) {
-    const LegendEntry& entry = entries[static_cast<std::size_t>(i)];
-    const double x = cell.left() + (i / rows) * cell.width() / 2.0;
-    const double baseline = cell.baseline(0) + (i % rows) * pitch_mm;
-    const Box2 box{{x, baseline - 2.3}, {x + kSwatch_mm, baseline + 0.5}};
-    if (entry.line.empty()) {
-      add_rectangle(group, box, entry.swatch);
-    } else {
-      const double middle = (box.min.y() + box.max.y()) / 2.0;
-      add_line(group, {box.min.x(), middle}, {box.max.x(), middle}, entry.line);
+std::vector<Fact> facts_of(const FloorPlan& plan, const PlanAnnotations& annotations) {
+  double area_m2 = 0.0;
+  for (const PlanRoom& room : plan.rooms) area_m2 += room.area_m2;
+  std::vector<Fact> facts = {{"Rooms", std::to_string(plan.rooms.size())},
+                             {"Doors", std::to_string(count_of_doors(plan))},
+                             {"Floor area", area_text(area_m2)}};
+  if (annotations.path_length_m > 0.0) {
+    facts.push_back({"Path driven", fixed(annotations.path_length_m, 0) + "\u00a0m"});
+  }
+  if (annotations.accuracy) {
+    const auto more = accuracy_facts(*annotations.accuracy);
+    facts.insert(facts.end(), more.begin(), more.end());
+  }
+  return facts;
+}
+
+void add_facts(pugi::xml_node group, const Cell& cell, const std::vector<Fact>& facts) {
+  const double pitch_mm = kLines * kLine_mm / std::max(kLines, static_cast<int>(facts.size()));
+  const double size_mm = std::min(kText_mm, 0.72 * pitch_mm);
+  double baseline = cell.baseline(0) - (kText_mm - size_mm);
+  for (const Fact& fact : facts) {
+    const bool is_note = fact.value.empty();
+    add_text(group, {cell.left(), baseline},
+             shortened(fact.name, cell.width(), size_mm, Weight::normal),
+             {is_note ? 0.9 * size_mm : size_mm, Weight::normal, Anchor::start, kFaintInk});
+    if (!is_note) {
+      add_text(group, {cell.left() + cell.width(), baseline}, fact.value,
+               {size_mm, Weight::bold, Anchor::end, kInk});
     }
-    add_text(group, {x + kSwatch_mm + 1.5, baseline}, entry.name, {kText_mm, {}, {}, kInk});
+    baseline += pitch_mm;
   }
 }
 
@@ -195,9 +165,11 @@ void add_title_block(pugi::xml_node svg, const FloorPlan& plan, const PlanAnnota
   add_compass(group,
               {cells[0].box.max.x() - kCompassRadius_mm - 1.5,
                cells[0].box.min.y() + kCompassRadius_mm + 1.5},
-              options.north_deg);
-  add_facts(group, cells[1], plan, annotations);
-  add_legend(group, cells[2], legend_of(plan, !annotations.unexplored.empty(), options));
+              options.north_deg, sheet.turn_rad);
+  add_facts(group, cells[1], facts_of(plan, annotations));
+  const Box2 legend{{cells[2].left(), cells[2].box.min.y()},
+                    {cells[2].box.max.x() - kInset_mm, cells[2].box.max.y()}};
+  add_legend(group, legend, legend_of(plan, annotations, options, sheet.scale));
   const Cell& last = cells[3];
   add_text(group, {last.left(), last.baseline(0)}, "Scale", {kText_mm, {}, {}, kFaintInk});
   add_text(group, {last.left() + last.width(), last.baseline(0)},
@@ -206,7 +178,10 @@ void add_title_block(pugi::xml_node svg, const FloorPlan& plan, const PlanAnnota
   add_text(group, {last.left(), last.baseline(1)}, "Paper", {kText_mm, {}, {}, kFaintInk});
   add_text(group, {last.left() + last.width(), last.baseline(1)}, sheet.paper,
            {kText_mm, {}, Anchor::end, kInk});
-  add_scale_bar(group, {last.left() + 1.0, last.box.min.y() + 18.0}, last.width() - 6.0,
+  add_text(group, {last.left(), last.baseline(2)}, "Lengths", {kText_mm, {}, {}, kFaintInk});
+  add_text(group, {last.left() + last.width(), last.baseline(2)}, "metres",
+           {kText_mm, {}, Anchor::end, kInk});
+  add_scale_bar(group, {last.left() + 1.0, last.box.min.y() + 20.0}, last.width() - 6.0,
                 sheet.to_paper.mm_per_m);
 }
 

@@ -30,7 +30,8 @@ Polyline moved_right(const Polyline& line, double distance_m) {
 
 }  // namespace
 
-void add_unexplored(pugi::xml_node svg, const std::vector<Polyline>& lines, const Sheet& sheet) {
+void add_unexplored(pugi::xml_node svg, const std::vector<Polyline>& lines, bool is_wall_blank,
+                    const Sheet& sheet) {
   pugi::xml_node layer = add_layer(svg, "unexplored");
   pugi::xml_node blanks = add(layer, "g", {{"fill", "#ffffff"}});
   pugi::xml_node limits = add(layer, "g",
@@ -40,12 +41,17 @@ void add_unexplored(pugi::xml_node svg, const std::vector<Polyline>& lines, cons
                                {"stroke-dasharray", kUnexploredDash}});
   for (const Polyline& line : lines) {
     if (line.size() < 2) continue;
-    const Polyline outside = moved_right(line, kBlank_m);
-    Ring blank = line;
-    blank.insert(blank.end(), outside.rbegin(), outside.rend());
-    const std::string outline = path_of({{sheet.to_paper(blank), {}}});
-    // A little over the edge of the room, whose line would shine through the dashes.
-    add(blanks, "path", {{"d", outline}, {"stroke", "#ffffff"}, {"stroke-width", kThin_mm}});
+    if (!is_wall_blank) {
+      const Polyline outside = moved_right(line, kBlank_m);
+      Ring blank = line;
+      blank.insert(blank.end(), outside.rbegin(), outside.rend());
+      const std::string outline = path_of({{sheet.to_paper(blank), {}}});
+      // A little over the edge of the room, whose line would shine through the dashes.
+      add(blanks, "path",
+          {{"d", outline},
+           {"stroke", "#ffffff"},
+           {"stroke-width", number(line_weights(sheet.scale).cut + 0.1)}});
+    }
     add(limits, "path", {{"class", "unexplored"}, {"d", path_of(sheet.to_paper(line))}});
   }
 }

@@ -99,7 +99,7 @@ TEST(Report, WorksInABrowserFromAFileOnADesktopAndOnAPhone) {
   for (const char* size : {"1440,1000", "390,844"}) {
     EXPECT_EQ(probed(folder, page, size),
               "row 3; highlighted 1; map 3; key 5; moved true; found 3; sorted true; layers "
-              "rooms,walls,doors,furniture,unexplored,graph,seen,trajectory,corrections,"
+              "rooms,walls,doors,furniture,evidence,unexplored,graph,seen,trajectory,corrections,"
               "uncertainty; ellipses true; wider than the window false; fetched 0")
         << size;
   }

@@ -51,7 +51,7 @@ TEST(DrawPlan, HasTheLayersUnderTheirIds) {
   const auto document = parsed(draw_plan(office(), annotations(), {}));
   for (const char* id : {"rooms", "walls", "doors", "trajectory", "room-graph", "labels",
                          "furniture", "title", "dimensions", "scale-bar", "legend", "unexplored",
-                         "corrections", "uncertainty", "door-widths", "axes"}) {
+                         "corrections", "uncertainty", "door-widths", "axes", "edges", "notes"}) {
     EXPECT_TRUE(group(document, id)) << id;
   }
   EXPECT_STREQ(group(document, "walls").attribute("class").value(), "layer");
@@ -153,8 +153,8 @@ TEST(DrawPlan, SmallRoomsGetSmallerTurnedOrOutsideLabels) {
   };
   EXPECT_FALSE(label(1).is_turned);
   EXPECT_GT(label(1).lines.front().size_mm, 3.0);
-  EXPECT_TRUE(label(5).is_turned);
-  EXPECT_TRUE(label(6).leader_to_mm.has_value() || label(6).is_turned);
+  EXPECT_LT(label(5).lines.front().size_mm, label(1).lines.front().size_mm);
+  EXPECT_TRUE(label(6).leader_to_mm.has_value() || !label(6).shows_area);
 }
 
 TEST(DrawPlan, SaysTheAreasThatLabelsCouldNot) {

@@ -120,8 +120,8 @@ TEST(PlanLayers, TheNorthArrowPointsWhereNorthIs) {
 
 TEST(PlanLayers, TheEstimatedAccuracyStandsInTheTitleBlock) {
   PlanAnnotations notes = annotations();
-  EXPECT_THAT(draw_plan(office(), notes, {}), Not(HasSubstr("Estimated accuracy")));
-  notes.accuracy_m = 0.0412;
+  EXPECT_THAT(draw_plan(office(), notes, {}), Not(HasSubstr("Accuracy")));
+  notes.accuracy = PlanAccuracy{{}, 0.0412, {}, 0.0, 3};
   EXPECT_THAT(draw_plan(office(), notes, {}), HasSubstr("\u00b1\u00a00.04\u00a0m"));
 }
 

@@ -3,6 +3,7 @@
 
 #include "roomatlas/asr/map_room.hpp"
 #include "roomatlas/core/geometry.hpp"
+#include "roomatlas/plan/accuracy.hpp"
 #include "roomatlas/plan/floor_plan.hpp"
 
 #include <optional>
@@ -27,8 +28,9 @@ struct PlanAnnotations {
   std::vector<std::pair<RoomId, RoomId>> room_graph;  ///< drawn as a faint graph when not empty
   std::vector<Segment2> corrections;  ///< from where odometry had a visit to where it is
   std::vector<UncertainPlace> uncertainty;
-  std::vector<Polyline> unexplored;  ///< where free space, to the left, ends without a wall
-  std::optional<double> accuracy_m;  ///< estimated standard deviation of a room's place
+  std::vector<Polyline> unexplored;  ///< where free space, to the left, ends without a wall; of a
+                                     ///< plan that has edges, these say it instead
+  std::optional<PlanAccuracy> accuracy;
 };
 
 struct DrawOptions {
@@ -36,15 +38,16 @@ struct DrawOptions {
   bool show_room_graph = false;
   bool show_corrections = false;
   bool show_uncertainty = false;
-  std::optional<double> north_deg;  ///< where north is, clockwise from up the sheet; nothing: the
-                                    ///< axes of the building's coordinates are shown
+  std::optional<double> north_deg;  ///< where north is, clockwise from the building's y axis;
+                                    ///< nothing: the axes of its coordinates are shown
 };
 
-/// The plan as an SVG document: millimetres on paper at a round scale. Layers are groups of class
-/// `layer` with stable ids: rooms, furniture, walls, unexplored, doors, trajectory, room-graph,
-/// corrections, uncertainty, labels, door-widths, dimensions, notes, title. Those that are not to
-/// be shown are there with `display="none"`. Text is real text. An empty plan gives a page that
-/// says so.
+/// The plan as an SVG document: millimetres on paper at a round scale, upright along the direction
+/// of most walls (`main_direction_rad`). Layers are groups of class `layer` with stable ids: rooms,
+/// furniture, walls, edges, unexplored, doors, trajectory, room-graph, corrections, uncertainty,
+/// labels, door-widths, dimensions, notes, title. Those that are not to be shown are there with
+/// `display="none"`. Text is real text. An empty plan gives a page that says so. Walls that nobody
+/// measured (`FloorPlan::edges`) are never drawn solid.
 [[nodiscard]] std::string draw_plan(const FloorPlan& plan, const PlanAnnotations& annotations,
                                     const DrawOptions& options);
 

@@ -36,10 +36,54 @@ function makeMap(data, onSelect) {
   const bodies = (polygons, style) => L.featureGroup(polygons.map((rings) =>
     L.polygon(rings.map(ring), { ...plan, interactive: false, stroke: false, fillOpacity: 1, ...style })));
   const walls = bodies(data.walls, { fillColor: '#39424e' });
-  const furniture = bodies(data.furniture, { fillColor: '#c9ced6' });
-  const doors = L.featureGroup(data.doors.filter((door) => door.opening.length > 2).map((door) =>
-    L.polygon(ring(door.opening), { ...plan, color: '#5f6b7a', weight: 1, fillColor: '#fff', fillOpacity: 1 })
-      .bindTooltip(`door ${door.id}, ${door.width_m.toFixed(2)} m`)));
+  const furniture = L.featureGroup(data.furniture.map((piece) =>
+    L.polygon(piece.rings.map(ring), { ...plan, color: '#8a94a1', weight: 1, fillOpacity: 1,
+      fillColor: piece.kind === 'against_wall' ? '#e1e5ea' : '#f4f5f7' })
+      .bindTooltip(piece.kind === 'against_wall' ? 'furniture at a wall' : 'furniture, free-standing')));
+
+  // Openings by their kind; leaf and arc where the leaf was seen.
+  const doors = L.featureGroup();
+  const arcOf = (door) => {
+    const [hinge, end] = door.leaf;
+    const away = (jamb) => Math.hypot(jamb[0] - hinge[0], jamb[1] - hinge[1]);
+    const closed = away(door.jambs[0]) <= away(door.jambs[1]) ? door.jambs[1] : door.jambs[0];
+    const [ax, ay, bx, by] = [end[0] - hinge[0], end[1] - hinge[1], closed[0] - hinge[0], closed[1] - hinge[1]];
+    const turn = Math.atan2(ax * by - ay * bx, ax * bx + ay * by);
+    const points = [];
+    for (let i = 0; i <= 16; ++i) {
+      const angle = Math.atan2(ay, ax) + turn * i / 16;
+      const radius = Math.hypot(ax, ay) + (Math.hypot(bx, by) - Math.hypot(ax, ay)) * i / 16;
+      points.push([hinge[0] + radius * Math.cos(angle), hinge[1] + radius * Math.sin(angle)]);
+    }
+    return points;
+  };
+  for (const door of data.doors) {
+    if (door.opening.length > 2) {
+      const style = { passage: { dashArray: '4 3' }, window: { color: '#39424e' } }[door.kind] || {};
+      L.polygon(ring(door.opening), { ...plan, color: '#5f6b7a', weight: 1, fillColor: '#fff', fillOpacity: 1, ...style })
+        .bindTooltip(`${door.kind} ${door.id}, ${door.width_m.toFixed(2)} m`).addTo(doors);
+    }
+    if (door.kind === 'window') L.polyline(ring(door.jambs), { ...plan, interactive: false, color: '#39424e', weight: 1 }).addTo(doors);
+    if (!door.leaf) continue;
+    L.polyline(ring(door.leaf), { ...plan, interactive: false, color: '#39424e', weight: 2.5 }).addTo(doors);
+    L.polyline(ring(arcOf(door)), { ...plan, interactive: false, color: '#5f6b7a', weight: 1 }).addTo(doors);
+  }
+
+  // What nobody measured is light and dashed, whatever the wall behind it is.
+  const evidence = L.featureGroup();
+  for (const body of data.assumed) {
+    L.polygon(ring(body), { ...plan, interactive: false, color: '#fbfcfd', weight: 1, fillColor: '#fbfcfd', fillOpacity: 1 }).addTo(evidence);
+  }
+  const claims = {
+    inferred: [{ color: '#7b8794', weight: 1.5, dashArray: '4 3' }, 'inferred: not measured'],
+    unexplored: [{ color: '#5f6b7a', weight: 1.5, dashArray: '7 5' }, 'unexplored'],
+  };
+  for (const edge of data.edges) {
+    if (!claims[edge.evidence]) continue;
+    const [dashes, what] = claims[edge.evidence];
+    L.polyline(ring(edge.line), { ...plan, interactive: false, color: '#fff', weight: 2, lineCap: 'butt' }).addTo(evidence);
+    L.polyline(ring(edge.line), { ...plan, ...dashes }).bindTooltip(what).addTo(evidence);
+  }
 
   const labelOf = new Map(data.rooms.map((room) => [room.id, room.label]));
   const graph = L.featureGroup();
@@ -120,13 +164,14 @@ function makeMap(data, onSelect) {
   const layers = [
     ['rooms', 'Rooms', rooms, true], ['walls', 'Walls', walls, true], ['doors', 'Doors', doors, true],
     ['furniture', 'Furniture', furniture, data.furniture.length > 0],
+    ['evidence', 'Inferred and unexplored walls', evidence, data.edges.length > 0],
     ['unexplored', 'Unexplored', unexplored, data.unexplored.length > 0], ['graph', 'Graph of rooms', graph, false],
     ['seen', 'Walls as seen', seen, false], ['trajectory', 'Path', path, false],
     ['corrections', 'Corrections', corrections, false], ['uncertainty', 'Uncertainty (95 %)', uncertainty, false],
   ];
   // The plan's bodies keep their order whatever is switched on first.
   function restack() {
-    for (const layer of [furniture, walls, unexplored, doors, graph]) if (map.hasLayer(layer)) layer.bringToFront();
+    for (const layer of [furniture, walls, evidence, unexplored, doors, graph]) if (map.hasLayer(layer)) layer.bringToFront();
   }
   function show(layer, isShown) {
     if (isShown) layer.addTo(map); else layer.remove();

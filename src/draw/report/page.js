@@ -12,7 +12,13 @@
   const area = data.rooms.reduce((sum, room) => sum + room.area_m2, 0);
   const facts = [`${data.rooms.length} rooms`, `${data.doors.length} doors`, `${area.toFixed(1)} m²`];
   if (mission.path_length_m > 0) facts.push(`${mission.path_length_m.toFixed(0)} m driven`);
-  if (typeof data.accuracy_m === 'number') facts.push(`rooms placed to ± ${data.accuracy_m.toFixed(2)} m (1 σ, estimated)`);
+  const accuracy = data.accuracy;
+  const bounds = [[accuracy.within_room_m, 'in a room'], [accuracy.between_rooms_m, 'between rooms'],
+    [accuracy.over_building_m, `over ${accuracy.extent_m.toFixed(0)} m`]].filter(([value]) => typeof value === 'number');
+  if (bounds.length) {
+    facts.push(`accurate to ${bounds.map(([value, where]) => `± ${value.toFixed(2)} m ${where}`).join(', ')}` +
+      ` (1 σ, estimated; scale ${accuracy.loops ? '' : 'and bending '}not verified)`);
+  }
   if (data.date) facts.push(`recorded ${data.date}`);
   element('facts').textContent = facts.join(' · ');
   element('origin').textContent = `Roomatlas ${data.tool_version}` +

@@ -3,6 +3,7 @@
 
 #include <cpl_conv.h>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -10,6 +11,7 @@
 #include "ogr_geometry.hpp"
 #include "ogr_memory.hpp"
 #include "roomatlas/core/issue.hpp"
+#include "roomatlas/draw/dimensions.hpp"
 #include "roomatlas/io/plans/ogr_export.hpp"
 
 namespace roomatlas {
@@ -43,21 +45,24 @@ class Drawing {
   explicit Drawing(OGRLayer& layer) : layer_(layer) {}
 
   void add_ring(const char* on, const Ring& ring) { add(on, closed_line(ring), ""); }
+  void add_line(const char* on, const Polyline& line) { add(on, to_ogr(line), ""); }
   void add_polygons(const char* on, const std::vector<Polygon>& polygons) {
     for (const Polygon& polygon : polygons) {
       add_ring(on, polygon.outer);
       for (const Ring& hole : polygon.holes) add_ring(on, hole);
     }
   }
-  /// Centred at the point.
-  void add_text(const char* on, const Point2& at, const std::string& text, double height_m) {
+  /// Centred at the point. @param turn_deg counter-clockwise
+  void add_text(const char* on, const Point2& at, const std::string& text, double height_m,
+                double turn_deg = 0.0) {
     std::string escaped;
     for (const char c : text) {
       if (c == '"' || c == '\\') escaped += '\\';
       escaped += c;
     }
     const std::string style = "LABEL(f:\"Arial\",t:\"" + escaped +
-                              "\",p:5,s:" + std::to_string(height_m) + "g,c:#000000)";
+                              "\",p:5,a:" + std::to_string(turn_deg) +
+                              ",s:" + std::to_string(height_m) + "g,c:#000000)";
     add(on, OGRPoint(at.x(), at.y()), style);
   }
 
@@ -84,20 +89,103 @@ std::string one_decimal(double value) {
   return text;
 }
 
+const char* layer_of(WallEvidence evidence) {
+  switch (evidence) {
+    case WallEvidence::inferred:
+      return "A-WALL-INFR";
+    case WallEvidence::unexplored:
+      return "A-WALL-UNEX";
+    case WallEvidence::measured:
+      break;
+  }
+  return "A-WALL-MEAS";
+}
+
+/// From the leaf's free end to the other jamb, about the hinge.
+Polyline arc_of(const PlanDoor& door) {
+  constexpr int kSteps = 16;
+  const Point2& hinge = door.leaf->a;
+  const bool at_a = (door.jambs.a - hinge).norm() <= (door.jambs.b - hinge).norm();
+  const Point2 from = door.leaf->b - hinge;
+  const Point2 to = (at_a ? door.jambs.b : door.jambs.a) - hinge;
+  const double turn_rad = std::atan2(cross(from, to), from.dot(to));
+  const double start_rad = std::atan2(from.y(), from.x());
+  Polyline arc;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double share = static_cast<double>(i) / kSteps;
+    const double radius = from.norm() + share * (to.norm() - from.norm());
+    arc.push_back(hinge + radius * direction(start_rad + share * turn_rad));
+  }
+  return arc;
+}
+
+void draw(Drawing& drawing, const PlanDoor& door) {
+  const bool is_window = door.kind == DoorKind::window;
+  const char* const on = is_window ? "A-GLAZ" : "A-DOOR";
+  if (!door.opening.empty()) drawing.add_ring(on, door.opening);
+  if (is_window) drawing.add_line(on, {door.jambs.a, door.jambs.b});
+  if (door.leaf) {
+    drawing.add_line(on, {door.leaf->a, door.leaf->b});
+    drawing.add_line(on, arc_of(door));
+  }
+  drawing.add_text(is_window ? "A-GLAZ-IDEN" : "A-DOOR-IDEN", (door.jambs.a + door.jambs.b) / 2.0,
+                   two_decimals(door.width_m), kWidth_m);
+}
+
+/// A row of a chain: its line, ticks, extension lines and lengths.
+void draw_row(Drawing& drawing, const DimensionChain& chain, const std::vector<double>& stations_m,
+              double out_m) {
+  constexpr const char* kLayer = "A-ANNO-DIMS";
+  constexpr double kText_m = 0.2;        // height of text
+  constexpr double kLift_m = 0.18;       // of its middle above the line
+  constexpr double kTextWidth_m = 0.65;  // of "4.26"
+  constexpr double kTick_m = 0.09;       // to each side
+  const auto at = [&](double station_m, double further_m) {
+    return Point2(chain.origin + station_m * chain.along + (out_m + further_m) * chain.outwards);
+  };
+  const Point2 tick = kTick_m * (chain.along - chain.outwards);
+  drawing.add_line(kLayer, {at(stations_m.front(), 0.0), at(stations_m.back(), 0.0)});
+  for (const double station_m : stations_m) {
+    drawing.add_line(kLayer, {at(station_m, 0.0) - tick, at(station_m, 0.0) + tick});
+    drawing.add_line(kLayer, {at(station_m, -0.3), at(station_m, 0.1)});
+  }
+  const double turn_deg = degrees(std::atan2(chain.along.y(), chain.along.x()));
+  const Point2 above(-chain.along.y(), chain.along.x());  // as one reads it
+  const std::vector<std::int64_t> parts = centimetres(stations_m);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool is_aside = stations_m[i + 1] - stations_m[i] < kTextWidth_m;
+    const Point2 middle = at((stations_m[i] + stations_m[i + 1]) / 2.0, 0.0);
+    drawing.add_text(kLayer, middle + (is_aside ? -1.3 : 1.0) * kLift_m * above,
+                     two_decimals(0.01 * static_cast<double>(parts[i])), kText_m, turn_deg);
+  }
+}
+
+void draw_dimensions(Drawing& drawing, const FloorPlan& plan) {
+  constexpr double kInner_m = 1.2;  // from the outermost face of the rooms ...
+  constexpr double kOuter_m = 2.0;  // ... and the overall dimension
+  for (const DimensionChain& chain : dimension_chains(plan)) {
+    if (chain.stations_m.size() > 2) draw_row(drawing, chain, chain.stations_m, kInner_m);
+    draw_row(drawing, chain, {chain.stations_m.front(), chain.stations_m.back()}, kOuter_m);
+  }
+}
+
 void draw(Drawing& drawing, const FloorPlan& plan) {
   drawing.add_polygons("A-WALL", plan.walls);
-  drawing.add_polygons("A-FURN", outlines_of(plan.furniture));
+  for (const PlanEdge& edge : plan.edges) {
+    drawing.add_line(layer_of(edge.evidence), {edge.line.a, edge.line.b});
+  }
+  for (const PlanFurniture& piece : plan.furniture) {
+    const bool is_free = piece.kind == FurnitureKind::free_standing;
+    drawing.add_polygons(is_free ? "A-FURN-FREE" : "A-FURN", {piece.outline});
+  }
   for (const PlanRoom& room : plan.rooms) {
     drawing.add_polygons("A-AREA", room.parts);
     drawing.add_text("A-AREA-IDEN", room.label_point, room.name, kName_m);
     drawing.add_text("A-AREA-IDEN", room.label_point - Point2(0.0, 1.5 * kName_m),
                      one_decimal(room.area_m2) + " m2", 0.7 * kName_m);
   }
-  for (const PlanDoor& door : plan.doors) {
-    if (!door.opening.empty()) drawing.add_ring("A-DOOR", door.opening);
-    drawing.add_text("A-DOOR-IDEN", (door.jambs.a + door.jambs.b) / 2.0, two_decimals(door.width_m),
-                     kWidth_m);
-  }
+  for (const PlanDoor& door : plan.doors) draw(drawing, door);
+  draw_dimensions(drawing, plan);
 }
 
 }  // namespace

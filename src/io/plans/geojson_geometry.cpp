@@ -111,6 +111,19 @@ Json to_geometry(const Ring& ring) {
   return coordinates.empty() ? Json(nullptr) : geometry_of("Polygon", std::move(coordinates));
 }
 
+Json to_geometry(const Segment2& line) {
+  const Json from = to_json(line.a);
+  const Json to = to_json(line.b);
+  return from == to ? Json(nullptr) : geometry_of("LineString", Json::array({from, to}));
+}
+
+Segment2 read_segment(const JsonField& geometry) {
+  if (geometry.at("type").text() != "LineString") geometry.at("type").fail("\"LineString\"");
+  const JsonField ends = geometry.at("coordinates");
+  if (ends.size() != 2) ends.fail("two positions");
+  return {read_position(ends.element(0)), read_position(ends.element(1))};
+}
+
 std::vector<Polygon> read_polygons(const JsonField& geometry) {
   const JsonField type = geometry.at("type");
   const JsonField coordinates = geometry.at("coordinates");

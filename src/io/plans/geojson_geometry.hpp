@@ -22,6 +22,11 @@ namespace roomatlas {
 /// The same, but null where nothing is left of the ring.
 [[nodiscard]] Json to_geometry(const Ring& ring);
 
+/// A LineString from end to end; null where both ends are one when rounded.
+[[nodiscard]] Json to_geometry(const Segment2& line);
+
+/// Its two ends. Throws InputError unless it is a LineString of two positions.
+[[nodiscard]] Segment2 read_segment(const JsonField& geometry);
 /// The polygons of a feature's geometry, wound as above. Throws InputError unless it is a Polygon
 /// or MultiPolygon of closed rings of at least three different points.
 [[nodiscard]] std::vector<Polygon> read_polygons(const JsonField& geometry);

@@ -106,6 +106,12 @@ std::string to_geojson(const FloorPlan& plan, const GeoReference& reference) {
   }
   add_bodies(features, plan.walls, {{"indoor", "wall"}, {"level", "0"}});
   add_bodies(features, outlines_of(plan.furniture), {{"level", "0"}, {"furniture", "yes"}});
+  for (const PlanEdge& edge : plan.edges) {
+    features.add({{"evidence", to_string(edge.evidence)},
+                  {"level", "0"},
+                  {"room", std::to_string(edge.room)}},
+                 to_geometry(edge.line));
+  }
   const Json header = {{"schema", "plan on earth"},
                        {"title", plan.title},
                        {"origin", position(reference, {0.0, 0.0})},

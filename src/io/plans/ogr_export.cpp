@@ -56,14 +56,60 @@ void add_doors(Target& target, const FloorPlan& plan) {
   add_field(layer, "width_m", OFTReal);
   add_field(layer, "room_a", OFTInteger64);
   add_field(layer, "room_b", OFTInteger64);
+  add_field(layer, "kind", OFTString);
   for (const PlanDoor& door : plan.doors) {
     OGRFeature feature(layer.GetLayerDefn());
     feature.SetField(0, static_cast<GIntBig>(door.id));
     feature.SetField(1, door.width_m);
     if (door.room_a) feature.SetField(2, static_cast<GIntBig>(*door.room_a));
     if (door.room_b) feature.SetField(3, static_cast<GIntBig>(*door.room_b));
+    feature.SetField(4, to_string(door.kind));
     add(layer, feature, to_ogr(Polyline{door.jambs.a, door.jambs.b}));
   }
+}
+
+void add_furniture(Target& target, const FloorPlan& plan) {
+  OGRLayer& layer = new_layer(target, "furniture", wkbPolygon);
+  add_field(layer, "id", OFTInteger64);
+  add_field(layer, "kind", OFTString);
+  GIntBig id = 0;
+  for (const PlanFurniture& piece : plan.furniture) {
+    OGRFeature feature(layer.GetLayerDefn());
+    feature.SetField(0, ++id);
+    feature.SetField(1, to_string(piece.kind));
+    add(layer, feature, to_ogr(piece.outline));
+  }
+}
+
+void add_edges(Target& target, const FloorPlan& plan) {
+  OGRLayer& layer = new_layer(target, "edges", wkbLineString);
+  add_field(layer, "room", OFTInteger64);
+  add_field(layer, "evidence", OFTString);
+  add_field(layer, "deviation", OFTReal);  // ten letters: a shapefile has no more
+  for (const PlanEdge& edge : plan.edges) {
+    OGRFeature feature(layer.GetLayerDefn());
+    feature.SetField(0, static_cast<GIntBig>(edge.room));
+    feature.SetField(1, to_string(edge.evidence));
+    if (edge.deviation_m) feature.SetField(2, *edge.deviation_m);
+    add(layer, feature, to_ogr(Polyline{edge.line.a, edge.line.b}));
+  }
+}
+
+/// Leaves of doors that were seen, as they stood: from hinge to free end.
+void add_leaves(Target& target, const FloorPlan& plan) {
+  OGRLayer& layer = new_layer(target, "leaves", wkbLineString);
+  add_field(layer, "door", OFTInteger64);
+  for (const PlanDoor& door : plan.doors) {
+    if (!door.leaf) continue;
+    OGRFeature feature(layer.GetLayerDefn());
+    feature.SetField(0, static_cast<GIntBig>(door.id));
+    add(layer, feature, to_ogr(Polyline{door.leaf->a, door.leaf->b}));
+  }
+}
+
+bool has_leaves(const FloorPlan& plan) {
+  return std::any_of(plan.doors.begin(), plan.doors.end(),
+                     [](const PlanDoor& door) { return door.leaf.has_value(); });
 }
 
 void add_bodies(Target& target, const char* name, const std::vector<Polygon>& bodies) {
@@ -111,7 +157,9 @@ void write_ogr(const std::filesystem::path& out, const std::string& driver_name,
     add_rooms(target, plan);
     add_doors(target, plan);
     add_bodies(target, "walls", plan.walls);
-    if (!plan.furniture.empty()) add_bodies(target, "furniture", outlines_of(plan.furniture));
+    if (!plan.furniture.empty()) add_furniture(target, plan);
+    if (!plan.edges.empty()) add_edges(target, plan);
+    if (has_leaves(plan)) add_leaves(target, plan);
   } catch (const InputError& error) {
     throw InputError((out / name).string() + ": " + driver_name +
                      " cannot hold the plan: " + error.what());

@@ -84,6 +84,20 @@ Json properties_of(const PlanFurniture& piece) {
   return properties;
 }
 
+/// What speaks for the edges of rooms; one that rounding leaves no length has no feature.
+void append_edges(const std::vector<PlanEdge>& edges, std::vector<Json>& features) {
+  for (const PlanEdge& edge : edges) {
+    Json geometry = to_geometry(edge.line);
+    if (geometry.is_null()) continue;
+    Json properties;
+    properties["kind"] = "edge";
+    properties["room"] = edge.room;
+    properties["evidence"] = to_string(edge.evidence);
+    if (edge.deviation_m) properties["deviation_m"] = to_millimetre(*edge.deviation_m);
+    features.push_back(feature_of(std::move(properties), std::move(geometry)));
+  }
+}
+
 std::vector<Json> features_of(const FloorPlan& plan) {
   std::vector<Json> features;
   for (const PlanRoom& room : plan.rooms) features.push_back(feature_of(room));
@@ -94,6 +108,7 @@ std::vector<Json> features_of(const FloorPlan& plan) {
   for (const PlanFurniture& piece : plan.furniture) {
     append_body(piece.outline, properties_of(piece), features);
   }
+  append_edges(plan.edges, features);
   return features;
 }
 

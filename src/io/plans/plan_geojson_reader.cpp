@@ -133,6 +133,26 @@ PlanDoor read_door(const JsonField& properties, const JsonField& geometry) {
   return door;
 }
 
+PlanEdge read_edge(const JsonField& properties, const JsonField& geometry) {
+  PlanEdge edge;
+  edge.room = properties.at("room").positive_integer();
+  edge.line = read_segment(geometry);
+  const JsonField evidence = properties.at("evidence");
+  const std::string word = evidence.text();
+  bool is_known = false;
+  for (const WallEvidence one :
+       {WallEvidence::measured, WallEvidence::inferred, WallEvidence::unexplored}) {
+    if (word != to_string(one)) continue;
+    edge.evidence = one;
+    is_known = true;
+  }
+  if (!is_known) evidence.fail("\"measured\", \"inferred\" or \"unexplored\"");
+  if (const auto deviation_m = properties.find("deviation_m")) {
+    edge.deviation_m = deviation_m->number_not_negative();
+  }
+  return edge;
+}
+
 void read_feature(const JsonField& feature, FloorPlan& plan) {
   const JsonField type = feature.at("type");
   if (type.text() != "Feature") type.fail("\"Feature\"");
@@ -148,8 +168,10 @@ void read_feature(const JsonField& feature, FloorPlan& plan) {
     plan.walls.push_back(read_polygon(geometry));
   } else if (word == "furniture") {
     plan.furniture.push_back(read_furniture(properties, geometry));
+  } else if (word == "edge") {
+    plan.edges.push_back(read_edge(properties, geometry));
   } else {
-    kind.fail("\"room\", \"corridor\", \"hall\", \"door\", \"wall\" or \"furniture\"");
+    kind.fail("\"room\", \"corridor\", \"hall\", \"door\", \"wall\", \"furniture\" or \"edge\"");
   }
 }
 
@@ -159,6 +181,11 @@ void check_ids(const FloorPlan& plan, const Path& file) {
   std::set<RoomId> rooms;
   for (const PlanRoom& room : plan.rooms) {
     if (!rooms.insert(room.id).second) fail("two rooms have the id " + std::to_string(room.id));
+  }
+  for (const PlanEdge& edge : plan.edges) {
+    if (!rooms.contains(edge.room)) {
+      fail("an edge is of room " + std::to_string(edge.room) + ", which is not in the file");
+    }
   }
   std::set<std::int64_t> doors;
   for (const PlanDoor& door : plan.doors) {

@@ -8,7 +8,9 @@
 #include <limits>
 
 #include "plans/geojson_geometry.hpp"
+#include "roomatlas/draw/assumed_walls.hpp"
 #include "roomatlas/draw/plots.hpp"
+#include "roomatlas/evaluate/plan_accuracy.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/merge/unexplored.hpp"
 #include "store/stored_names.hpp"
@@ -62,15 +64,53 @@ Json rooms_of(const FloorPlan& plan) {
   return rooms;
 }
 
+Json leaf_of(const PlanDoor& door) {
+  return door.leaf ? json_of(Polyline{door.leaf->a, door.leaf->b}) : Json(nullptr);
+}
+
+Json furniture_of(const FloorPlan& plan) {
+  Json furniture = Json::array();
+  for (const PlanFurniture& piece : plan.furniture) {
+    furniture.push_back({{"kind", to_string(piece.kind)}, {"rings", json_of(piece.outline)}});
+  }
+  return furniture;
+}
+
+Json edges_of(const FloorPlan& plan) {
+  Json edges = Json::array();
+  for (const PlanEdge& edge : plan.edges) {
+    edges.push_back(
+        {{"room", edge.room},
+         {"evidence", to_string(edge.evidence)},
+         {"deviation_m", edge.deviation_m ? Json(to_millimetre(*edge.deviation_m)) : Json(nullptr)},
+         {"line", json_of(Polyline{edge.line.a, edge.line.b})}});
+  }
+  return edges;
+}
+
+Json accuracy_of(const PlanAccuracy& accuracy) {
+  const auto rounded = [](const std::optional<double>& value_m) {
+    return value_m ? Json(to_millimetre(*value_m)) : Json(nullptr);
+  };
+  return {{"within_room_m", rounded(accuracy.within_room_m)},
+          {"between_rooms_m", rounded(accuracy.between_rooms_m)},
+          {"over_building_m", rounded(accuracy.over_building_m)},
+          {"extent_m", to_millimetre(accuracy.extent_m)},
+          {"loops", accuracy.loops}};
+}
+
 Json doors_of(const FloorPlan& plan) {
   Json doors = Json::array();
   for (const PlanDoor& door : plan.doors) {
     doors.push_back({{"id", door.id},
+                     {"kind", to_string(door.kind)},
                      {"width_m", to_millimetre(door.width_m)},
                      {"a", json_of(door.room_a)},
                      {"b", json_of(door.room_b)},
                      {"at", to_json((door.jambs.a + door.jambs.b) / 2.0)},
-                     {"opening", json_of(door.opening)}});
+                     {"opening", json_of(door.opening)},
+                     {"jambs", json_of(Polyline{door.jambs.a, door.jambs.b})},
+                     {"leaf", leaf_of(door)}});
   }
   return doors;
 }
@@ -211,15 +251,20 @@ std::string report_data(const ReportSources& from) {
   data["rooms"] = rooms_of(from.plan);
   data["doors"] = doors_of(from.plan);
   data["walls"] = json_of(from.plan.walls);
-  data["furniture"] = json_of(outlines_of(from.plan.furniture));
+  data["furniture"] = furniture_of(from.plan);
+  data["edges"] = edges_of(from.plan);
+  data["assumed"] = Json::array();
+  for (const Ring& wall : assumed_walls(from.plan)) data["assumed"].push_back(json_of(wall));
   data["issues"] = issues_of(from.plan.issues);
   data["unexplored"] = Json::array();
-  for (const Polyline& line : unexplored_boundary(from.plan, from.placed.walls_after)) {
-    data["unexplored"].push_back(json_of(line));
+  if (from.plan.edges.empty()) {  // else these say it
+    for (const Polyline& line : unexplored_boundary(from.plan, from.placed.walls_after)) {
+      data["unexplored"].push_back(json_of(line));
+    }
   }
   data["visits"] = visits_of(from.correction, from.graph, from.uncertainty);
-  data["accuracy_m"] =
-      from.uncertainty.typical_m ? Json(to_millimetre(*from.uncertainty.typical_m)) : Json(nullptr);
+  data["accuracy"] =
+      accuracy_of(plan_accuracy(from.plan, from.correction, from.uncertainty.typical_m));
   data["charts"] = charts_of(from.evaluation);
   add_mission(from.placed, data);
   return data.dump(-1, ' ', false, Json::error_handler_t::replace);

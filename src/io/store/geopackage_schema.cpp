@@ -9,24 +9,37 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 namespace roomatlas {
 namespace {
 
 constexpr int kGeoPackageVersion = 10300;  // 1.3.0
 
-void register_tables(Database& database) {
-  for (const TableContents& table : kTables) {
-    const bool has_geometry = table.geometry_type != nullptr;
-    database.run(
-        "INSERT INTO gpkg_contents (table_name, data_type, identifier, description, last_change, "
-        "srs_id) VALUES (?, ?, ?, ?, ?, ?)",
-        table.name, has_geometry ? "features" : "attributes", table.name, table.description,
-        last_change_of(std::nullopt),
-        has_geometry ? std::optional<std::int64_t>(kBuildingSrsId) : std::nullopt);
-    if (!has_geometry) continue;
-    database.run("INSERT INTO gpkg_geometry_columns VALUES (?, 'geom', ?, ?, 0, 0)", table.name,
-                 table.geometry_type, static_cast<std::int64_t>(kBuildingSrsId));
+void register_table(Database& database, const TableContents& table) {
+  const bool has_geometry = table.geometry_type != nullptr;
+  database.run(
+      "INSERT INTO gpkg_contents (table_name, data_type, identifier, description, last_change, "
+      "srs_id) VALUES (?, ?, ?, ?, ?, ?)",
+      table.name, has_geometry ? "features" : "attributes", table.name, table.description,
+      last_change_of(std::nullopt),
+      has_geometry ? std::optional<std::int64_t>(kBuildingSrsId) : std::nullopt);
+  if (!has_geometry) return;
+  database.run("INSERT INTO gpkg_geometry_columns VALUES (?, 'geom', ?, ?, 0, 0)", table.name,
+               table.geometry_type, static_cast<std::int64_t>(kBuildingSrsId));
+}
+
+/// @param columns the last of them tells whether all are there
+void add_columns(Database& database, const std::string& table,
+                 const std::vector<std::string>& columns) {
+  const std::string last = columns.back().substr(0, columns.back().find(' '));
+  bool is_there = false;
+  database.for_each_row("SELECT name FROM pragma_table_info('" + table + "')",
+                        [&](Row& row) { is_there = row.text() == last || is_there; });
+  if (is_there) return;
+  for (const std::string& column : columns) {
+    database.execute("ALTER TABLE " + table + " ADD COLUMN " + column);
   }
 }
 
@@ -55,12 +68,34 @@ void create_schema(Database& database) {
   for (const char* sql : {kGeoPackageSql, kMissionSql, kResultSql, kMatchedPathSql}) {
     database.execute(sql);
   }
-  for (const char* prefix : {"", kMeasured}) database.execute(shapes_sql(prefix));
-  register_tables(database);
+  for (const char* prefix : {"", kMeasured}) {
+    database.execute(shapes_sql(prefix));
+    database.execute(edges_sql(prefix));
+  }
+  for (const TableContents& table : kTables) register_table(database, table);
   create_layer_styles(database);
   create_former_rooms(database);
   database.run("INSERT INTO metadata (key, value) VALUES (?, ?)", kSchemaVersionKey,
                std::to_string(kSchemaVersion));
+}
+
+void add_later_tables(Database& database) {
+  database.execute(kMatchedPathSql);
+  add_columns(database, "closures",
+              {"information_xx REAL", "information_xy REAL", "information_xt REAL",
+               "information_yy REAL", "information_yt REAL", "information_tt REAL"});
+  add_columns(database, "furniture", {"kind TEXT"});
+  for (const char* prefix : {"", kMeasured}) {
+    add_columns(database, prefix + std::string("doors"),
+                {"kind TEXT", "leaf_hinge_x REAL", "leaf_hinge_y REAL", "leaf_end_x REAL",
+                 "leaf_end_y REAL"});
+    const std::string edges = prefix + std::string("edges");
+    if (database.connection().tableExists(edges)) continue;
+    database.execute(edges_sql(prefix));
+    for (const TableContents& table : kTables) {
+      if (table.name == edges) register_table(database, table);
+    }
+  }
 }
 
 void check_schema(Database& database, const std::filesystem::path& file) {

@@ -17,6 +17,10 @@ inline constexpr const char* kSchemaVersionKey = "schema_version";
 /// Makes an empty database a GeoPackage 1.3 with all tables of the store. Not transactional.
 void create_schema(Database& database);
 
+/// Part of a transaction: the tables and columns that earlier releases of this schema version did
+/// not make.
+void add_later_tables(Database& database);
+
 /// Throws InputError in one line (file, found, expected, remedy) unless the database is a store of
 /// this schema version.
 void check_schema(Database& database, const std::filesystem::path& file);

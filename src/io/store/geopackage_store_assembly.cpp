@@ -70,10 +70,14 @@ void write_rooms(Database& db, const std::string& table, const std::vector<PlanR
 
 void write_doors(Database& db, const std::string& table, const std::vector<PlanDoor>& doors) {
   Layer layer(db, table);
-  const std::string insert = "INSERT INTO " + table + " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)";
+  const std::string insert =
+      "INSERT INTO " + table + " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)";
+  const Point2 none = Point2::Constant(std::nan(""));  // NULL
   for (const PlanDoor& door : doors) {
+    const Segment2 leaf = door.leaf.value_or(Segment2{none, none});
     db.run(insert, door.id, layer.blob(Polygon{door.opening, {}}), door.width_m, door.room_a,
-           door.room_b, door.jambs.a, door.jambs.b);
+           door.room_b, door.jambs.a, door.jambs.b, stored_name(kDoorKinds, door.kind), leaf.a,
+           leaf.b);
   }
   layer.write_extent();
 }
@@ -82,6 +86,25 @@ void write_polygons(Database& db, const std::string& table, const std::vector<Po
   Layer layer(db, table);
   const std::string insert = "INSERT INTO " + table + " VALUES (NULL, ?)";
   for (const Polygon& polygon : polygons) db.run(insert, layer.blob(polygon));
+  layer.write_extent();
+}
+
+void write_furniture(Database& db, const std::vector<PlanFurniture>& furniture) {
+  Layer layer(db, "furniture");
+  for (const PlanFurniture& piece : furniture) {
+    db.run("INSERT INTO furniture VALUES (NULL, ?, ?)", layer.blob(piece.outline),
+           stored_name(kFurnitureKinds, piece.kind));
+  }
+  layer.write_extent();
+}
+
+void write_edges(Database& db, const std::string& table, const std::vector<PlanEdge>& edges) {
+  Layer layer(db, table);
+  const std::string insert = "INSERT INTO " + table + " VALUES (NULL, ?, ?, ?, ?)";
+  for (const PlanEdge& edge : edges) {
+    db.run(insert, layer.blob(Polyline{edge.line.a, edge.line.b}), edge.room,
+           stored_name(kWallEvidences, edge.evidence), edge.deviation_m.value_or(std::nan("")));
+  }
   layer.write_extent();
 }
 
@@ -112,18 +135,19 @@ void write_path(Database& db, const std::vector<AsrCorrection>& corrections) {
   layer.write_extent();
 }
 
-/// Rooms, doors, walls and free space.
+/// Rooms, doors, walls, free space and edges.
 /// @param prefix of the tables' names
 void write_shapes(Database& db, const std::string& prefix, const FloorPlan& plan) {
   write_rooms(db, prefix + "rooms", plan.rooms);
   write_doors(db, prefix + "doors", plan.doors);
   write_polygons(db, prefix + "walls", plan.walls);
   write_polygons(db, prefix + "free_space", plan.free_space);
+  write_edges(db, prefix + "edges", plan.edges);
 }
 
 void write_plan(Database& db, const FloorPlan& plan) {
   write_shapes(db, "", plan);
-  write_polygons(db, "furniture", outlines_of(plan.furniture));
+  write_furniture(db, plan.furniture);
   for (const Issue& issue : plan.issues) {
     db.run("INSERT INTO plan_issues VALUES (NULL, ?, ?, ?, ?, ?)",
            stored_name(kSeverities, issue.severity), issue.file, issue.line, issue.field,
@@ -145,19 +169,7 @@ void write_correction(Database& db, const Correction& correction) {
   }
 }
 
-/// A store that an earlier release made has no information in `closures`.
-void add_information_columns(Database& db) {
-  bool is_there = false;
-  db.for_each_row("SELECT name FROM pragma_table_info('closures')",
-                  [&](Row& row) { is_there = row.text() == "information_tt" || is_there; });
-  if (is_there) return;
-  for (const char* entry : {"xx", "xy", "xt", "yy", "yt", "tt"}) {
-    db.execute("ALTER TABLE closures ADD COLUMN information_" + std::string(entry) + " REAL");
-  }
-}
-
 void write_closures(Database& db, const std::vector<Closure>& closures) {
-  add_information_columns(db);
   db.execute("DELETE FROM closures");
   for (const Closure& closure : closures) {
     const MapMatch& match = closure.match;
@@ -172,7 +184,7 @@ void write_closures(Database& db, const std::vector<Closure>& closures) {
 
 void write_results(Database& db, const Assembly& assembly) {
   const Correction& correction = assembly.correction;
-  db.execute(kMatchedPathSql);  // a store that an earlier release made has none
+  add_later_tables(db);
   for (const char* table : kResultTables) db.execute("DELETE FROM " + std::string(table));
   const StoredHabits habits = stored(correction.odometry.habits);
   db.run("INSERT INTO assembly VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", assembly.plan.title,

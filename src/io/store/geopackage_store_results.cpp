@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace roomatlas {
 namespace {
@@ -44,7 +45,33 @@ PlanDoor door_of(Row& row) {
   door.room_b = row.optional_integer();
   door.jambs.a = row.point();
   door.jambs.b = row.point();
+  if (!row.has_more()) return door;  // made by an earlier release
+  door.kind = value_of_stored_name(kDoorKinds, row.text());
+  Segment2 leaf;
+  leaf.a = row.point();
+  leaf.b = row.point();
+  if (leaf.a.allFinite() && leaf.b.allFinite()) door.leaf = leaf;
   return door;
+}
+
+PlanFurniture furniture_of(Row& row) {
+  (void)row.integer();  // id
+  PlanFurniture piece;
+  piece.outline = polygon_of_wkb(wkb_of_geopackage_blob(row.blob()));
+  if (row.has_more()) piece.kind = value_of_stored_name(kFurnitureKinds, row.text());
+  return piece;
+}
+
+PlanEdge edge_of(Row& row) {
+  PlanEdge edge;
+  const Polyline line = line_of_wkb(wkb_of_geopackage_blob(row.blob()));
+  if (line.size() != 2) throw DamagedData("an edge of a room has no two ends");
+  edge.line = {line[0], line[1]};
+  edge.room = row.integer();
+  edge.evidence = value_of_stored_name(kWallEvidences, row.text());
+  const double deviation_m = row.real();
+  if (std::isfinite(deviation_m)) edge.deviation_m = deviation_m;
+  return edge;
 }
 
 Issue issue_of(Row& row) {
@@ -119,7 +146,7 @@ std::vector<Polygon> polygons_of(Database& db, const std::string& table) {
       +[](Row& row) { return polygon_of_wkb(wkb_of_geopackage_blob(row.blob())); });
 }
 
-/// Rooms, doors, walls and free space.
+/// Rooms, doors, walls, free space and edges.
 /// @param prefix of the tables' names
 FloorPlan shapes_of(Database& db, const std::string& prefix) {
   FloorPlan plan;
@@ -127,6 +154,11 @@ FloorPlan shapes_of(Database& db, const std::string& prefix) {
   plan.doors = all(db, "SELECT * FROM " + prefix + "doors ORDER BY id", door_of);
   plan.walls = polygons_of(db, prefix + "walls");
   plan.free_space = polygons_of(db, prefix + "free_space");
+  if (db.connection().tableExists(prefix + "edges")) {  // else made by an earlier release
+    plan.edges =
+        all(db, "SELECT geom, room, evidence, deviation_m FROM " + prefix + "edges ORDER BY id",
+            edge_of);
+  }
   return plan;
 }
 
@@ -187,9 +219,7 @@ FloorPlan GeoPackageStore::plan() const {
     const std::int64_t found =
         db.for_each_row("SELECT title FROM assembly", [&](Row& row) { plan.title = row.text(); });
     if (found == 0) throw_not_assembled(state_->file);
-    for (Polygon& outline : polygons_of(db, "furniture")) {
-      plan.furniture.push_back({std::move(outline), FurnitureKind::free_standing});
-    }
+    plan.furniture = all(db, "SELECT * FROM furniture ORDER BY id", furniture_of);
     plan.issues = all(db,
                       "SELECT severity, file, line, field, message FROM plan_issues "
                       "ORDER BY id",

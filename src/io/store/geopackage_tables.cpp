@@ -154,7 +154,12 @@ std::string shapes_sql(const std::string& prefix) {
   jamb_a_x REAL,
   jamb_a_y REAL,
   jamb_b_x REAL,
-  jamb_b_y REAL);
+  jamb_b_y REAL,
+  kind TEXT,
+  leaf_hinge_x REAL,
+  leaf_hinge_y REAL,
+  leaf_end_x REAL,
+  leaf_end_y REAL);
 )sql" + create +
          R"sql(walls (id INTEGER PRIMARY KEY, geom POLYGON);
 )sql" + create +
@@ -162,8 +167,18 @@ std::string shapes_sql(const std::string& prefix) {
 )sql";
 }
 
+std::string edges_sql(const std::string& prefix) {
+  return "CREATE TABLE " + prefix + R"sql(edges (
+  id INTEGER PRIMARY KEY,
+  geom LINESTRING,
+  room INTEGER NOT NULL,
+  evidence TEXT NOT NULL,
+  deviation_m REAL);
+)sql";
+}
+
 const char* const kResultSql = R"sql(
-CREATE TABLE furniture (id INTEGER PRIMARY KEY, geom POLYGON);
+CREATE TABLE furniture (id INTEGER PRIMARY KEY, geom POLYGON, kind TEXT);
 CREATE TABLE path (asr INTEGER PRIMARY KEY, geom LINESTRING);
 
 CREATE TABLE assembly (

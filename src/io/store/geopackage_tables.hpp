@@ -13,16 +13,18 @@ struct TableContents {
   const char* description;
 };
 
-inline constexpr std::array<TableContents, 22> kTables = {{
+inline constexpr std::array<TableContents, 24> kTables = {{
     {"rooms", "MULTIPOLYGON", "Rooms of the floor plan"},
     {"doors", "POLYGON", "Doorways: openings in the walls"},
     {"walls", "POLYGON", "Wall bodies with thickness"},
     {"free_space", "POLYGON", "Union of rooms and door openings"},
+    {"edges", "LINESTRING", "Edges of the rooms, and what speaks for each"},
     {"furniture", "POLYGON", "Obstacles that are no walls"},
     {"measured_rooms", "MULTIPOLYGON", "Rooms before their walls were made regular"},
     {"measured_doors", "POLYGON", "Doorways in the walls as measured"},
     {"measured_walls", "POLYGON", "Wall bodies as measured"},
     {"measured_free_space", "POLYGON", "Free space as measured"},
+    {"measured_edges", "LINESTRING", "Edges of the rooms as measured"},
     {"path", "LINESTRING", "Corrected path of the robot, one line a visit"},
     {"asr", nullptr, "Visits to spaces, each in its own frame"},
     {"exits", nullptr, "Passages through which the robot entered or left a visit"},
@@ -39,11 +41,11 @@ inline constexpr std::array<TableContents, 22> kTables = {{
 }};
 
 /// The tables that an assembly fills and the next one replaces.
-inline constexpr std::array<const char*, 16> kResultTables = {
-    "rooms",          "doors",          "walls",          "free_space",          "furniture",
-    "measured_rooms", "measured_doors", "measured_walls", "measured_free_space", "path",
-    "assembly",       "corrections",    "factors",        "plan_issues",         "closures",
-    "matched_path"};
+inline constexpr std::array<const char*, 18> kResultTables = {
+    "rooms",          "doors",          "walls",          "free_space",          "edges",
+    "measured_rooms", "measured_doors", "measured_walls", "measured_free_space", "measured_edges",
+    "furniture",      "path",           "assembly",       "corrections",         "factors",
+    "plan_issues",    "closures",       "matched_path"};
 
 /// Before the names of the tables that hold the plan as measured.
 inline constexpr const char* kMeasured = "measured_";
@@ -53,7 +55,10 @@ extern const char* const kMissionSql;      ///< what the online stage writes
 extern const char* const kResultSql;       ///< what the offline stage writes
 extern const char* const kMatchedPathSql;  ///< the same, where the store does not have it yet
 
-/// The tables of a plan's shapes. @param prefix of their names: none, or kMeasured
+/// The tables of a plan's shapes, but for its edges. @param prefix of their names: none, or
+/// kMeasured
 [[nodiscard]] std::string shapes_sql(const std::string& prefix);
+/// The table of its edges.
+[[nodiscard]] std::string edges_sql(const std::string& prefix);
 
 }  // namespace roomatlas

@@ -82,6 +82,25 @@ std::string rooms_style() {
       "round(area_m2, 1) || ' m²'\"/><placement placement=\"1\"/></settings></labeling>");
 }
 
+std::string dashed_line(const std::string& name, const std::string& colour, const char* style) {
+  return "<symbol type=\"line\" name=\"" + name + "\" alpha=\"1\"><layer class=\"SimpleLine\">" +
+         property("line_color", colour) + property("line_style", style) +
+         property("line_width", "0.35") + property("line_width_unit", "MM") + "</layer></symbol>";
+}
+
+std::string edges_style() {
+  const auto category = [](const char* symbol, const char* evidence) {
+    return std::string("<category symbol=\"") + symbol + "\" value=\"" + evidence + "\" label=\"" +
+           evidence + "\" render=\"true\"/>";
+  };
+  return document(
+      "<renderer-v2 type=\"categorizedSymbol\" attr=\"evidence\" symbollevels=\"0\"><categories>" +
+      category("0", "measured") + category("1", "inferred") + category("2", "unexplored") +
+      "</categories><symbols>" + dashed_line("0", "57,66,78,255", "solid") +
+      dashed_line("1", "255,255,255,255", "dash") + dashed_line("2", "213,94,0,255", "dot") +
+      "</symbols></renderer-v2>");
+}
+
 void add_style(Database& database, const char* layer, const std::string& qml) {
   database.run(
       "INSERT INTO layer_styles (f_table_catalog, f_table_schema, f_table_name, "
@@ -103,6 +122,7 @@ void create_layer_styles(Database& database) {
   add_style(database, "doors", single(fill_symbol("0", "255,255,255,255", "95,107,122,255")));
   add_style(database, "free_space", single(outline_symbol("95,107,122,255")));
   add_style(database, "furniture", single(fill_symbol("0", "201,206,214,255", "95,107,122,255")));
+  add_style(database, "edges", edges_style());
   add_style(database, "path", single(line_symbol("213,94,0,255")));
 }
 

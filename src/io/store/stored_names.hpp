@@ -24,6 +24,15 @@ inline constexpr StoredNames<PassageKind, 2> kPassageKinds = {
     {{PassageKind::doorway, "doorway"}, {PassageKind::open_passage, "open_passage"}}};
 inline constexpr StoredNames<RoomKind, 3> kRoomKinds = {
     {{RoomKind::room, "room"}, {RoomKind::corridor, "corridor"}, {RoomKind::hall, "hall"}}};
+inline constexpr StoredNames<DoorKind, 3> kDoorKinds = {
+    {{DoorKind::door, "door"}, {DoorKind::passage, "passage"}, {DoorKind::window, "window"}}};
+inline constexpr StoredNames<WallEvidence, 3> kWallEvidences = {
+    {{WallEvidence::measured, "measured"},
+     {WallEvidence::inferred, "inferred"},
+     {WallEvidence::unexplored, "unexplored"}}};
+inline constexpr StoredNames<FurnitureKind, 2> kFurnitureKinds = {
+    {{FurnitureKind::against_wall, "against_wall"},
+     {FurnitureKind::free_standing, "free_standing"}}};
 inline constexpr StoredNames<FactorKind, 4> kFactorKinds = {
     {{FactorKind::odometry, "odometry"},
      {FactorKind::doorway, "doorway"},

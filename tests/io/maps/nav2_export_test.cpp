@@ -22,7 +22,14 @@ FloorPlan thin_wall() {
   Polygon outer = box(-0.15, -0.15, 6.17, 2.15);
   outer.holes = {box(0, 0, 6.02, 2).outer};
   plan.walls = {outer, box(3, 0, 3.02, 0.53), box(3, 1.43, 3.02, 2)};
-  plan.doors = {{1, {{3.01, 0.53}, {3.01, 1.43}}, 0.9, box(3, 0.53, 3.02, 1.43).outer, 1, 2}};
+  plan.doors = {{1,
+                 {{3.01, 0.53}, {3.01, 1.43}},
+                 0.9,
+                 box(3, 0.53, 3.02, 1.43).outer,
+                 1,
+                 2,
+                 DoorKind::door,
+                 {}}};
   return plan;
 }
 

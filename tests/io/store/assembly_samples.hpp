@@ -68,6 +68,22 @@ inline void expect_same(const PlanDoor& a, const PlanDoor& b) {
   EXPECT_EQ(a.opening, b.opening);
   EXPECT_EQ(a.room_a, b.room_a);
   EXPECT_EQ(a.room_b, b.room_b);
+  EXPECT_EQ(a.kind, b.kind);
+  ASSERT_EQ(a.leaf.has_value(), b.leaf.has_value());
+  if (!a.leaf) return;
+  EXPECT_EQ(a.leaf->a, b.leaf->a);
+  EXPECT_EQ(a.leaf->b, b.leaf->b);
+}
+
+inline void expect_same(const std::vector<PlanEdge>& a, const std::vector<PlanEdge>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].room, b[i].room);
+    EXPECT_EQ(a[i].line.a, b[i].line.a);
+    EXPECT_EQ(a[i].line.b, b[i].line.b);
+    EXPECT_EQ(a[i].evidence, b[i].evidence);
+    EXPECT_EQ(a[i].deviation_m, b[i].deviation_m);
+  }
 }
 
 inline void expect_same(const FloorPlan& a, const FloorPlan& b) {
@@ -79,6 +95,10 @@ inline void expect_same(const FloorPlan& a, const FloorPlan& b) {
   expect_same(a.walls, b.walls);
   expect_same(a.free_space, b.free_space);
   expect_same(outlines_of(a.furniture), outlines_of(b.furniture));
+  for (std::size_t i = 0; i < a.furniture.size(); ++i) {
+    EXPECT_EQ(a.furniture[i].kind, b.furniture[i].kind);
+  }
+  expect_same(a.edges, b.edges);
   ASSERT_EQ(a.issues.size(), b.issues.size());
   for (std::size_t i = 0; i < a.issues.size(); ++i) {
     EXPECT_EQ(a.issues[i].severity, b.issues[i].severity);

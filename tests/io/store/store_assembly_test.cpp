@@ -104,6 +104,42 @@ TEST_F(StoredAssembly, AStoreOfAnEarlierReleaseHasNoMatchedPath) {
   EXPECT_EQ(asr.path.front().asr_from_robot, (Pose2{1.0, 2.0, 0.5}));
 }
 
+TEST_F(StoredAssembly, AStoreOfAnEarlierReleaseHasNeitherEdgesNorKindsUntilItIsAssembledAgain) {
+  store_.put(sample_assembly(sample_correction(3), sample_plan()), "");
+  store_.finish();
+  {
+    SQLite::Database db(file_.string(), SQLite::OPEN_READWRITE);
+    for (const char* prefix : {"", "measured_"}) {
+      const std::string name = prefix;
+      db.exec("DROP TABLE " + name + "edges");
+      db.exec("DELETE FROM gpkg_geometry_columns WHERE table_name = '" + name + "edges'");
+      db.exec("DELETE FROM gpkg_contents WHERE table_name = '" + name + "edges'");
+      for (const char* column :
+           {"kind", "leaf_hinge_x", "leaf_hinge_y", "leaf_end_x", "leaf_end_y"}) {
+        db.exec("ALTER TABLE " + name + "doors DROP COLUMN " + column);
+      }
+    }
+    db.exec("ALTER TABLE furniture DROP COLUMN kind");
+  }
+  FloorPlan former = sample_plan();
+  former.edges.clear();
+  for (PlanDoor& door : former.doors) {
+    door.kind = DoorKind::door;
+    door.leaf.reset();
+  }
+  for (PlanFurniture& piece : former.furniture) piece.kind = FurnitureKind::free_standing;
+  expect_same(GeoPackageStore(file_, Mode::read).plan(), former);
+  GeoPackageStore store(file_, Mode::update);
+  store.put(sample_assembly(sample_correction(3), sample_plan()), "");
+  store.finish();
+  expect_same(GeoPackageStore(file_, Mode::read).plan(), sample_plan());
+  SQLite::Database db(file_.string());
+  EXPECT_EQ(db.execAndGet("SELECT count(*) FROM gpkg_geometry_columns WHERE table_name LIKE "
+                          "'%edges'")
+                .getInt(),
+            2);
+}
+
 TEST_F(StoredAssembly, AFailureKeepsTheFormerOne) {
   store_.put(sample_assembly(sample_correction(3), sample_plan()), "");
   FloorPlan twice = sample_plan();

@@ -180,11 +180,17 @@ inline FloorPlan sample_plan() {
   plan.rooms = {{1, "Lab 315", RoomKind::hall, {ring, island}, 72.5, {1.5, 1.5}, {1, 4, 2}},
                 {2, "2", RoomKind::corridor, {island}, 0.5, {20.6, 0.3}, {}},
                 {7, "7", RoomKind::room, {}, 0.0, {0, 0}, {3}}};
-  plan.doors = {{1, {{9, 4}, {9, 5}}, 1.0, {{9, 4}, {9.15, 4}, {9.15, 5}, {9, 5}}, 1, 2},
-                {2, {{0, 4}, {0, 5}}, 1.0 / 3.0, {}, std::nullopt, 2}};
+  plan.doors = {
+      {1, {{9, 4}, {9, 5}}, 1.0, {{9, 4}, {9.15, 4}, {9.15, 5}, {9, 5}}, 1, 2, DoorKind::door, {}},
+      {2, {{0, 4}, {0, 5}}, 1.0 / 3.0, {}, std::nullopt, 2, DoorKind::window, {}}};
+  plan.doors[0].leaf = Segment2{{9, 4}, {9.0 + 2.0 / 3.0, 4.7}};
   plan.walls = {{{{-0.15, -0.15}, {9.15, -0.15}, {9.15, 9.15}, {-0.15, 9.15}}, {ring.outer}}};
   plan.free_space = {ring, island};
-  plan.furniture = {{island, FurnitureKind::free_standing}};
+  plan.furniture = {{island, FurnitureKind::free_standing},
+                    {{{{1, 1}, {2, 1}, {2, 1.5}}, {}}, FurnitureKind::against_wall}};
+  plan.edges = {{1, {{0, 0}, {9, 1e-9}}, WallEvidence::measured, 1.0 / 70.0},
+                {1, {{9, 0}, {9, 4}}, WallEvidence::inferred, std::nullopt},
+                {2, {{20, 1.0 / 3.0}, {21, 0}}, WallEvidence::unexplored, std::nullopt}};
   plan.issues = {{Severity::warning, "mission.clf", 17, "room 2", "healed a bow-tie"},
                  {Severity::note, "", 0, "", "nothing"}};
   return plan;

@@ -12,14 +12,16 @@ namespace roomatlas {
 [[nodiscard]] bool has_ogr();
 
 /// The plan as DXF in metres, model space, with the layer names of the U.S. National CAD Standard
-/// (AIA): A-WALL, A-DOOR, A-DOOR-IDEN (widths), A-AREA (outlines of rooms), A-AREA-IDEN (names and
-/// areas), A-FURN. Outlines are closed polylines. Throws InputError when it cannot be written,
+/// (AIA): A-WALL, A-WALL-MEAS, A-WALL-INFR and A-WALL-UNEX (edges of rooms by evidence), A-DOOR,
+/// A-DOOR-IDEN (widths), A-GLAZ, A-GLAZ-IDEN (windows), A-AREA (outlines of rooms), A-AREA-IDEN
+/// (names and areas), A-FURN (at walls), A-FURN-FREE, A-ANNO-DIMS (chains of dimensions as lines
+/// and texts). Outlines are closed polylines. Throws InputError when it cannot be written,
 /// UsageError in a build without GDAL.
 void write_dxf(const std::filesystem::path& file, const FloorPlan& plan);
 
-/// The plan in a vector format of OGR, in building metres: layers rooms, doors, walls and
-/// furniture with the columns of the store. Throws UsageError for a format that this GDAL cannot
-/// write, InputError when writing fails.
+/// The plan in a vector format of OGR, in building metres: layers rooms, doors, walls and, where
+/// there are any, furniture, edges and leaves, with the columns of the store. Throws UsageError for
+/// a format that this GDAL cannot write, InputError when writing fails.
 /// @param driver as `ogrinfo --formats` names it, such as "GML" or "ESRI Shapefile"
 /// @param out folder; files there are called `plan_DRIVER...`
 void write_ogr(const std::filesystem::path& out, const std::string& driver, const FloorPlan& plan);
