@@ -180,7 +180,8 @@ std::vector<RegionGraph::Pair> DoorQueue::join(RegionGraph& graph, const RegionG
 void DoorQueue::ask(const RegionGraph& graph, const RegionGraph::Pair& pair) {
   DoorWeights model = model_;
   model.bias += kKnownWall * graph.known_share(pair);
-  const double probability = door_probability(graph.figures(pair), model);
+  const double probability =
+      door_probability(graph.figures(pair), model, driven_wide(graph.openings(pair)));
   probability_[pair] = probability;
   by_probability_.insert({probability, pair});
 }
