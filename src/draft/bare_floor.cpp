@@ -41,10 +41,10 @@ std::vector<bool> are_walls(const Walls& walls, const BareFloorOptions& options)
 /// that are too short or too rough for faces.
 void add_posts(const WallFace& face, const std::vector<WallFace>& faces,
                const Occupancy& occupancy, const BareFloorOptions& options, CellMask& mask) {
-  Stretch reach{face.low_m(), face.high_m()};
+  Interval reach{face.low_m(), face.high_m()};
   const double next_m =
       face.prominence_m >= kBuildingLine_m ? kNextOnBuildingLine_m : kNextFace_m;
-  for (const Stretch& other : on_line(face, faces, options.min_face_m)) {
+  for (const Interval& other : on_line(face, faces, options.min_face_m)) {
     if (other.low_m >= reach.high_m && other.low_m <= face.high_m() + next_m) {
       reach.high_m = std::max(reach.high_m, other.low_m);
     }
@@ -69,7 +69,7 @@ CellMask wall_cells(const Walls& walls, const std::vector<bool>& is_wall,
   for (std::size_t i = 0; i < walls.faces.size(); ++i) {
     const WallFace& face = walls.faces[i];
     if (!is_wall[i]) continue;
-    for (const Stretch& stretch : face.seen) {
+    for (const Interval& stretch : face.seen) {
       for_each_cell_on_line(frame.cell_of(face.at(stretch.low_m)),
                             frame.cell_of(face.at(stretch.high_m)), [&](const Cell& cell) {
                               mask.set(cell, true);

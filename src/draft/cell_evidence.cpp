@@ -20,7 +20,7 @@ bool is_in_body(const Point2& at, const WallBody& body, const Walls& walls) {
   const double depth_m = front.offset_m - at.dot(front.normal());
   if (depth_m <= 0.0 || depth_m >= body.thickness_m) return false;
   const double along_m = at.dot(front.along());
-  return std::any_of(body.stretches.begin(), body.stretches.end(), [&](const Stretch& stretch) {
+  return std::any_of(body.stretches.begin(), body.stretches.end(), [&](const Interval& stretch) {
     return along_m > stretch.low_m && along_m < stretch.high_m;
   });
 }
@@ -48,7 +48,7 @@ class BodyLookup {
     const WallBody& body = walls_.bodies[index];
     const WallFace& front = walls_.faces[body.front];
     const double step_m = frame_.cell_m / 2.0;
-    for (const Stretch& stretch : body.stretches) {
+    for (const Interval& stretch : body.stretches) {
       for (double along_m = stretch.low_m; along_m < stretch.high_m + step_m; along_m += step_m) {
         for (double depth_m = 0.0; depth_m < body.thickness_m + step_m; depth_m += step_m) {
           const Cell cell = frame_.cell_of(front.at(along_m) - depth_m * front.normal());

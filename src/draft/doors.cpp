@@ -30,7 +30,7 @@ struct WallAt {
 
 double distance_along_m(const WallFace& face, double along_m) {
   double nearest_m = std::numeric_limits<double>::infinity();
-  for (const Stretch& seen : face.seen) {
+  for (const Interval& seen : face.seen) {
     nearest_m = std::min(nearest_m, std::max({0.0, seen.low_m - along_m, along_m - seen.high_m}));
   }
   return nearest_m;
@@ -138,13 +138,13 @@ double refined(double begins_m, const Profile& profile) {
   return weights >= kEnough ? sum / weights : begins_m;
 }
 
-std::optional<Stretch> laser_jambs(const WallAt& wall, double middle_m,
+std::optional<Interval> laser_jambs(const WallAt& wall, double middle_m,
                                    const std::vector<SurfacePoint>& surfaces) {
   const Profile profile = profile_of(wall, middle_m, surfaces);
   const auto low_m = wall_begins(profile, middle_m, -1);
   const auto high_m = wall_begins(profile, middle_m, 1);
   if (!low_m || !high_m) return std::nullopt;
-  return Stretch{refined(*low_m, profile), refined(*high_m, profile)};
+  return Interval{refined(*low_m, profile), refined(*high_m, profile)};
 }
 
 Door in_wall(const Door& opening, const Walls& walls, const BuildingEvidence& evidence,
@@ -152,12 +152,12 @@ Door in_wall(const Door& opening, const Walls& walls, const BuildingEvidence& ev
   const auto wall = wall_at(opening, walls, options);
   if (!wall) return opening;
   const double middle_m = opening.frame_from_pivot.position().dot(wall->front->along());
-  std::optional<Stretch> jambs = evidence.kind == SensorKind::sonar
+  std::optional<Interval> jambs = evidence.kind == SensorKind::sonar
                                      ? sonar_jambs(*wall->front, middle_m, evidence)
                                      : laser_jambs(*wall, middle_m, evidence.surfaces);
   const double a_m = opening.jambs.a.dot(wall->front->along());
   const double b_m = opening.jambs.b.dot(wall->front->along());
-  const Stretch found{std::min(a_m, b_m), std::max(a_m, b_m)};
+  const Interval found{std::min(a_m, b_m), std::max(a_m, b_m)};
   // Far from what the floor shows it is another opening's, or a wall that nobody saw.
   const bool is_wild = jambs && (std::abs(jambs->low_m - found.low_m) > options.reach_m ||
                                  std::abs(jambs->high_m - found.high_m) > options.reach_m);

@@ -21,7 +21,7 @@ bool is_worth_it(const Pose2& from, const Pose2& to, double every_m, double ever
 /// Takes readings in and makes evidence of them.
 class Gatherer {
  public:
-  explicit Gatherer(const EvidenceOptions& options) : options_(options) {
+  explicit Gatherer(const GatherOptions& options) : options_(options) {
     evidence_.counts = ReflectionMap(options.cell_m);
   }
 
@@ -72,7 +72,7 @@ class Gatherer {
     }
   }
 
-  EvidenceOptions options_;
+  GatherOptions options_;
   BuildingEvidence evidence_;
   std::optional<Pose2> last_;
   std::size_t thin_at_ = kThinAt;
@@ -81,7 +81,7 @@ class Gatherer {
 }  // namespace
 
 BuildingEvidence gather_evidence(const AsrSource& source, const Placement& placement,
-                                 const EvidenceOptions& options, const Progress& progress) {
+                                 const GatherOptions& options, const Progress& progress) {
   Gatherer gatherer(options);
   const std::vector<AsrId> ids = source.ids();
   for (std::size_t i = 0; i < ids.size(); ++i) {

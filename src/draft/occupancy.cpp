@@ -14,7 +14,7 @@ constexpr int kBorderCells = 4;        // around everything, so that walls at th
 
 /// Visits the cells of a stretch of a face, moved along its normal.
 template <typename Visit>
-void for_each_cell_of(const WallFace& face, const Stretch& stretch, double moved_m,
+void for_each_cell_of(const WallFace& face, const Interval& stretch, double moved_m,
                       const CellFrame& frame, Visit visit) {
   const Point2 off = moved_m * face.normal();
   for_each_cell_on_line(frame.cell_of(face.at(stretch.low_m) + off),
@@ -32,7 +32,7 @@ CellMask stops_of(const BuildingEvidence& evidence, const std::vector<WallFace>&
   CellMask stops(evidence.counts.box());
   for (const WallFace& face : faces) {
     if (face.support_m() < kStrongFace_m) continue;
-    for (const Stretch& stretch : face.seen) {
+    for (const Interval& stretch : face.seen) {
       for_each_cell_of(face, stretch, -options.stop_behind_m, frame,
                        [&](const Cell& cell) { stops.set(cell, true); });
     }
@@ -109,7 +109,7 @@ Occupancy occupancy_of(const BuildingEvidence& evidence, const std::vector<WallF
   clear_path(evidence.building_from_robot, options.path_clear_m, occupancy);
   if (!is_sonar) return occupancy;
   for (const WallFace& face : faces) {
-    for (const Stretch& stretch : face.seen) {
+    for (const Interval& stretch : face.seen) {
       for_each_cell_of(face, stretch, 0.0, occupancy.frame, [&](const Cell& cell) {
         occupancy.obstacle.set(cell, true);
         occupancy.free.set(cell, false);

@@ -112,7 +112,7 @@ class Grower {
     const double middle_m = seed.at.dot(face.along());
     face.seen = {{middle_m - kSeed_m, middle_m + kSeed_m}};
     for (int round = 0; round < kMostRounds; ++round) {
-      const Stretch before{face.low_m(), face.high_m()};
+      const Interval before{face.low_m(), face.high_m()};
       const Point2 middle = face.at((before.low_m + before.high_m) / 2.0);
       if (!grow(face, middle)) return {};
       const bool is_settled = std::abs(face.low_m() - before.low_m) < kStep_m &&
@@ -155,14 +155,14 @@ class Grower {
     return false;
   }
 
-  static std::vector<Stretch> stretches_of(const std::vector<SurfacePoint>& on,
+  static std::vector<Interval> stretches_of(const std::vector<SurfacePoint>& on,
                                            const WallFace& face) {
     std::vector<int> steps;
     for (const SurfacePoint& one : on) {
       steps.push_back(static_cast<int>(std::floor(one.at.dot(face.along()) / kStep_m)));
     }
     std::sort(steps.begin(), steps.end());
-    std::vector<Stretch> seen;
+    std::vector<Interval> seen;
     for (const auto& [first, last] : runs_of(steps, kGapSteps)) {
       seen.push_back({steps[first] * kStep_m, (steps[last] + 1) * kStep_m});
     }

@@ -97,14 +97,14 @@ std::vector<Side> sides_of(const std::vector<Heard>& heard, double middle_m, dou
 
 }  // namespace
 
-std::optional<Stretch> sonar_jambs(const WallFace& face, double middle_m,
+std::optional<Interval> sonar_jambs(const WallFace& face, double middle_m,
                                    const BuildingEvidence& evidence) {
   const std::vector<Heard> heard = heard_at(face, middle_m, evidence);
   if (heard.size() < kFewest) return std::nullopt;
   const std::vector<Side> low = sides_of(heard, middle_m, -1.0, evidence.sonar_half_cone_rad);
   const std::vector<Side> high = sides_of(heard, middle_m, 1.0, evidence.sonar_half_cone_rad);
   double least = std::numeric_limits<double>::infinity();
-  Stretch best;
+  Interval best;
   for (const Side& a : low) {
     for (const Side& b : high) {
       double sum = 0.0;  // the nearest of two walls is what is heard

@@ -14,7 +14,7 @@ namespace roomatlas {
 /// the opening is farther away. Both jambs are tried in steps of 2 cm.
 /// @param middle_m of the opening, along the face
 /// @returns nothing where fewer than 20 echoes tell
-[[nodiscard]] std::optional<Stretch> sonar_jambs(const WallFace& face, double middle_m,
+[[nodiscard]] std::optional<Interval> sonar_jambs(const WallFace& face, double middle_m,
                                                  const BuildingEvidence& evidence);
 
 }  // namespace roomatlas

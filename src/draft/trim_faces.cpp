@@ -15,7 +15,7 @@ constexpr double kFewEchoes = 0.2;    // mean reflected share beyond
 constexpr double kStep_m = 0.05;
 
 /// The mean over places of the largest reflected share around them.
-double reflected_along(const ReflectionMap& counts, const WallFace& face, const Stretch& stretch) {
+double reflected_along(const ReflectionMap& counts, const WallFace& face, const Interval& stretch) {
   if (stretch.length_m() <= 0.0) return 0.0;
   const int places = std::max(2, static_cast<int>(stretch.length_m() / kStep_m));
   double sum = 0.0;
@@ -36,7 +36,7 @@ double reflected_along(const ReflectionMap& counts, const WallFace& face, const 
 void trim_at_corners(const ReflectionMap& counts, std::vector<WallFace>& faces) {
   const std::vector<WallFace> before = faces;
   for (WallFace& face : faces) {
-    for (Stretch& seen : face.seen) {
+    for (Interval& seen : face.seen) {
       for (const WallFace& other : before) {
         const double sine = face.along().dot(other.normal());
         if (std::abs(sine) < kSquareSine) continue;

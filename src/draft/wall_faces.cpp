@@ -154,18 +154,18 @@ std::vector<WallFace> sonar_faces(const BuildingEvidence& evidence,
 struct Line {
   std::vector<const WallFace*> faces;
   double offset_m = 0.0;
-  Stretch reach;
+  Interval reach;
 };
 
 WallFace joined(const Line& line) {
   WallFace face = *line.faces.front();
   face.offset_m = line.offset_m;
-  std::vector<Stretch> all;
+  std::vector<Interval> all;
   for (const WallFace* one : line.faces) all.insert(all.end(), one->seen.begin(), one->seen.end());
   std::sort(all.begin(), all.end(),
-            [](const Stretch& a, const Stretch& b) { return a.low_m < b.low_m; });
+            [](const Interval& a, const Interval& b) { return a.low_m < b.low_m; });
   face.seen.clear();
-  for (const Stretch& one : all) {
+  for (const Interval& one : all) {
     if (!face.seen.empty() && one.low_m <= face.seen.back().high_m + kBeyondEnds_m / 2.0) {
       face.seen.back().high_m = std::max(face.seen.back().high_m, one.high_m);
     } else {
@@ -229,7 +229,7 @@ std::vector<WallFace> snapped(const std::vector<WallFace>& faces, const WallFace
 
 double WallFace::support_m() const {
   double sum_m = 0.0;
-  for (const Stretch& stretch : seen) sum_m += stretch.length_m();
+  for (const Interval& stretch : seen) sum_m += stretch.length_m();
   return sum_m;
 }
 

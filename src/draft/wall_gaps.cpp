@@ -27,7 +27,7 @@ struct LineScan {
   }
 };
 
-LineScan scan(const WallFace& face, const Stretch& reach, const CellMask& near_obstacle,
+LineScan scan(const WallFace& face, const Interval& reach, const CellMask& near_obstacle,
               const CellFrame& frame) {
   LineScan line{reach.low_m, {}};
   for (double along_m = reach.low_m; along_m <= reach.high_m; along_m += kStep_m) {
@@ -41,12 +41,12 @@ LineScan scan(const WallFace& face, const Stretch& reach, const CellMask& near_o
 }
 
 /// How far pieces of one wall reach along a face's line.
-Stretch reach_of(const WallFace& face, const std::vector<Stretch>& line, double gap_m) {
-  Stretch reach{face.low_m(), face.high_m()};
+Interval reach_of(const WallFace& face, const std::vector<Interval>& line, double gap_m) {
+  Interval reach{face.low_m(), face.high_m()};
   bool grows = true;
   while (grows) {
     grows = false;
-    for (const Stretch& one : line) {
+    for (const Interval& one : line) {
       const bool is_near = one.low_m < reach.high_m + gap_m && one.high_m > reach.low_m - gap_m;
       const bool is_beyond = one.low_m < reach.low_m - 1e-9 || one.high_m > reach.high_m + 1e-9;
       if (!is_near || !is_beyond) continue;
@@ -73,9 +73,9 @@ class GapFinder {
         near_obstacle_(dilated(occupancy.obstacle, 1)) {}
 
   void add_gaps_of(const WallFace& face, std::vector<Segment2>& gaps) const {
-    const std::vector<Stretch> on_it = on_line(face, walls_.faces, 0.0);
+    const std::vector<Interval> on_it = on_line(face, walls_.faces, 0.0);
     const bool is_buildings = face.prominence_m >= options_.building_line_m;
-    const Stretch reach = reach_of(
+    const Interval reach = reach_of(
         face, on_it, is_buildings ? options_.building_reach_m : options_.reach_m);
     const LineScan line = scan(face, reach, near_obstacle_, occupancy_.frame);
     std::size_t last = 0;  // step with wall
@@ -93,12 +93,12 @@ class GapFinder {
 
  private:
   [[nodiscard]] bool is_gap(const LineScan& line, std::size_t low, std::size_t high,
-                            const std::vector<Stretch>& on_it) const {
+                            const std::vector<Interval>& on_it) const {
     const double width_m = line.at_m(high) - line.at_m(low);
     if (width_m <= std::max(kSmallest_m, options_.narrowest_m)) return false;
     int flanks = 0;
     for (const bool is_low : {true, false}) {
-      flanks += std::any_of(on_it.begin(), on_it.end(), [&](const Stretch& one) {
+      flanks += std::any_of(on_it.begin(), on_it.end(), [&](const Interval& one) {
         if (one.length_m() < options_.flank_m) return false;
         return is_low ? std::abs(one.high_m - line.at_m(low)) < kFlankOff_m
                       : std::abs(one.low_m - line.at_m(high)) < kFlankOff_m;

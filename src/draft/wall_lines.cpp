@@ -13,22 +13,22 @@ constexpr double kNextFace_m = 4.0;     // along it; larger joins walls of diffe
 
 }  // namespace
 
-std::vector<Stretch> on_line(const WallFace& face, const std::vector<WallFace>& faces,
+std::vector<Interval> on_line(const WallFace& face, const std::vector<WallFace>& faces,
                              double min_face_m) {
-  std::vector<Stretch> stretches;
+  std::vector<Interval> stretches;
   for (const WallFace& other : faces) {
     if (std::abs(std::sin(other.normal_rad - face.normal_rad)) >= kParallelSine) continue;
     if (other.support_m() < min_face_m) continue;
     const Point2 middle = (other.at(other.low_m()) + other.at(other.high_m())) / 2.0;
     if (std::abs(middle.dot(face.normal()) - face.offset_m) >= kSameLine_m) continue;
-    for (const Stretch& seen : other.seen) {
+    for (const Interval& seen : other.seen) {
       const double a = other.at(seen.low_m).dot(face.along());
       const double b = other.at(seen.high_m).dot(face.along());
       stretches.push_back({std::min(a, b), std::max(a, b)});
     }
   }
   std::sort(stretches.begin(), stretches.end(),
-            [](const Stretch& a, const Stretch& b) { return a.low_m < b.low_m; });
+            [](const Interval& a, const Interval& b) { return a.low_m < b.low_m; });
   return stretches;
 }
 
@@ -37,7 +37,7 @@ double line_support_m(const WallFace& face, const std::vector<WallFace>& faces) 
   double group_m = 0.0;
   double end_m = -1e9;
   bool is_own = false;
-  for (const Stretch& one : on_line(face, faces, 0.0)) {
+  for (const Interval& one : on_line(face, faces, 0.0)) {
     if (one.low_m > end_m + kNextFace_m) {
       if (is_own) support_m = std::max(support_m, group_m);
       group_m = 0.0;

@@ -10,7 +10,7 @@ namespace roomatlas {
 /// What was seen of walls on a face's line, whichever way they look: stretches along the face,
 /// ascending; those of one face do not overlap, those of two may.
 /// @param min_face_m faces with less support do not count
-[[nodiscard]] std::vector<Stretch> on_line(const WallFace& face,
+[[nodiscard]] std::vector<Interval> on_line(const WallFace& face,
                                            const std::vector<WallFace>& faces, double min_face_m);
 
 /// How much wall was seen on a face's line, up to gaps of 4 m: what is farther is another wall's.

@@ -25,7 +25,7 @@ constexpr double kCrossingSine = 0.5;        // lines that cross at less do not 
 constexpr double kNested_m = 0.5;            // support of a thinner wall that hides a thicker one
 
 /// Places along a stretch.
-std::vector<double> places_on(const Stretch& stretch) {
+std::vector<double> places_on(const Interval& stretch) {
   const int count = std::max(2, static_cast<int>(stretch.length_m() / kStep_m));
   std::vector<double> places;
   for (int i = 0; i < count; ++i) {
@@ -35,9 +35,9 @@ std::vector<double> places_on(const Stretch& stretch) {
 }
 
 /// Where along a face its cells reflect.
-std::vector<Stretch> confirmed(const WallFace& face, const ReflectionMap& counts, double share) {
-  std::vector<Stretch> kept;
-  for (const Stretch& stretch : face.seen) {
+std::vector<Interval> confirmed(const WallFace& face, const ReflectionMap& counts, double share) {
+  std::vector<Interval> kept;
+  for (const Interval& stretch : face.seen) {
     const std::vector<double> places = places_on(stretch);
     std::vector<int> good;
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -49,7 +49,7 @@ std::vector<Stretch> confirmed(const WallFace& face, const ReflectionMap& counts
       if (most >= share) good.push_back(static_cast<int>(i));
     }
     for (const auto& [first, last] : runs_of(good, kGapSteps)) {
-      const Stretch one{places[static_cast<std::size_t>(good[first])],
+      const Interval one{places[static_cast<std::size_t>(good[first])],
                         places[static_cast<std::size_t>(good[last])]};
       if (one.length_m() >= kShortestStretch_m) kept.push_back(one);
     }
@@ -116,7 +116,7 @@ class Builder {
 
  private:
   /// The share of a stretch along a face on which nothing stands and beams went through.
-  [[nodiscard]] double free_share(const WallFace& face, const Stretch& stretch) const {
+  [[nodiscard]] double free_share(const WallFace& face, const Interval& stretch) const {
     const int count = std::max(1, static_cast<int>(stretch.length_m() / kStep_m));
     int free = 0;
     for (int i = 0; i < count; ++i) {
@@ -128,9 +128,9 @@ class Builder {
   }
 
   /// Where a face goes on, seen or hidden.
-  [[nodiscard]] std::vector<Stretch> cover_of(const WallFace& face) const {
-    std::vector<Stretch> cover;
-    for (const Stretch& stretch : face.seen) {
+  [[nodiscard]] std::vector<Interval> cover_of(const WallFace& face) const {
+    std::vector<Interval> cover;
+    for (const Interval& stretch : face.seen) {
       const bool goes_on =
           !cover.empty() &&
           (stretch.low_m - cover.back().high_m <= options_.door_m ||
@@ -160,9 +160,9 @@ class Builder {
     const WallFace& back = walls_.faces[j];
     if (front.normal().dot(back.normal()) > kOppositeCosine) return std::nullopt;
     WallBody body{i, j, 0.0, {}};
-    for (const Stretch& a : covers_[i]) {
-      for (const Stretch& b : covers_[j]) {  // counts the other way
-        const Stretch both{std::max(a.low_m, -b.high_m), std::min(a.high_m, -b.low_m)};
+    for (const Interval& a : covers_[i]) {
+      for (const Interval& b : covers_[j]) {  // counts the other way
+        const Interval both{std::max(a.low_m, -b.high_m), std::min(a.high_m, -b.low_m)};
         if (both.length_m() > kShortestOverlap_m) body.stretches.push_back(both);
       }
     }
@@ -199,7 +199,7 @@ class Builder {
   const Occupancy& occupancy_;
   const WallOptions& options_;
   CellMask near_obstacle_{CellBox{}};
-  std::vector<std::vector<Stretch>> covers_;  ///< of each face
+  std::vector<std::vector<Interval>> covers_;  ///< of each face
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace roomatlas {
 
 /// How evidence becomes a drafted plan.
 struct DraftBuildingOptions {
-  EvidenceOptions evidence;
+  GatherOptions evidence;
   WallFaceOptions faces;
   OccupancyOptions occupancy;
   WallOptions walls;

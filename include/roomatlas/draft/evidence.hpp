@@ -11,7 +11,7 @@
 namespace roomatlas {
 
 /// How readings are gathered for drafting.
-struct EvidenceOptions {
+struct GatherOptions {
   double cell_m = 0.05;         ///< of the counting grid; larger rounds the ends of walls
   double laser_every_m = 0.05;  ///< a sweep counts after this much motion ...
   double sonar_every_m = 0.03;  ///< ... of sonars, which have few beams ...
@@ -39,7 +39,7 @@ struct Echo {
 /// Everything that a mission says about where walls are, in the building's frame.
 struct BuildingEvidence {
   SensorKind kind = SensorKind::laser;  ///< sonar where there were both
-  ReflectionMap counts{0.05};           ///< in cells of `EvidenceOptions::cell_m`
+  ReflectionMap counts{0.05};           ///< in cells of `GatherOptions::cell_m`
   std::vector<SurfacePoint> surfaces;   ///< seen by lasers; thinned to one a place and direction
   std::vector<Echo> echoes;             ///< of sonars
   double sonar_half_cone_rad = 0.0;
@@ -50,7 +50,7 @@ struct BuildingEvidence {
 /// Gathers all readings where the correction puts them. Readings are loaded for one ASR at a time.
 /// @throws InputError for an ASR without its readings
 [[nodiscard]] BuildingEvidence gather_evidence(const AsrSource& source, const Placement& placement,
-                                               const EvidenceOptions& options,
+                                               const GatherOptions& options,
                                                const Progress& progress);
 
 /// The surfaces that one sweep of a laser saw: a normal for each beam whose neighbours lie on a

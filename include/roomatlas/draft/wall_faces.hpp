@@ -9,7 +9,7 @@
 namespace roomatlas {
 
 /// A stretch along a line, by its positions.
-struct Stretch {
+struct Interval {
   double low_m = 0.0;
   double high_m = 0.0;
   [[nodiscard]] double length_m() const { return high_m - low_m; }
@@ -19,7 +19,7 @@ struct Stretch {
 struct WallFace {
   double normal_rad = 0.0;   ///< towards the side from which it was seen
   double offset_m = 0.0;     ///< of the line from the building's origin, along the normal
-  std::vector<Stretch> seen;  ///< ascending; along `along()`, with gaps between them
+  std::vector<Interval> seen;  ///< ascending; along `along()`, with gaps between them
   bool is_regular = false;   ///< follows a direction of the building
   double prominence_m = 0.0;  ///< metres of wall seen on its line, both faces of a wall together;
                               ///< see `measure_prominence`

@@ -31,7 +31,7 @@ struct WallBody {
   std::size_t front = 0;          ///< place of a face; the stretches count along it
   std::size_t back = 0;           ///< of the face that looks away from it
   double thickness_m = 0.0;
-  std::vector<Stretch> stretches;  ///< where both faces go on
+  std::vector<Interval> stretches;  ///< where both faces go on
 };
 
 /// What a building's faces say once they are compared with the cells and with each other.
