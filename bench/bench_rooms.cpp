@@ -105,7 +105,9 @@ void train(const std::filesystem::path& folder, const std::vector<std::string>& 
   for (const std::string& name : names) {
     for (const bool furnished : {false, true}) {
       const LabelledMap map = read_labelled_map(folder, name, furnished);
-      known.push_back({name, training_map(map, cut_building(map.evidence, {}))});
+      for (const LabelledMap& one : {map, turned(map, radians(30)), halved(map)}) {
+        known.push_back({name, training_map(one, cut_building(one.evidence, {}))});
+      }
     }
   }
   const auto learned_without = [&](const std::string& name) {

@@ -70,6 +70,15 @@ std::vector<DoorSample> samples_on_the_way(const TrainingMap& map, const DoorWei
         std::min(graph.region(pair.first).area_m2, graph.region(pair.second).area_m2);
     samples.push_back({graph.figures(pair), a != b, std::sqrt(std::min(smaller_m2, kMostAreaM2))});
   };
+  for (bool any = true; any;) {  // as join_corridors does, with the true rooms kept up to date
+    any = false;
+    for (const RegionGraph::Pair& pair : graph.pairs()) {
+      if (!graph.touch(pair) || !graph.share_corridor(pair)) continue;
+      rooms.join(pair);
+      graph.join(pair);
+      any = true;
+    }
+  }
   for (const RegionGraph::Pair& pair : graph.pairs()) note(pair);
   DoorQueue queue(graph, order);
   while (!queue.empty()) {

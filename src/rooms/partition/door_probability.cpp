@@ -7,14 +7,18 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kDoorM = 0.9;        // the usual width
-constexpr double kClosetM2 = 3.0;     // smaller regions are hardly rooms
-constexpr double kMostExponent = 30;  // beyond, a probability is 0 or 1
+constexpr double kDoorM = 0.9;         // the usual width
+constexpr double kClosetM2 = 3.0;      // smaller regions are hardly rooms
+constexpr double kClearPassage = 0.6;  // share of lines; doors take the rest of a corridor's walls
+constexpr double kHallRise = 0.7;      // where corridors meet it is less
+constexpr double kMostExponent = 30;   // beyond, a probability is 0 or 1
 
 /// Support by walls, averaged over openings by their width.
 struct MeanSupport {
   double far_sum = 0.0;
   double near_higher = 0.0;
+  double mouth = 0.0;     ///< of a corridor
+  double junction = 0.0;  ///< of corridors
 };
 
 MeanSupport mean_support(const std::vector<const PieceOpening*>& openings, double widths_m) {
@@ -23,6 +27,9 @@ MeanSupport mean_support(const std::vector<const PieceOpening*>& openings, doubl
     const double share = opening->width_m / widths_m;
     mean.far_sum += share * (opening->lower.far + opening->higher.far);
     mean.near_higher += share * opening->higher.near;
+    const double passage = std::min(1.0, opening->passage.more / kClearPassage);
+    mean.mouth += share * passage;
+    mean.junction += share * passage * std::max(0.0, 1.0 - opening->passage.rise / kHallRise);
   }
   return mean;
 }
@@ -48,11 +55,14 @@ DoorFigures door_figures(const Region& smaller, const Region&,
       1.0 / (1.0 + std::exp(3.0 * std::log(area / kClosetM2))),
       std::abs(std::log(widest_m / kDoorM)),
       std::min(1.1, area / std::max(0.05, smaller.hull_m2)),
+      support.mouth,
+      support.junction,
+
   };
 }
 
 DoorWeights learned_door_weights() {
-  return {-6.900, {1.762, -1.099, -1.461, -0.856, 7.770, -2.368, -1.600, 4.348}};
+  return {-4.499, {0.850, -0.696, -1.143, -1.085, 4.038, -1.578, -1.655, 5.967, -3.888, 0.258}};
 }
 
 double door_probability(const DoorFigures& figures, const DoorWeights& model) {

@@ -15,7 +15,7 @@ struct Region {
   double hull_m2 = 0.0;
 };
 
-constexpr std::size_t kDoorFigures = 8;
+constexpr std::size_t kDoorFigures = 10;
 /// What the probability of a door is made of, in the order of the weights.
 using DoorFigures = std::array<double, kDoorFigures>;
 

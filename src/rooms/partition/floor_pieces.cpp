@@ -12,8 +12,8 @@ namespace {
 constexpr double kSaddleShare = 0.9;  // larger cuts at every bulge of a wall
 constexpr double kLevelM = 0.002;     // clearances that differ by less are one
 
-constexpr std::array<Cell, 8> kAround = {Cell{1, 0},  Cell{1, 1},   Cell{0, 1},  Cell{-1, 1},
-                                         Cell{-1, 0}, Cell{-1, -1}, Cell{0, -1}, Cell{1, -1}};
+// Over edges alone: neither thin walls nor chords let through at corners.
+constexpr std::array<Cell, 4> kSides = {Cell{1, 0}, Cell{0, 1}, Cell{-1, 0}, Cell{0, -1}};
 
 /// Cells of a field from the highest down, row by row within a level.
 std::vector<Cell> by_height(const Raster<float>& field) {
@@ -81,7 +81,7 @@ void give_cut_cells_away(const OpenFloor& floor, Raster<std::int32_t>& piece_of_
     for (const Cell& cell : left) {
       std::int32_t best = 0;
       float most = -1.0F;
-      for (const Cell& step : kAround) {
+      for (const Cell& step : kSides) {
         const Cell next{cell.x + step.x, cell.y + step.y};
         const std::int32_t piece = piece_of_cell.get(next);
         if (piece == 0 || floor.clearance_m[next] <= most) continue;
@@ -107,11 +107,11 @@ Raster<std::int32_t> flooded(const Raster<float>& field, double saddle_share) {
   Basins basins(saddle_share);
   for (const Cell& cell : by_height(field)) {
     const float height = field[cell];
-    std::array<std::int32_t, 8> met{};
+    std::array<std::int32_t, 4> met{};
     std::size_t meeting = 0;
     std::int32_t highest = 0;
     float most = -1.0F;
-    for (const Cell& step : kAround) {
+    for (const Cell& step : kSides) {
       const Cell next{cell.x + step.x, cell.y + step.y};
       std::int32_t basin = basin_of.get(next);
       if (basin == 0) continue;

@@ -14,7 +14,7 @@ namespace {
 constexpr double kOnChordShare = 0.6;      // of a border's cells beside one chord
 constexpr double kOppositeCosine = -0.35;  // between the ways to two jambs
 constexpr double kMinWidthM = 0.05;        // of an opening whose jambs were not found
-constexpr std::array<Cell, 4> kHalfAround = {Cell{1, 0}, Cell{1, 1}, Cell{0, 1}, Cell{-1, 1}};
+constexpr std::array<Cell, 2> kNextSides = {Cell{1, 0}, Cell{0, 1}};
 
 using PiecePair = std::pair<std::int32_t, std::int32_t>;
 using Border = std::vector<Cell>;
@@ -29,7 +29,7 @@ std::map<PiecePair, Border> borders_of(const Raster<std::int32_t>& piece_of_cell
   for_each_cell(piece_of_cell.box, [&](const Cell& cell) {
     const std::int32_t here = piece_of_cell[cell];
     if (here == 0) return;
-    for (const Cell& step : kHalfAround) {
+    for (const Cell& step : kNextSides) {
       const Cell next{cell.x + step.x, cell.y + step.y};
       const std::int32_t there = piece_of_cell.get(next);
       if (there == 0 || there == here) continue;
@@ -171,6 +171,38 @@ void take_support(const OpenFloor& floor, PieceOpening& opening) {
   opening.higher = {std::max(a.near, b.near), std::max(a.middle, b.middle), std::max(a.far, b.far)};
 }
 
+PieceOpening on_chord_line(const WallChord& chord, const Border& border, const OpenFloor& floor) {
+  PieceOpening opening;
+  opening.is_on_chord = true;
+  opening.jambs = chord.line;
+  opening.width_m = std::min(chord.length_m(), extent_m(border, floor.frame));
+  return opening;
+}
+
+PieceOpening at_saddle(const JambFinder& finder, const Border& border, const OpenFloor& floor) {
+  const Cell saddle = *std::max_element(
+      border.begin(), border.end(),
+      [&](const Cell& a, const Cell& b) { return floor.clearance_m[a] < floor.clearance_m[b]; });
+  PieceOpening opening;
+  if (const std::optional<Segment2> jambs = finder.jambs_at(saddle)) {
+    opening.jambs = *jambs;
+    opening.width_m = (jambs->b - jambs->a).norm();
+  } else {
+    opening.jambs = {floor.frame.center_of(saddle), floor.frame.center_of(saddle)};
+    opening.width_m = 2.0 * floor.clearance_m[saddle];
+  }
+  return opening;
+}
+
+/// What is asked of every opening.
+void finish(const OpenFloor& floor, const PiecePair& pair, PieceOpening& opening) {
+  opening.piece_a = pair.first;
+  opening.piece_b = pair.second;
+  opening.width_m = std::max(opening.width_m, kMinWidthM);
+  take_support(floor, opening);
+  opening.passage = passage_at(floor, opening.jambs);
+}
+
 }  // namespace
 
 std::vector<PieceOpening> find_piece_openings(const OpenFloor& floor, const FloorPieces& pieces,
@@ -179,30 +211,24 @@ std::vector<PieceOpening> find_piece_openings(const OpenFloor& floor, const Floo
   const JambFinder finder(floor);
   std::vector<PieceOpening> openings;
   for (const auto& [pair, border] : borders_of(pieces.piece_of_cell)) {
-    for (const Border& part : connected_parts(border)) {
-      PieceOpening opening;
-      opening.piece_a = pair.first;
-      opening.piece_b = pair.second;
+    std::map<std::int32_t, Border> on_chord;  // all that lies on one chord is one opening
+    std::vector<Border> elsewhere;
+    for (Border& part : connected_parts(border)) {
       const std::int32_t chord = chord_beside(part, chord_of_cell);
-      const Cell saddle =
-          *std::max_element(part.begin(), part.end(), [&](const Cell& a, const Cell& b) {
-            return floor.clearance_m[a] < floor.clearance_m[b];
-          });
-      if (chord != 0) {
-        opening.is_on_chord = true;
-        opening.jambs = chords[static_cast<std::size_t>(chord - 1)].line;
-        opening.width_m =
-            std::min((opening.jambs.b - opening.jambs.a).norm(), extent_m(part, floor.frame));
-      } else if (const std::optional<Segment2> jambs = finder.jambs_at(saddle)) {
-        opening.jambs = *jambs;
-        opening.width_m = (jambs->b - jambs->a).norm();
+      if (chord == 0) {
+        elsewhere.push_back(std::move(part));
       } else {
-        opening.jambs = {floor.frame.center_of(saddle), floor.frame.center_of(saddle)};
-        opening.width_m = 2.0 * floor.clearance_m[saddle];
+        Border& all = on_chord[chord];
+        all.insert(all.end(), part.begin(), part.end());
       }
-      opening.width_m = std::max(opening.width_m, kMinWidthM);
-      take_support(floor, opening);
-      openings.push_back(opening);
+    }
+    for (const auto& [chord, part] : on_chord) {
+      openings.push_back(on_chord_line(chords[static_cast<std::size_t>(chord - 1)], part, floor));
+      finish(floor, pair, openings.back());
+    }
+    for (const Border& part : elsewhere) {
+      openings.push_back(at_saddle(finder, part, floor));
+      finish(floor, pair, openings.back());
     }
   }
   return openings;

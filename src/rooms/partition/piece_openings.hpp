@@ -2,6 +2,7 @@
 #pragma once
 
 #include "floor_pieces.hpp"
+#include "passage.hpp"
 
 namespace roomatlas {
 
@@ -14,7 +15,8 @@ struct PieceOpening {
   bool is_on_chord = false;  ///< the border follows a wall chord
   WallSupport lower;         ///< of the walls beyond the two jambs, each figure's smaller value
   WallSupport higher;        ///< and its larger one
-  int crossings = 0;         ///< how often the path goes through
+  Passage passage;
+  int crossings = 0;  ///< how often the path goes through
 };
 
 /// All openings, by their pieces' numbers.

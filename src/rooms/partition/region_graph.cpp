@@ -9,6 +9,8 @@
 namespace roomatlas {
 namespace {
 
+constexpr double kMinCorridorM = 0.7;  // narrower gaps between straight walls are no corridors
+
 std::size_t at(std::int32_t number) { return static_cast<std::size_t>(number); }
 
 /// The corners of the first and last cell of each of a piece's rows.
@@ -119,6 +121,13 @@ std::vector<const PieceOpening*> RegionGraph::openings(const Pair& pair) const {
   return between;
 }
 
+bool RegionGraph::share_corridor(const Pair& pair) const {
+  const std::vector<const PieceOpening*> all = openings(pair);
+  return std::any_of(all.begin(), all.end(), [](const PieceOpening* opening) {
+    return opening->width_m >= kMinCorridorM && is_across_corridor(opening->passage);
+  });
+}
+
 DoorFigures RegionGraph::figures(const Pair& pair) const {
   const Region& a = region(pair.first);
   const Region& b = region(pair.second);
@@ -166,7 +175,19 @@ JoinOptions join_options(const PartitionOptions& options, bool is_mission) {
           is_mission ? options.min_driven_room_m2 : options.min_room_m2, options.min_room_radius_m};
 }
 
+void join_corridors(RegionGraph& graph) {
+  for (bool any = true; any;) {
+    any = false;
+    for (const RegionGraph::Pair& pair : graph.pairs()) {
+      if (!graph.touch(pair) || !graph.share_corridor(pair)) continue;
+      graph.join(pair);
+      any = true;
+    }
+  }
+}
+
 DoorQueue join_to_rooms(RegionGraph& graph, const DoorWeights& model, const JoinOptions& options) {
+  join_corridors(graph);
   DoorQueue queue(graph, model);
   while (!queue.empty() && queue.least().first < options.min_door_probability) {
     queue.join(graph, queue.least().second);

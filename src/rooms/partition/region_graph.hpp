@@ -30,6 +30,8 @@ class RegionGraph {
   [[nodiscard]] std::vector<Pair> pairs() const;
   [[nodiscard]] bool touch(const Pair& pair) const;
   [[nodiscard]] std::vector<const PieceOpening*> openings(const Pair& pair) const;
+  /// Whether a corridor goes on straight from one to the other.
+  [[nodiscard]] bool share_corridor(const Pair& pair) const;
   [[nodiscard]] DoorFigures figures(const Pair& pair) const;
   /// The region that a piece has become part of; 0 for 0.
   [[nodiscard]] std::int32_t region_of(std::int32_t piece) const;
@@ -76,6 +78,9 @@ class DoorQueue {
   std::map<RegionGraph::Pair, double> probability_;
   std::set<std::pair<double, RegionGraph::Pair>> by_probability_;
 };
+
+/// Joins what a cut across a corridor parts: however likely a door is made by it, there is none.
+void join_corridors(RegionGraph& graph);
 
 /// Joins regions until doors alone are left between them, then what is too small for a room.
 /// @returns the probabilities of what is left

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "passage.hpp"
+
 namespace roomatlas {
 namespace {
 
@@ -13,8 +15,8 @@ constexpr double kStepM = 0.025;      // between samples of the ray
 constexpr double kSkipM = 0.1;        // the corner itself may be rounded
 constexpr double kMinLengthM = 0.35;  // of what is free
 constexpr double kMaxLengthM = 6.0;   // longer openings part nothing
-constexpr double kShortM = 1.6;       // a door's width: one of two kinds of support will do
-constexpr double kShortNear = 0.5;    // on both sides, near the jambs ...
+constexpr double kShortM = 2.2;       // a door's width: one of two kinds of support will do
+constexpr double kShortNear = 0.4;    // on both sides, near the jambs ...
 constexpr double kShortSum = 0.8;     // ... or of both together, farther off
 constexpr double kLongSum = 1.0;      // wider openings need walls ...
 constexpr double kLongLeast = 0.3;    // ... on both sides
@@ -76,7 +78,8 @@ std::vector<WallChord> find_wall_chords(const OpenFloor& floor,
     const Point2 into_floor(-along.y(), along.x());
     for (const auto& [end, away] : {std::pair{face.ends.b, along}, {face.ends.a, Point2(-along)}}) {
       const std::optional<WallChord> chord = chord_from(floor, end, away, into_floor);
-      if (chord && is_supported(*chord)) found.push_back(*chord);
+      if (!chord || !is_supported(*chord)) continue;
+      if (!is_across_corridor(passage_at(floor, chord->line))) found.push_back(*chord);
     }
   }
   std::stable_sort(found.begin(), found.end(), [](const WallChord& a, const WallChord& b) {
