@@ -5,10 +5,12 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "partition/cut_building.hpp"
 #include "partition/region_graph.hpp"
+#include "partition/seen_only.hpp"
 
 namespace roomatlas {
 namespace {
@@ -52,8 +54,12 @@ class Numbering {
     if (region == 0) return 0;
     return number_of_.try_emplace(region, static_cast<RoomId>(number_of_.size()) + 1).first->second;
   }
+  /// 0 for a region without a number.
+  [[nodiscard]] RoomId find(std::int32_t region) const {
+    const auto found = number_of_.find(region);
+    return found == number_of_.end() ? 0 : found->second;
+  }
   [[nodiscard]] RoomId count() const { return static_cast<RoomId>(number_of_.size()); }
-  [[nodiscard]] const std::map<std::int32_t, RoomId>& all() const { return number_of_; }
 
  private:
   std::map<std::int32_t, RoomId> number_of_;
@@ -88,12 +94,13 @@ Opening opening_between(const PieceOpening& found, double probability, RoomId ro
 
 /// The openings between numbered rooms.
 std::vector<Opening> openings_of(const RegionGraph& graph, const DoorQueue& doors,
-                                 Numbering& numbering, const RoomPartition& rooms,
+                                 const Numbering& numbering, const RoomPartition& rooms,
                                  const CellFrame& frame) {
   std::vector<Opening> openings;
   for (const RegionGraph::Pair& pair : graph.pairs()) {
-    RoomId room_a = numbering.of(pair.first);
-    RoomId room_b = numbering.of(pair.second);
+    RoomId room_a = numbering.find(pair.first);
+    RoomId room_b = numbering.find(pair.second);
+    if (room_a == 0 || room_b == 0) continue;
     if (room_a > room_b) std::swap(room_a, room_b);
     for (const PieceOpening* found : graph.openings(pair)) {
       openings.push_back(opening_between(*found, doors.probability(pair), room_a, room_b,
@@ -108,10 +115,15 @@ std::vector<Opening> openings_of(const RegionGraph& graph, const DoorQueue& door
 
 RoomPartition named_rooms(const PartitionEvidence& evidence, const CutBuilding& cut,
                           const RegionGraph& graph, const DoorQueue& doors, double min_room_m2) {
+  const std::set<std::int32_t> not_known =
+      regions_not_known(cut, graph, evidence.building_from_robot);
+  const auto is_room = [&](std::int32_t region) {
+    return graph.region(region).area_m2 >= min_room_m2 && !not_known.contains(region);
+  };
   Raster<std::int32_t> region_of_cell = cut.pieces.piece_of_cell;
   for (std::int32_t& value : region_of_cell.values) {
     value = graph.region_of(value);
-    if (graph.region(value).area_m2 < min_room_m2) value = 0;  // it stands alone
+    if (!is_room(value)) value = 0;
   }
   Numbering numbering;
   RoomPartition result;
@@ -119,6 +131,7 @@ RoomPartition named_rooms(const PartitionEvidence& evidence, const CutBuilding& 
     result.room_of_pose.push_back(
         numbering.of(region_at(pose.position(), evidence.frame, region_of_cell)));
   }
+  result.entered_rooms = numbering.count();
   result.room_of_cell = Raster<std::int32_t>(evidence.free.box, 0);
   for_each_cell(region_of_cell.box, [&](const Cell& cell) {
     if (region_of_cell[cell] == 0 || !result.room_of_cell.box.contains(cell)) return;

@@ -43,8 +43,9 @@ struct RoomPartition {
   /// 0: no room; 1, 2, 3 ...: rooms on the path in the order in which it enters them, then the
   /// others by their lowest, then leftmost cell. Furniture that stands free is part of its room.
   Raster<std::int32_t> room_of_cell;
-  RoomId rooms = 0;                  ///< how many there are
-  std::vector<Opening> openings;     ///< by their rooms' numbers
+  RoomId rooms = 0;               ///< how many there are
+  RoomId entered_rooms = 0;       ///< the path is in rooms 1 to this one; the others were only seen
+  std::vector<Opening> openings;  ///< by their rooms' numbers
   std::vector<RoomId> room_of_pose;  ///< parallel to the path; 0 where no room is near
 };
 

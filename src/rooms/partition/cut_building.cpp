@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut_building.hpp"
 
+#include "seen_only.hpp"
+
 namespace roomatlas {
 
 CutBuilding cut_building(const PartitionEvidence& evidence, const PartitionOptions& options) {
@@ -11,6 +13,7 @@ CutBuilding cut_building(const PartitionEvidence& evidence, const PartitionOptio
   cut.pieces = cut_floor(cut.floor, cuts);
   cut.openings = find_piece_openings(cut.floor, cut.pieces, chords, cuts);
   count_crossings(evidence.building_from_robot, cut.floor.frame, cut.pieces, cut.openings);
+  drop_seen_through_walls(evidence.building_from_robot, cut);
   return cut;
 }
 

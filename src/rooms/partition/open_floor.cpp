@@ -11,7 +11,8 @@
 namespace roomatlas {
 namespace {
 
-constexpr int kTurns = 9;  // in which an island is measured, 10 degrees apart
+constexpr double kNearObstacleM = 0.15;  // what was cleaned away in front of a wall, and noise
+constexpr int kTurns = 9;                // in which an island is measured, 10 degrees apart
 
 constexpr std::array<Cell, 8> kAround = {Cell{1, 0},  Cell{1, 1},   Cell{0, 1},  Cell{-1, 1},
                                          Cell{-1, 0}, Cell{-1, -1}, Cell{0, -1}, Cell{1, -1}};
@@ -132,6 +133,12 @@ OpenFloor open_floor(const PartitionEvidence& evidence, const PartitionOptions& 
   floor.open =
       islands_filled(cropped(is_mission ? without_beam_traces(evidence, options) : evidence.free),
                      floor.frame, options.island_m);
+  floor.solid = CellMask(floor.open.box);
+  const int near_cells =
+      std::max(1, static_cast<int>(std::lround(kNearObstacleM / floor.frame.cell_m)));
+  const CellMask near = is_mission ? dilated(evidence.obstacle, near_cells) : CellMask(CellBox{});
+  for_each_cell(floor.open.box,
+                [&](const Cell& cell) { floor.solid.set(cell, !is_mission || near.at(cell)); });
   floor.clearance_m = clearance_m(floor.open, floor.frame);
   return floor;
 }

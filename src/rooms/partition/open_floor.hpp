@@ -9,10 +9,17 @@ namespace roomatlas {
 struct OpenFloor {
   CellFrame frame;
   CellMask open{CellBox{}};
+  /// Where walls may be: near obstacles that a mission saw; all cells of a finished map, for those
+  /// often draw walls as if they had not been seen. Where beams end in nothing there is none.
+  CellMask solid{CellBox{}};
   Raster<float>
       clearance_m;  ///< of a cell's centre from the nearest obstacle's face; 0 if not open
 
   [[nodiscard]] bool is_open(const Point2& at) const { return open.at(frame.cell_of(at)); }
+  [[nodiscard]] bool is_wall(const Point2& at) const {
+    const Cell cell = frame.cell_of(at);
+    return !open.at(cell) && (solid.at(cell) || !solid.box.contains(cell));
+  }
 };
 
 /// The clearance of the cells of a mask, in metres: half a cell less than the distance between

@@ -16,10 +16,13 @@ constexpr double kMinVoteM = 0.5;    // shorter faces say nothing about directio
 constexpr double kFullVoteM = 3.0;   // from here on a face's vote grows with its length alone
 constexpr double kFollowsRad = radians(12.0);  // this near to a direction a face follows it
 constexpr double kOwnDirectionM = 1.5;         // a face this long may have a direction of its own
-constexpr int kBins = 360;                     // of half a degree
-constexpr double kSmoothingBins = 4.0;         // sigma: 2 degrees
-constexpr double kMinPeakShare = 0.05;         // of the largest peak
-constexpr double kRefineRad = radians(4.0);    // faces this near to a peak say where it is
+constexpr double kSampleM = 0.1;               // along a face
+constexpr double kBehindM =
+    0.03;                   // a face's wall is looked for this far behind it: thin walls count
+constexpr int kBins = 360;  // of half a degree
+constexpr double kSmoothingBins = 4.0;       // sigma: 2 degrees
+constexpr double kMinPeakShare = 0.05;       // of the largest peak
+constexpr double kRefineRad = radians(4.0);  // faces this near to a peak say where it is
 
 double heading_of(const Segment2& face) {
   return std::atan2(face.b.y() - face.a.y(), face.b.x() - face.a.x());
@@ -90,6 +93,18 @@ void add_edges(const Ring& ring, std::vector<Segment2>& edges) {
   }
 }
 
+/// Whether walls stand behind most of an edge; the floor also ends where beams ended.
+bool has_wall(const OpenFloor& floor, const Segment2& edge) {
+  const Point2 way = edge.b - edge.a;
+  const Point2 behind = kBehindM * Point2(way.y(), -way.x()).normalized();
+  const int steps = std::max(1, static_cast<int>(way.norm() / kSampleM));
+  int walls = 0;
+  for (int k = 0; k <= steps; ++k) {
+    if (floor.is_wall(edge.a + way * k / steps + behind)) ++walls;
+  }
+  return 2 * walls > steps;
+}
+
 }  // namespace
 
 std::vector<double> wall_directions_rad(const std::vector<Segment2>& faces) {
@@ -111,6 +126,7 @@ std::vector<WallFace> find_wall_faces(const OpenFloor& floor) {
   for (const CellBoundary& boundary : trace_boundaries(floor.open, floor.frame)) {
     add_edges(boundary.edge_midpoints, edges);
   }
+  std::erase_if(edges, [&](const Segment2& edge) { return !has_wall(floor, edge); });
   const std::vector<double> directions = wall_directions_rad(edges);
   std::vector<WallFace> faces;
   for (const Segment2& edge : edges) {

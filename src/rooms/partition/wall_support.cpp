@@ -21,9 +21,9 @@ WallSupport wall_support(const OpenFloor& floor, const Point2& jamb, const Point
     bool obstacle = false;
     bool open = false;
     for (int k = -kFloorSteps; k <= kFloorSteps; ++k) {
-      const bool is_open = floor.is_open(at + k * kStepM * side);
-      open = open || is_open;
-      obstacle = obstacle || (!is_open && std::abs(k) <= kBandSteps);
+      const Point2 beside = at + k * kStepM * side;
+      open = open || floor.is_open(beside);
+      obstacle = obstacle || (std::abs(k) <= kBandSteps && floor.is_wall(beside));
     }
     return obstacle && open;
   };
