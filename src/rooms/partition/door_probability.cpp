@@ -11,6 +11,9 @@ constexpr double kDoorM = 0.9;         // the usual width
 constexpr double kClosetM2 = 3.0;      // smaller regions are hardly rooms
 constexpr double kClearPassage = 0.6;  // share of lines; doors take the rest of a corridor's walls
 constexpr double kHallRise = 0.7;      // where corridors meet it is less
+constexpr double kMostDoorM = 1.2;     // the path through what is no wider says nothing
+constexpr double kWideM = 1.7;         // and from here on all that it can
+constexpr double kDrivenWeight = 2.0;  // larger joins halls with what is driven to from them
 constexpr double kMostExponent = 30;   // beyond, a probability is 0 or 1
 
 /// Support by walls, averaged over openings by their width.
@@ -62,11 +65,21 @@ DoorFigures door_figures(const Region& smaller, const Region&,
 }
 
 DoorWeights learned_door_weights() {
-  return {-4.499, {0.850, -0.696, -1.143, -1.085, 4.038, -1.578, -1.655, 5.967, -3.888, 0.258}};
+  return {-4.851, {0.952, -0.659, -1.128, -1.029, 3.563, -1.578, -1.674, 6.824, -3.862, 0.324}};
 }
 
-double door_probability(const DoorFigures& figures, const DoorWeights& model) {
-  double exponent = model.bias;
+double driven_wide(const std::vector<const PieceOpening*>& openings) {
+  double most = 0.0;
+  for (const PieceOpening* opening : openings) {
+    if (opening->crossings == 0) continue;
+    const double excess_m = opening->width_m - kMostDoorM;
+    most = std::max(most, std::clamp(excess_m / (kWideM - kMostDoorM), 0.0, 1.0));
+  }
+  return most;
+}
+
+double door_probability(const DoorFigures& figures, const DoorWeights& model, double driven_wide) {
+  double exponent = model.bias - kDrivenWeight * driven_wide;
   for (std::size_t i = 0; i < kDoorFigures; ++i) exponent += model.weights[i] * figures[i];
   return 1.0 / (1.0 + std::exp(-std::clamp(exponent, -kMostExponent, kMostExponent)));
 }

@@ -33,6 +33,12 @@ struct DoorWeights {
 /// Learned from 13 labelled maps, each with and without furniture: `./run bench rooms train`.
 [[nodiscard]] DoorWeights learned_door_weights();
 
-[[nodiscard]] double door_probability(const DoorFigures& figures, const DoorWeights& model);
+/// What speaks against a door since the robot drove through, [0, 1]: nothing at a door's width, for
+/// doors are there to be driven through; 1 where it is much wider than a robot needs.
+[[nodiscard]] double driven_wide(const std::vector<const PieceOpening*>& openings);
+
+/// @param driven_wide lowers the probability; not learned, for the maps learned from have no paths
+[[nodiscard]] double door_probability(const DoorFigures& figures, const DoorWeights& model,
+                                      double driven_wide = 0.0);
 
 }  // namespace roomatlas

@@ -12,6 +12,7 @@ namespace roomatlas {
 namespace {
 
 constexpr double kNearObstacleM = 0.15;  // what was cleaned away in front of a wall, and noise
+constexpr double kWallNoiseM = 0.08;     // of walls that a moving robot saw
 constexpr int kTurns = 9;                // in which an island is measured, 10 degrees apart
 
 constexpr std::array<Cell, 8> kAround = {Cell{1, 0},  Cell{1, 1},   Cell{0, 1},  Cell{-1, 1},
@@ -133,6 +134,7 @@ OpenFloor open_floor(const PartitionEvidence& evidence, const PartitionOptions& 
   floor.open =
       islands_filled(cropped(is_mission ? without_beam_traces(evidence, options) : evidence.free),
                      floor.frame, options.island_m);
+  floor.wall_noise_m = is_mission ? kWallNoiseM : 0.0;
   floor.solid = CellMask(floor.open.box);
   const int near_cells =
       std::max(1, static_cast<int>(std::lround(kNearObstacleM / floor.frame.cell_m)));

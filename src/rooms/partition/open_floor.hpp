@@ -15,6 +15,8 @@ struct OpenFloor {
   Raster<float>
       clearance_m;  ///< of a cell's centre from the nearest obstacle's face; 0 if not open
 
+  double wall_noise_m = 0.0;  ///< how far a mission's walls stray from straight lines
+
   [[nodiscard]] bool is_open(const Point2& at) const { return open.at(frame.cell_of(at)); }
   [[nodiscard]] bool is_wall(const Point2& at) const {
     const Cell cell = frame.cell_of(at);

@@ -13,8 +13,8 @@ constexpr double kBetweenM = 0.1;       // lines along which the width is measur
 constexpr double kCorridorShare = 0.1;  // more on both sides: a corridor goes on
 constexpr double kRiseM = 3.0;          // a hall shows within
 constexpr double kMostRise = 1.2;
-constexpr double kStepM = 0.05;   // along such a line
-constexpr double kInLineM = 0.1;  // a wall this far off a jamb's line goes on from it
+constexpr double kStepM = 0.05;    // along such a line
+constexpr double kInLineM = 0.12;  // a wall this far off a jamb's line goes on from it
 
 /// How far the floor reaches from a point, up to `most_m`.
 double reach_m(const OpenFloor& floor, const Point2& from, const Point2& along, double most_m) {
@@ -34,10 +34,11 @@ double passage_on(const OpenFloor& floor, const Segment2& jambs, const Point2& a
     const Point2 at = middle + off_m * across;
     if (!floor.is_open(at)) break;
     if (off_m < kFromM - kBetweenM / 2.0) continue;
-    const double most_m = half_m + kInLineM + 2.0 * kStepM;
+    const double in_line_m = kInLineM + floor.wall_noise_m;
+    const double most_m = half_m + in_line_m + 2.0 * kStepM;
     ++lines;
-    if (std::abs(reach_m(floor, at, -along, most_m) - half_m) < kInLineM) ++in_line_a;
-    if (std::abs(reach_m(floor, at, along, most_m) - half_m) < kInLineM) ++in_line_b;
+    if (std::abs(reach_m(floor, at, -along, most_m) - half_m) < in_line_m) ++in_line_a;
+    if (std::abs(reach_m(floor, at, along, most_m) - half_m) < in_line_m) ++in_line_b;
   }
   return lines > 0.0 ? std::min(in_line_a, in_line_b) / lines : 0.0;
 }

@@ -165,7 +165,8 @@ std::vector<RegionGraph::Pair> DoorQueue::join(RegionGraph& graph, const RegionG
 }
 
 void DoorQueue::ask(const RegionGraph& graph, const RegionGraph::Pair& pair) {
-  const double probability = door_probability(graph.figures(pair), model_);
+  const double probability =
+      door_probability(graph.figures(pair), model_, driven_wide(graph.openings(pair)));
   probability_[pair] = probability;
   by_probability_.insert({probability, pair});
 }
