@@ -92,6 +92,24 @@ Opening opening_between(const PieceOpening& found, double probability, RoomId ro
   return opening;
 }
 
+/// Openings on one chord as one: it may run along several pieces of a room.
+std::vector<PieceOpening> whole_openings(const std::vector<const PieceOpening*>& parts) {
+  std::vector<PieceOpening> whole;
+  for (const PieceOpening* part : parts) {
+    const auto same = std::find_if(whole.begin(), whole.end(), [&](const PieceOpening& other) {
+      return part->is_on_chord && other.is_on_chord && part->jambs.a == other.jambs.a &&
+             part->jambs.b == other.jambs.b;
+    });
+    if (same == whole.end()) {
+      whole.push_back(*part);
+      continue;
+    }
+    same->width_m = std::min(same->width_m + part->width_m, (same->jambs.b - same->jambs.a).norm());
+    same->crossings += part->crossings;
+  }
+  return whole;
+}
+
 /// The openings between numbered rooms.
 std::vector<Opening> openings_of(const RegionGraph& graph, const DoorQueue& doors,
                                  const Numbering& numbering, const RoomPartition& rooms,
@@ -102,8 +120,8 @@ std::vector<Opening> openings_of(const RegionGraph& graph, const DoorQueue& door
     RoomId room_b = numbering.find(pair.second);
     if (room_a == 0 || room_b == 0) continue;
     if (room_a > room_b) std::swap(room_a, room_b);
-    for (const PieceOpening* found : graph.openings(pair)) {
-      openings.push_back(opening_between(*found, doors.probability(pair), room_a, room_b,
+    for (const PieceOpening& found : whole_openings(graph.openings(pair))) {
+      openings.push_back(opening_between(found, doors.probability(pair), room_a, room_b,
                                          rooms.room_of_cell, frame));
     }
   }

@@ -64,8 +64,9 @@ std::vector<std::int32_t> groups_between_chords(const CutBuilding& cut) {
   };
   for (const PieceOpening& opening : cut.openings) {
     if (opening.is_on_chord) continue;
-    const auto [low, high] = std::minmax(root(opening.piece_a), root(opening.piece_b));
-    into[static_cast<std::size_t>(high)] = low;
+    const std::int32_t a = root(opening.piece_a);
+    const std::int32_t b = root(opening.piece_b);
+    into[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
   }
   std::vector<std::int32_t> group_of(into.size());
   for (std::size_t i = 0; i < into.size(); ++i) {
