@@ -30,7 +30,8 @@ struct DoorWeights {
   DoorFigures weights{};
 };
 
-/// Learned from 13 labelled maps, each with and without furniture: `./run bench rooms train`.
+/// Learned from 13 labelled maps, with furniture and without, as they are, turned and at half
+/// resolution: `./run bench rooms train`.
 [[nodiscard]] DoorWeights learned_door_weights();
 
 /// What speaks against a door since the robot drove through, [0, 1]: nothing at a door's width, for
