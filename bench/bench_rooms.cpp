@@ -23,8 +23,7 @@ namespace {
 using namespace roomatlas;
 using namespace roomatlas::bench;
 
-constexpr double kPenalty =
-    10.0;  // on squared weights; hundreds shrink them, below 1 changes nothing
+constexpr double kPenalty = 10.0;                // on squared weights; larger trusts the maps less
 constexpr double kTrainedTurnRad = radians(30);  // no angle that is tested
 
 struct Row {
@@ -98,12 +97,15 @@ void print_weights(const DoorWeights& weights) {
   std::printf("\n");
 }
 
-void train(const std::filesystem::path& folder, const std::vector<std::string>& names) {
-  struct Known {
-    std::string name;
-    TrainingMap map;
-  };
-  std::vector<Known> known;
+struct KnownMap {
+  std::string name;
+  TrainingMap map;
+};
+
+/// Each map as it is, turned, and with cells twice as large; clean and furnished.
+std::vector<KnownMap> known_maps(const std::filesystem::path& folder,
+                                 const std::vector<std::string>& names) {
+  std::vector<KnownMap> known;
   for (const std::string& name : names) {
     for (const bool furnished : {false, true}) {
       const LabelledMap map = read_labelled_map(folder, name, furnished);
@@ -112,19 +114,28 @@ void train(const std::filesystem::path& folder, const std::vector<std::string>& 
       }
     }
   }
-  const auto learned_without = [&](const std::string& name) {
-    std::vector<const TrainingMap*> others;
-    for (const Known& one : known) {
-      if (one.name != name) others.push_back(&one.map);
-    }
-    return train_doors(others, kPenalty);
-  };
+  return known;
+}
+
+/// @param name of a map to leave out; empty: none
+DoorWeights learned_without(const std::string& name, const std::vector<KnownMap>& known) {
+  std::vector<const TrainingMap*> others;
+  for (const KnownMap& one : known) {
+    if (one.name != name) others.push_back(&one.map);
+  }
+  return train_doors(others, kPenalty);
+}
+
+/// A way to alter a map, to see what does not depend on it.
+struct Change {
+  const char* title;
+  std::function<LabelledMap(const LabelledMap&)> apply;
+};
+
+void train(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+  const std::vector<KnownMap> known = known_maps(folder, names);
   std::vector<DoorWeights> weights;
-  for (const std::string& name : names) weights.push_back(learned_without(name));
-  struct Change {
-    const char* title;
-    std::function<LabelledMap(const LabelledMap&)> apply;
-  };
+  for (const std::string& name : names) weights.push_back(learned_without(name, known));
   const std::vector<Change> changes = {
       {"as it is", [](const LabelledMap& map) { return map; }},
       {"turned by 17 degrees", [](const LabelledMap& map) { return turned(map, radians(17)); }},
@@ -144,7 +155,7 @@ void train(const std::filesystem::path& folder, const std::vector<std::string>& 
                   rows, true);
     }
   }
-  print_weights(learned_without(""));
+  print_weights(learned_without("", known));
 }
 
 }  // namespace
