@@ -113,7 +113,7 @@ TEST(PassageAt, TellsCorridorsMouthsAndDoors) {
 
 TEST(FindWallChords, CloseADoorInLineWithItsWall) {
   const OpenFloor floor = floor_of(test::two_room_map());
-  const std::vector<WallChord> chords = find_wall_chords(floor, find_floor_sides(floor));
+  const std::vector<WallChord> chords = find_wall_chords(floor, find_floor_sides(floor), {});
   ASSERT_FALSE(chords.empty());
   for (const WallChord& chord : chords) {
     EXPECT_NEAR(chord.length_m(), 0.9, 0.1);

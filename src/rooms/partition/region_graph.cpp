@@ -171,7 +171,7 @@ std::vector<RegionGraph::Pair> DoorQueue::join(RegionGraph& graph, const RegionG
   const std::int32_t joined = graph.join(pair);
   std::vector<RegionGraph::Pair> asked;
   for (const std::int32_t other : graph.neighbours(joined)) {
-    asked.push_back(std::minmax(joined, other));
+    asked.emplace_back(std::min(joined, other), std::max(joined, other));
     ask(graph, asked.back());
   }
   return asked;
