@@ -52,6 +52,11 @@ std::vector<DraftLine> lines_of(const Walls& walls, const RoomSeeds& seeds,
     const Point2 beyond =
         options.extend_door_m * (opening.jambs.b - opening.jambs.a).normalized();
     lines.push_back({{opening.jambs.a - beyond, opening.jambs.b + beyond}, 0.0, false});
+    // And across the wall at its jambs: the faces of slanted walls do not go on through a door.
+    const Point2 across = options.through_door_m * Point2(-beyond.y(), beyond.x()).normalized();
+    for (const Point2& jamb : {opening.jambs.a, opening.jambs.b}) {
+      lines.push_back({{jamb - across, jamb + across}, 0.0, false});
+    }
   }
   return lines;
 }

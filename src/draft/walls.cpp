@@ -99,7 +99,9 @@ class Builder {
   }
 
   void find_bodies() {
-    for (const WallFace& face : walls_.faces) covers_.push_back(cover_of(face));
+    std::vector<std::vector<Interval>> covers;
+    for (const WallFace& face : walls_.faces) covers.push_back(cover_of(face));
+    for (std::size_t i = 0; i < covers.size(); ++i) walls_.faces[i].cover = std::move(covers[i]);
     std::vector<WallBody> bodies;
     for (std::size_t i = 0; i < walls_.faces.size(); ++i) {
       for (std::size_t j = i + 1; j < walls_.faces.size(); ++j) {
@@ -160,8 +162,8 @@ class Builder {
     const WallFace& back = walls_.faces[j];
     if (front.normal().dot(back.normal()) > kOppositeCosine) return std::nullopt;
     WallBody body{i, j, 0.0, {}};
-    for (const Interval& a : covers_[i]) {
-      for (const Interval& b : covers_[j]) {  // counts the other way
+    for (const Interval& a : front.cover) {
+      for (const Interval& b : back.cover) {  // counts the other way
         const Interval both{std::max(a.low_m, -b.high_m), std::min(a.high_m, -b.low_m)};
         if (both.length_m() > kShortestOverlap_m) body.stretches.push_back(both);
       }
@@ -199,7 +201,6 @@ class Builder {
   const Occupancy& occupancy_;
   const WallOptions& options_;
   CellMask near_obstacle_{CellBox{}};
-  std::vector<std::vector<Interval>> covers_;  ///< of each face
 };
 
 }  // namespace

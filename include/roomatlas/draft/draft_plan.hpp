@@ -23,6 +23,7 @@ struct DraftOptions {
   double extend_slanted_m = 0.6;  ///< ... and those that follow no direction of the building
   double long_face_m = 2.0;
   double extend_door_m = 0.4;   ///< the line of an opening, beyond its jambs
+  double through_door_m = 0.35;  ///< across the wall at each jamb: no wall is thicker than twice this
   double solid_cost = 8.0;      ///< a square metre of floor that becomes solid, or another room's
   double unseen_cost = 0.25;    ///< a square metre of room that nobody saw ...
   double deep_unseen_cost = 3.0;  ///< ... and that lies `deep_m` from all floor that was seen

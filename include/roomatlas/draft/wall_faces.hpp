@@ -20,6 +20,8 @@ struct WallFace {
   double normal_rad = 0.0;   ///< towards the side from which it was seen
   double offset_m = 0.0;     ///< of the line from the building's origin, along the normal
   std::vector<Interval> seen;  ///< ascending; along `along()`, with gaps between them
+  std::vector<Interval> cover;  ///< where it goes on, seen or hidden: across gaps of doors, across
+                                ///< what nobody saw, up to the next wall; `build_walls` tells
   bool is_regular = false;   ///< follows a direction of the building
   double prominence_m = 0.0;  ///< metres of wall seen on its line, both faces of a wall together;
                               ///< see `measure_prominence`

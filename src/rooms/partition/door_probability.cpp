@@ -71,7 +71,7 @@ DoorWeights learned_door_weights() {
 double driven_wide(const std::vector<const PieceOpening*>& openings) {
   double most = 0.0;
   for (const PieceOpening* opening : openings) {
-    if (opening->crossings == 0) continue;
+    if (opening->crossings == 0 || opening->is_known) continue;
     const double excess_m = opening->width_m - kMostDoorM;
     most = std::max(most, std::clamp(excess_m / (kWideM - kMostDoorM), 0.0, 1.0));
   }
