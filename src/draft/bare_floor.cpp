@@ -11,7 +11,7 @@ namespace roomatlas {
 namespace {
 
 constexpr double kBesideFace_m = 0.1;  // obstacles this near a wall's face are the wall's ...
-constexpr double kBehindFace_m = 0.2;  // ... and this near behind it
+constexpr double kBehindFace_m = 0.15;  // ... and this near behind it
 constexpr double kNextFace_m = 4.0;     // posts and jambs stand between two faces on one line that
                                         // are no farther apart ...
 constexpr double kBuildingLine_m = 5.0;  // ... or, with this much wall on the line ...
@@ -178,19 +178,23 @@ Occupancy bare_floor(const Walls& walls, const Occupancy& occupancy,
     }
   });
   // A wall that is hidden still parts, up to the next wall.
+  CellMask covered(bare.free.box);
   for (std::size_t i = 0; i < walls.faces.size(); ++i) {
     const WallFace& face = walls.faces[i];
     if (!is_wall[i] || !face.is_regular) continue;
-    for (const Interval& cover : face.cover) {
+    const std::vector<Interval> seen = {{face.low_m(), face.high_m()}};
+    for (const Interval& cover : options.hidden_walls ? face.cover : seen) {
       for (double along_m = cover.low_m; along_m <= cover.high_m; along_m += step_m) {
         const Cell cell = occupancy.frame.cell_of(face.at(along_m));
-        if (!occupancy.free.at(cell)) bare.free.set(cell, false);
+        if (occupancy.free.at(cell)) continue;
+        bare.free.set(cell, false);
+        covered.set(cell, true);
       }
     }
   }
   CellMask wall(bare.free.box);
   for_each_cell(bare.free.box, [&](const Cell& cell) {
-    wall.set(cell, (thick.at(cell) || hidden.at(cell)) && !bare.free.at(cell));
+    wall.set(cell, (thick.at(cell) || covered.at(cell)) && !bare.free.at(cell));
   });
   add_small(wall, options.furniture_side_m, 0.0, bare);
   for_each_cell(bare.free.box, [&](const Cell& cell) {

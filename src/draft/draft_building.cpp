@@ -73,7 +73,9 @@ DraftedBuilding draft_building(const BuildingEvidence& evidence,
       confirmed_faces(find_wall_faces(evidence, options.faces), evidence, options.walls);
   drafted.occupancy = occupancy_of(evidence, faces, options.occupancy);
   drafted.walls = build_walls(std::move(faces), drafted.occupancy, options.walls);
-  drafted.bare = bare_floor(drafted.walls, drafted.occupancy, options.bare);
+  BareFloorOptions bare = options.bare;
+  bare.hidden_walls = bare.hidden_walls && evidence.kind == SensorKind::laser;
+  drafted.bare = bare_floor(drafted.walls, drafted.occupancy, bare);
   drafted.partition = partitioned(drafted, evidence, options);
   const RoomSeeds seeds{drafted.partition.room_of_cell, doors_of(drafted.partition)};
   Draft draft = draft_plan(drafted.walls, drafted.occupancy, seeds, options.draft);

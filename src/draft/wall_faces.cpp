@@ -27,7 +27,7 @@ constexpr double kLaserBand_m = 0.04;      // off a wall's line
 constexpr double kSonarBand_m = 0.05;
 constexpr double kSonarWingFace_m = 1.5;     // of a wing's faces: corners make shorter ones in any
 constexpr std::size_t kSonarWingFaces = 3;   // direction; and a wing has as many, and this share
-constexpr double kSonarWingShare = 0.15;     // of all walls so far
+constexpr double kSonarWingShare = 0.3;      // of all walls so far
 
 /// The difference of two directions that count modulo 90 degrees, [-45, 45] degrees.
 double quarter_difference(double a_rad, double b_rad) {

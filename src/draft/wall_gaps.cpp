@@ -17,6 +17,8 @@ constexpr double kSmallest_m = 0.1;    // breaks in a wall that are no gaps
 constexpr double kFlankOff_m = 0.25;   // a flank begins this near the gap
 constexpr double kSolidShare = 0.85;   // of a long flank
 constexpr double kFreeShare = 0.6;     // of a gap
+constexpr double kStubEnd_m = 0.25;    // from a stub's end to the wall that it stands at
+constexpr double kSquareSine = 0.95;   // of walls that cross
 
 /// What stands on a line, step by step.
 struct LineScan {
@@ -74,6 +76,9 @@ class GapFinder {
 
   void add_gaps_of(const WallFace& face, std::vector<Segment2>& gaps) const {
     const std::vector<Interval> on_it = on_line(face, walls_.faces, 0.0);
+    const double support_m = line_support_m(face, walls_.faces);
+    if (support_m < options_.min_stub_line_m) return;
+    const bool is_stubs = support_m < options_.min_line_m;
     const bool is_buildings = face.prominence_m >= options_.building_line_m;
     const Interval reach = reach_of(
         face, on_it, is_buildings ? options_.building_reach_m : options_.reach_m);
@@ -82,7 +87,8 @@ class GapFinder {
     bool any = false;
     for (std::size_t step = 0; step < line.is_wall.size(); ++step) {
       if (!line.is_wall[step]) continue;
-      if (any && step > last + 1 && is_gap(line, last, step, on_it)) {
+      if (any && step > last + 1 && is_gap(line, last, step, on_it) &&
+          (!is_stubs || is_between_stubs(face, line.at_m(last), line.at_m(step), on_it))) {
         const Segment2 gap{face.at(line.at_m(last)), face.at(line.at_m(step))};
         if (is_free(gap) && is_narrower_than_floor(gap)) gaps.push_back(gap);
       }
@@ -92,6 +98,30 @@ class GapFinder {
   }
 
  private:
+  /// Whether a prominent wall crosses a face's line near a place on it.
+  [[nodiscard]] bool is_at_wall(const WallFace& face, double along_m) const {
+    return std::any_of(walls_.faces.begin(), walls_.faces.end(), [&](const WallFace& wall) {
+      if (wall.prominence_m < options_.prominent_m) return false;
+      if (std::abs(face.along().dot(wall.normal())) < kSquareSine) return false;
+      const Point2 at = face.at(along_m);
+      const double on_wall_m = at.dot(wall.along());
+      return std::abs(at.dot(wall.normal()) - wall.offset_m) < kStubEnd_m &&
+             on_wall_m > wall.low_m() - kStubEnd_m && on_wall_m < wall.high_m() + kStubEnd_m;
+    });
+  }
+
+  /// Whether what stands on both sides of a gap runs from it to a prominent wall.
+  [[nodiscard]] bool is_between_stubs(const WallFace& face, double low_m, double high_m,
+                                      const std::vector<Interval>& on_it) const {
+    bool low = false;
+    bool high = false;
+    for (const Interval& one : on_it) {
+      low = low || (std::abs(one.high_m - low_m) < kFlankOff_m && is_at_wall(face, one.low_m));
+      high = high || (std::abs(one.low_m - high_m) < kFlankOff_m && is_at_wall(face, one.high_m));
+    }
+    return low && high && high_m - low_m <= options_.free_m;
+  }
+
   [[nodiscard]] bool is_gap(const LineScan& line, std::size_t low, std::size_t high,
                             const std::vector<Interval>& on_it) const {
     const double width_m = line.at_m(high) - line.at_m(low);
@@ -166,8 +196,7 @@ std::vector<Segment2> find_wall_gaps(const Walls& walls, const Occupancy& occupa
   const GapFinder finder(walls, occupancy, options);
   std::vector<Segment2> gaps;
   for (const WallFace& face : walls.faces) {
-    if (!face.is_regular || line_support_m(face, walls.faces) < options.min_line_m) continue;
-    finder.add_gaps_of(face, gaps);
+    if (face.is_regular) finder.add_gaps_of(face, gaps);
   }
   std::stable_sort(gaps.begin(), gaps.end(), [](const Segment2& a, const Segment2& b) {
     return (a.b - a.a).norm() < (b.b - b.a).norm();

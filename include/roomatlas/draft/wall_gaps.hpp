@@ -9,7 +9,10 @@
 namespace roomatlas {
 
 struct WallGapOptions {
-  double min_line_m = 2.0;      ///< of wall on the line of a gap, in all
+  double min_line_m = 2.0;      ///< of wall on the line of a gap, in all; less will do where the
+                                ///< wall on both sides runs from the gap to a prominent wall
+  double min_stub_line_m = 0.4;
+  double prominent_m = 2.5;
   double building_line_m = 5.0;  ///< lines with more run through the building: pieces of one wall
                                  ///< may be this far apart on them ...
   double building_reach_m = 40.0;
