@@ -24,7 +24,7 @@ inline const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"sonar", {"core", "mission", "odometry", "solve"}},
     {"correct", {"core", "odometry", "asr", "graph", "solve"}},
     {"loops", {"core", "match", "asr", "solve", "correct"}},
-    {"rooms", {"core", "plan", "grid", "polyline", "asr", "graph"}},
+    {"rooms", {"core", "plan", "mission", "grid", "polyline", "asr", "graph"}},
     {"planar", {"core"}},
     {"draft",
      {"core", "plan", "mission", "grid", "polyline", "asr", "graph", "rooms", "planar"}},

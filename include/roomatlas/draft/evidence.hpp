@@ -7,6 +7,7 @@
 #include "roomatlas/core/progress.hpp"
 #include "roomatlas/graph/room_graph.hpp"
 #include "roomatlas/grid/reflection_map.hpp"
+#include "roomatlas/mission/mission.hpp"
 
 namespace roomatlas {
 
