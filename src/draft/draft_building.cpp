@@ -21,6 +21,33 @@ RoomPartition partitioned(const DraftedBuilding& drafted, const BuildingEvidence
   return partition;
 }
 
+/// What sonars heard leaves gaps in walls, so that rooms are decided by where the robot drove.
+RoomPartition segmented(const Occupancy& occupancy, const BuildingEvidence& evidence,
+                        const SegmentOptions& options) {
+  const BuildingGrid grid = building_grid(evidence.coarse, evidence.kind,
+                                          evidence.building_from_robot, evidence.footprint,
+                                          options.grid);
+  const RoomSegmentation rooms = segment_rooms(grid, evidence.building_from_robot, options);
+  RoomPartition partition;
+  partition.rooms = rooms.rooms;
+  partition.room_of_pose = rooms.room_of_pose;
+  partition.room_of_cell = Raster<std::int32_t>(occupancy.free.box, 0);
+  for_each_cell(occupancy.free.box, [&](const Cell& cell) {
+    partition.room_of_cell[cell] = static_cast<std::int32_t>(
+        rooms.at(rooms.frame.cell_of(occupancy.frame.center_of(cell))));
+  });
+  for (const Door& door : rooms.openings) {
+    if (!door.is_between_rooms() || door.room_a == door.room_b) continue;
+    Opening& opening = partition.openings.emplace_back();
+    static_cast<Doorway&>(opening) = with_jambs_at_peaks(door, evidence.coarse);
+    opening.room_a = *door.room_a;
+    opening.room_b = *door.room_b;
+    opening.probability = 1.0;
+    opening.is_driven = door.is_driven;
+  }
+  return partition;
+}
+
 std::vector<Door> doors_of(const RoomPartition& partition) {
   std::vector<Door> doors;
   for (const Opening& opening : partition.openings) {
@@ -76,7 +103,9 @@ DraftedBuilding draft_building(const BuildingEvidence& evidence,
   BareFloorOptions bare = options.bare;
   bare.hidden_walls = bare.hidden_walls && evidence.kind == SensorKind::laser;
   drafted.bare = bare_floor(drafted.walls, drafted.occupancy, bare);
-  drafted.partition = partitioned(drafted, evidence, options);
+  drafted.partition = evidence.kind == SensorKind::sonar
+                          ? segmented(drafted.occupancy, evidence, options.sonar_rooms)
+                          : partitioned(drafted, evidence, options);
   const RoomSeeds seeds{drafted.partition.room_of_cell, doors_of(drafted.partition)};
   Draft draft = draft_plan(drafted.walls, drafted.occupancy, seeds, options.draft);
   drafted.rooms = std::move(draft.rooms);

@@ -21,8 +21,10 @@ bool is_worth_it(const Pose2& from, const Pose2& to, double every_m, double ever
 /// Takes readings in and makes evidence of them.
 class Gatherer {
  public:
-  explicit Gatherer(const GatherOptions& options) : options_(options) {
+  Gatherer(const RobotFootprint& footprint, const GatherOptions& options) : options_(options) {
+    evidence_.footprint = footprint;
     evidence_.counts = ReflectionMap(options.cell_m);
+    evidence_.coarse = ReflectionMap(options.coarse_cell_m);
   }
 
   void add(AsrId asr, const RangeReading& reading, const Pose2& building_from_robot) {
@@ -38,6 +40,8 @@ class Gatherer {
                           options_.sonar_no_echo_m, 0.0};
     evidence_.counts.add_sweep(rays_of(reading, building_from_robot, rays, ignored));
     if (is_sonar) {
+      const RayOptions far{options_.coarse_range_m, options_.sonar_no_echo_m, 0.0};
+      evidence_.coarse.add_sweep(rays_of(reading, building_from_robot, far, ignored));
       add_echoes(reading, building_from_robot);
     } else {
       add_surfaces(reading, building_from_robot);
@@ -81,8 +85,9 @@ class Gatherer {
 }  // namespace
 
 BuildingEvidence gather_evidence(const AsrSource& source, const Placement& placement,
-                                 const GatherOptions& options, const Progress& progress) {
-  Gatherer gatherer(options);
+                                 const RobotFootprint& footprint, const GatherOptions& options,
+                                 const Progress& progress) {
+  Gatherer gatherer(footprint, options);
   const std::vector<AsrId> ids = source.ids();
   for (std::size_t i = 0; i < ids.size(); ++i) {
     report(progress, "map building", share_of(i, ids.size()));

@@ -76,7 +76,7 @@ MappedBuilding building_of(MissionKind kind, const AsrSource& source, const Asse
   const Placement placement = placement_of(corrected.correction);
   if (kind != MissionKind::paper && assemble.plan == PlanStyle::drafted) {
     const BuildingEvidence evidence =
-        gather_evidence(source, placement, assemble.draft.evidence, progress);
+        gather_evidence(source, placement, footprint, assemble.draft.evidence, progress);
     report(progress, "draft", 0.0);
     return mapped_building_of(draft_building(evidence, assemble.draft), evidence, map);
   }

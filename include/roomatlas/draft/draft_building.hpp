@@ -10,6 +10,7 @@
 #include "roomatlas/draft/wall_gaps.hpp"
 #include "roomatlas/rooms/mapped_building.hpp"
 #include "roomatlas/rooms/partition_rooms.hpp"
+#include "roomatlas/rooms/segment_rooms.hpp"
 
 namespace roomatlas {
 
@@ -21,7 +22,8 @@ struct DraftBuildingOptions {
   WallOptions walls;
   BareFloorOptions bare;
   WallGapOptions gaps;
-  PartitionOptions partition;
+  PartitionOptions partition;   ///< of what lasers saw
+  SegmentOptions sonar_rooms;   ///< of what sonars heard
   JoinRoomsOptions join;
   DraftOptions draft;
   DoorOptions doors;

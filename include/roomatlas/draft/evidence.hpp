@@ -19,6 +19,8 @@ struct GatherOptions {
   double every_deg = 2.0;       ///< ... or turn; less costs time and tells nothing new
   double laser_range_m = 10.0;  ///< hits farther away smear walls by the heading's error
   double sonar_range_m = 4.0;   ///< a cone is 2 m wide there
+  double coarse_cell_m = 0.1;   ///< of what sonars' rooms are decided on: finer leaves gaps in walls
+  double coarse_range_m = 8.0;
   double sonar_no_echo_m = 1.0;  ///< what a sonar without echo frees. A laser without echo frees
                                  ///< nothing: beams are lost on furniture too
 };
@@ -43,6 +45,8 @@ struct BuildingEvidence {
   ReflectionMap counts{0.05};           ///< in cells of `GatherOptions::cell_m`
   std::vector<SurfacePoint> surfaces;   ///< seen by lasers; thinned to one a place and direction
   std::vector<Echo> echoes;             ///< of sonars
+  ReflectionMap coarse{0.1};            ///< of sonars, in cells of `GatherOptions::coarse_cell_m`
+  RobotFootprint footprint;             ///< where it stood is free
   double sonar_half_cone_rad = 0.0;
   std::vector<Pose2> building_from_robot;  ///< the whole path
   std::vector<AsrId> asr_of_pose;          ///< parallel to the path
@@ -51,6 +55,7 @@ struct BuildingEvidence {
 /// Gathers all readings where the correction puts them. Readings are loaded for one ASR at a time.
 /// @throws InputError for an ASR without its readings
 [[nodiscard]] BuildingEvidence gather_evidence(const AsrSource& source, const Placement& placement,
+                                               const RobotFootprint& footprint,
                                                const GatherOptions& options,
                                                const Progress& progress);
 
