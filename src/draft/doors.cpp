@@ -12,6 +12,8 @@ namespace roomatlas {
 namespace {
 
 constexpr double kNearWall_m = 2.0;     // a wall is seen this near an opening, or it is another's
+constexpr double kMostAside_m = 0.3;    // of a door's middle from that of the opening in the floor
+constexpr double kMostWider_m = 0.5;    // than the opening in the floor, which margins narrow
 constexpr double kBand_m = 0.06;        // off a face's line: surfaces of the wall
 constexpr double kFaceTurn_rad = 30.0 * kPi / 180.0;
 constexpr double kBin_m = 0.02;
@@ -159,8 +161,11 @@ Door in_wall(const Door& opening, const Walls& walls, const BuildingEvidence& ev
   const double b_m = opening.jambs.b.dot(wall->front->along());
   const Interval found{std::min(a_m, b_m), std::max(a_m, b_m)};
   // Far from what the floor shows it is another opening's, or a wall that nobody saw.
-  const bool is_wild = jambs && (std::abs(jambs->low_m - found.low_m) > options.reach_m ||
-                                 std::abs(jambs->high_m - found.high_m) > options.reach_m);
+  const bool is_wild =
+      jambs && (std::abs(jambs->low_m - found.low_m) > options.reach_m ||
+                std::abs(jambs->high_m - found.high_m) > options.reach_m ||
+                std::abs(jambs->low_m + jambs->high_m - 2.0 * middle_m) > 2.0 * kMostAside_m ||
+                jambs->length_m() > found.length_m() + kMostWider_m);
   if (!jambs || is_wild) jambs = found;
   const double depth_m = (wall->depth_low_m + wall->depth_high_m) / 2.0;
   const auto point = [&](double along_m) -> Point2 {

@@ -13,7 +13,7 @@ constexpr double kCoarse_deg = 1.0;     // between directions that are tried fir
 constexpr double kFine_deg = 0.125;     // ... and then around the best
 constexpr double kFineReach_deg = 1.0;
 constexpr double kAcross_m = 0.03;      // bins in which votes agree
-constexpr double kAlong_m = 1.0;
+constexpr double kAlong_m = 2.0;   // longer tells directions better, and few walls are longer
 constexpr double kChance = 2.0;         // as many agree in a bin by chance
 
 /// How well the votes for walls of one direction, in all its four ways, agree.

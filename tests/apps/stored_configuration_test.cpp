@@ -65,7 +65,8 @@ TEST(StoredConfiguration, AssembleTakesWhatTheMissionWasMappedWith) {
   for (const char* sensor : {"laser", "sonar"}) {
     const std::string tolerance = "--simplify-tolerance 0.5 --sonar-simplify-tolerance 0.5";
     const std::string finer = "--simplify-tolerance 0.01 --sonar-simplify-tolerance 0.01";
-    const std::string options = tolerance + " --wall-thickness 0.4 --no-regular-walls";
+    const std::string options =
+        tolerance + " --wall-thickness 0.4 --no-regular-walls --plan traced";
     const std::string store = mapped(folder, sensor, options);
     const std::string plan = plan_of(folder, store, "");
     EXPECT_EQ(plan, plan_of(folder, store, options)) << sensor;
