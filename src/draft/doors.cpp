@@ -51,10 +51,12 @@ std::optional<WallAt> wall_at(const Door& opening, const Walls& walls, const Doo
     near.push_back(&face);
   }
   if (near.empty()) return std::nullopt;
-  // Near and prominent: a wall 0.1 m off counts as much as one e times as prominent 0.4 m off.
+  // Near and prominent: a wall 0.3 m farther off, or farther along, is e times as prominent.
+  constexpr double kOff_m = 0.3;
   const auto cost = [&](const WallFace* face) {
-    return std::abs(middle.dot(face->normal()) - face->offset_m) / 0.3 -
-           std::log(std::max(0.1, face->prominence_m));
+    const double off_m = std::abs(middle.dot(face->normal()) - face->offset_m);
+    const double along_m = distance_along_m(*face, middle.dot(face->along()));
+    return (off_m + along_m) / kOff_m - std::log(std::max(0.1, face->prominence_m));
   };
   const WallFace* front = *std::min_element(
       near.begin(), near.end(),

@@ -16,6 +16,7 @@ namespace {
 constexpr int kMostSweeps = 3;         // over all labels; later ones change next to nothing
 constexpr double kFrameMargin_m = 1.0;  // beyond all that was seen
 constexpr double kRimTolerance_m = 0.08;  // of the lines along which floor ends
+constexpr double kStraight_m = 0.003;     // of corners that are none: where other lines end
 constexpr double kShortestRim_m = 1.5;    // around; shorter are specks
 
 std::vector<RoomId> rooms_of(const RoomSeeds& seeds) {
@@ -168,7 +169,7 @@ Draft draft_plan(const Walls& walls, const Occupancy& occupancy, const RoomSeeds
   auto polygons = arrangement->trace(group, labels);
   for (std::size_t i = 0; i < rooms.size(); ++i) {
     if (polygons[i].empty() || area(polygons[i].front()) < options.min_room_m2) continue;
-    draft.rooms.push_back({rooms[i], polygons[i].front()});
+    draft.rooms.push_back({rooms[i], planar::simplified(polygons[i].front(), kStraight_m)});
   }
   draft.wall_bodies = std::move(polygons.back());
   return draft;

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Missions in known worlds with the poses that the robot truly had: what drafting makes of exact
+// poses.
+#pragma once
+
+#include <string>
+
+#include "roomatlas/asr/memory_store.hpp"
+#include "roomatlas/draft/draft_building.hpp"
+#include "roomatlas/io/logs/drive.hpp"
+#include "roomatlas/io/plans/plan_geojson.hpp"
+#include "roomatlas/simulate/simulate.hpp"
+
+namespace roomatlas::test {
+
+struct KnownMission {
+  FloorPlan world;
+  BuildingEvidence evidence;
+};
+
+/// `eight_rooms`, driven through all its doors.
+/// @param building_from_world how the building's frame lies
+inline KnownMission eight_rooms(SensorKind sensor, const Pose2& building_from_world) {
+  const std::filesystem::path worlds =
+      std::filesystem::path(ROOMATLAS_SOURCE_DIR) / "data" / "worlds";
+  KnownMission mission{read_plan(worlds / "eight_rooms.geojson"), {}};
+  SimulationOptions robot;
+  robot.sensor = sensor;
+  Asr asr;
+  asr.id = 1;
+  simulate(mission.world, read_drive(worlds / "eight_rooms.drive"), robot,
+           [&](const SimulatedStep& step) {
+             asr.path.push_back({step.truth.timestamp_s,
+                                 building_from_world * step.truth.world_from_robot,
+                                 step.odometry.odom_from_robot});
+             asr.readings.push_back(step.reading);
+           });
+  MemoryStore store;
+  store.put(asr);
+  mission.evidence = gather_evidence(store, {{1, Pose2{}}}, robot.footprint, {}, {});
+  return mission;
+}
+
+}  // namespace roomatlas::test
