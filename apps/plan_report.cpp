@@ -60,8 +60,12 @@ void print(const PlanErrors& plan, const PlanAlignment& alignment) {
              plan.used_true_doors.size() - plan.missed_used_doors.size(),
              plan.used_true_doors.size());
   for (const DoorMatch& match : plan.door_matches) {
-    fmt::print("  door {:>3} is true door {:>3}, {:.2f} m apart\n", match.door, match.true_door,
-               match.distance_m);
+    fmt::print("  door {:>3} is true door {:>3}, {:.2f} m apart, {:.2f} m {}\n", match.door,
+               match.true_door, match.distance_m, std::abs(match.width_error_m),
+               match.width_error_m < 0.0 ? "narrower" : "wider");
+  }
+  if (!plan.door_matches.empty()) {
+    fmt::print("  mean error of a door's width: {:.3f} m\n", plan.mean_door_width_error_m);
   }
   if (plan.graph) print(*plan.graph);
 }

@@ -2,6 +2,7 @@
 #include "roomatlas/evaluate/plan_errors.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -73,6 +74,8 @@ void compare_rooms(PlanErrors& errors, const FloorPlan& plan, const FloorPlan& t
 
 Point2 middle(const Segment2& segment) { return (segment.a + segment.b) / 2.0; }
 
+double width_m(const PlanDoor& door) { return (door.jambs.b - door.jambs.a).norm(); }
+
 /// A pair inside the gate outweighs all distances; among as many pairs the nearest win.
 std::vector<DoorMatch> match_doors(const FloorPlan& plan, const FloorPlan& truth,
                                    const Pose2& truth_from_building, double gate_m) {
@@ -91,7 +94,10 @@ std::vector<DoorMatch> match_doors(const FloorPlan& plan, const FloorPlan& truth
   const auto columns = best_assignment(weights);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (!columns[i]) continue;
-    matches.push_back({plan.doors[i].id, truth.doors[*columns[i]].id, distance_m(i, *columns[i])});
+    const PlanDoor& door = plan.doors[i];
+    const PlanDoor& true_door = truth.doors[*columns[i]];
+    matches.push_back(
+        {door.id, true_door.id, distance_m(i, *columns[i]), width_m(door) - width_m(true_door)});
   }
   std::stable_sort(matches.begin(), matches.end(), [](const DoorMatch& a, const DoorMatch& b) {
     return a.distance_m < b.distance_m;
@@ -128,9 +134,16 @@ void compare_doors(PlanErrors& errors, const FloorPlan& plan, const FloorPlan& t
   errors.door_matches = match_doors(plan, truth, truth_from_building, options.door_gate_m);
   const std::int64_t matched = std::ssize(errors.door_matches);
   errors.door_score = detection_score(matched, errors.doors, errors.true_doors);
-  double sum_m = 0.0;
-  for (const DoorMatch& match : errors.door_matches) sum_m += match.distance_m;
-  if (matched > 0) errors.mean_door_distance_m = sum_m / static_cast<double>(matched);
+  double distances_m = 0.0;
+  double width_errors_m = 0.0;
+  for (const DoorMatch& match : errors.door_matches) {
+    distances_m += match.distance_m;
+    width_errors_m += std::abs(match.width_error_m);
+  }
+  if (matched > 0) {
+    errors.mean_door_distance_m = distances_m / static_cast<double>(matched);
+    errors.mean_door_width_error_m = width_errors_m / static_cast<double>(matched);
+  }
   find_used_doors(errors, truth, true_path);
   std::map<RoomId, RoomId> true_room_of;
   for (const RoomMatch& match : errors.room_matches) true_room_of[match.room] = match.true_room;

@@ -64,6 +64,7 @@ void add_doors(Lines& lines, const PlanErrors& errors) {
               used);
   }
   lines.add("mean distance", "m", errors.mean_door_distance_m);
+  lines.add("mean width error", "m", errors.mean_door_width_error_m);
 }
 
 void add_graph(Lines& lines, const PlanGraphErrors& graph) {

@@ -49,6 +49,7 @@ void expect_doors(const PlanErrors& errors, const PlanErrors& wanted) {
   EXPECT_NEAR(errors.door_score.precision, wanted.door_score.precision, kTiny);
   EXPECT_NEAR(errors.door_score.recall, wanted.door_score.recall, kTiny);
   EXPECT_NEAR(errors.mean_door_distance_m, wanted.mean_door_distance_m, kTiny);
+  EXPECT_NEAR(errors.mean_door_width_error_m, wanted.mean_door_width_error_m, kTiny);
 }
 
 void expect_graph(const PlanGraphErrors& found, const PlanGraphErrors& wanted) {
@@ -176,6 +177,28 @@ TEST(PlanJudgement, AMovedDoorCountsWithItsDistance) {
   PlanErrors wanted = perfect();
   wanted.mean_door_distance_m = 0.2 / 5.0;
   expect_equal(errors_of(plan), wanted);
+}
+
+TEST(PlanJudgement, ADoorDrawnTooWideOrTooNarrowCountsWithTheDifferenceOfItsWidth) {
+  FloorPlan plan = four_rooms();
+  plan.doors[0].jambs = {{0.4, 3.1}, {1.5, 3.1}};    // 1.1 m for 0.9 m, about the same middle
+  plan.doors[2].jambs = {{5.75, 3.1}, {5.15, 3.1}};  // 0.6 m, from the other jamb
+  PlanErrors wanted = perfect();
+  wanted.mean_door_width_error_m = (0.2 + 0.3) / 5.0;
+  const PlanErrors errors = errors_of(plan);
+  expect_equal(errors, wanted);
+  for (const DoorMatch& match : errors.door_matches) {
+    const double wanted_m = match.door == 1 ? 0.2 : match.door == 3 ? -0.3 : 0.0;
+    EXPECT_NEAR(match.width_error_m, wanted_m, kTiny) << match.door;
+  }
+}
+
+TEST(PlanJudgement, ADoorWithoutAPairHasNoWidthError) {
+  FloorPlan plan = four_rooms();
+  plan.doors[4].jambs = {{4.1, 2.2}, {4.1, 2.9}};  // 1.1 m off, and too narrow
+  EXPECT_NEAR(errors_of(plan).mean_door_width_error_m, 0.0, kTiny);
+  plan.doors.clear();
+  EXPECT_TRUE(std::isnan(errors_of(plan).mean_door_width_error_m));
 }
 
 TEST(PlanJudgement, AnInventedDoorIsAnExtraOrAWrongEdge) {

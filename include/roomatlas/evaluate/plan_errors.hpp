@@ -21,7 +21,8 @@ struct RoomMatch {
 struct DoorMatch {
   std::int64_t door = 0;
   std::int64_t true_door = 0;
-  double distance_m = 0.0;
+  double distance_m = 0.0;     ///< between mid-points
+  double width_error_m = 0.0;  ///< distance of its jambs less that of the true door's
 };
 
 /// Counting found things as right: [0, 1] each; 0 where there is nothing to divide by.
@@ -75,6 +76,8 @@ struct PlanErrors {
   std::int64_t true_doors = 0;
   DetectionScore door_score;
   double mean_door_distance_m = std::numeric_limits<double>::quiet_NaN();  ///< of matched doors
+  /// Mean over matched doors of the width error without its sign.
+  double mean_door_width_error_m = std::numeric_limits<double>::quiet_NaN();
   std::vector<DoorMatch> door_matches;          ///< one to one, within the gate, nearest first
   std::vector<std::int64_t> used_true_doors;    ///< true doors that the true path went through
   std::vector<std::int64_t> missed_used_doors;  ///< of those, the ones without a match

@@ -133,8 +133,10 @@ Json json_of(const PlanErrors& errors) {
   }
   Json doors = Json::array();
   for (const DoorMatch& match : errors.door_matches) {
-    doors.push_back(
-        {{"door", match.door}, {"true_door", match.true_door}, {"distance_m", match.distance_m}});
+    doors.push_back({{"door", match.door},
+                     {"true_door", match.true_door},
+                     {"distance_m", match.distance_m},
+                     {"width_error_m", match.width_error_m}});
   }
   Json json = {{"rooms", errors.rooms},
                {"true_rooms", errors.true_rooms},
@@ -152,6 +154,7 @@ Json json_of(const PlanErrors& errors) {
   if (errors.doors_known) {
     json["doors"] = json_of(errors.door_score);
     json["mean_door_distance_m"] = finite(errors.mean_door_distance_m);
+    json["mean_door_width_error_m"] = finite(errors.mean_door_width_error_m);
   }
   if (errors.graph) json["graph"] = json_of(*errors.graph);
   return json;
