@@ -5,11 +5,13 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "evaluation_report.hpp"
+#include "map_store.hpp"
 #include "new_store.hpp"
 #include "output_places.hpp"
 #include "roomatlas/correct/place.hpp"
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/logs/open_mission.hpp"
+#include "roomatlas/io/maps/read_map.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "store_metadata.hpp"
@@ -36,6 +38,24 @@ void write_summary(const Path& store_file, const std::optional<Evaluation>& eval
                                                 graph_of(store, correction), evaluation));
 }
 
+/// What remains once a store is assembled: drawings, summary, report.
+/// @param formats of the exports
+void write_results(const Settings& settings, const Path& store, const BuildArguments& arguments,
+                   const std::vector<std::string>& formats) {
+  const Path& out = arguments.out;
+  export_all(settings, store, formats, arguments.exported, out);
+  const Evaluation evaluation =
+      evaluation_of(settings, store, arguments.truth, arguments.trajectory);
+  write_summary(store, evaluation, out);
+  write_report(settings, store, evaluation, out / "report.html");
+  if (settings.json) {
+    fmt::print("{}", to_json(evaluation));
+  } else {
+    print(evaluation);
+  }
+  spdlog::info("the plan is {}", (out / "plan.svg").string());
+}
+
 /// The highest folder on the way to `folder` that does not exist yet; empty where all do.
 Path topmost_missing(const Path& folder) {
   Path missing;
@@ -47,12 +67,29 @@ Path topmost_missing(const Path& folder) {
   return missing;
 }
 
-}  // namespace
+/// A finished map: a store with its plan and no mission.
+void build_from_map(const Settings& settings, const BuildArguments& arguments) {
+  const MapCells cells = read_map(arguments.input, arguments.resolution_m);
+  make_folder(arguments.out);
+  const Path store = arguments.out / "building.gpkg";
+  require_output_store(store, {arguments.input});
+  settle_new_store(store);
+  const std::size_t rooms = map_into_store(settings, arguments.input, cells, store);
+  write_results(settings, store, arguments,
+                {"svg", "pdf", "png", "geojson", "graphml", "csv", "nav2"});
+  if (rooms > 0) return;
+  throw NotEnoughError(arguments.input.string() +
+                       ": no room was found in this map; all files are written nevertheless. Rooms "
+                       "are free cells of 2 m2 and more among occupied ones: are resolution, "
+                       "thresholds and negate those of the map?");
+}
 
-void build(const Settings& settings, const Path& log, const Path& out,
-           const std::vector<Path>& truth, const TrajectoryFlags& flags,
-           const ExportOptions& options) {
-  (void)options.reference();                  // wrong options and
+void build_from_log(const Settings& settings, const BuildArguments& arguments) {
+  const Path& log = arguments.input;
+  const Path& out = arguments.out;
+  if (arguments.resolution_m > 0.0) {
+    throw UsageError(log.string() + ": --resolution is for pictures, and this is none");
+  }
   (void)open_mission(log, settings.mission);  // an unreadable log leaves no folder behind
   const Path new_folder = topmost_missing(out);
   make_folder(out);
@@ -72,19 +109,20 @@ void build(const Settings& settings, const Path& log, const Path& out,
     }
   }
   const std::size_t rooms = assemble(settings, store);
-  export_all(settings, store,
-             {"svg", "pdf", "png", "geojson", "tum", "dot", "graphml", "g2o", "csv", "nav2"},
-             options, out);
-  const Evaluation evaluation = evaluation_of(settings, store, truth, flags);
-  write_summary(store, evaluation, out);
-  write_report(settings, store, evaluation, out / "report.html");
-  if (settings.json) {
-    fmt::print("{}", to_json(evaluation));
-  } else {
-    print(evaluation);
-  }
-  spdlog::info("the plan is {}", (out / "plan.svg").string());
+  write_results(settings, store, arguments,
+                {"svg", "pdf", "png", "geojson", "tum", "dot", "graphml", "g2o", "csv", "nav2"});
   require_a_room(rooms, store);
+}
+
+}  // namespace
+
+void build(const Settings& settings, const BuildArguments& arguments) {
+  (void)arguments.exported.reference();  // wrong options leave no folder behind
+  if (is_map(arguments.input)) {
+    build_from_map(settings, arguments);
+  } else {
+    build_from_log(settings, arguments);
+  }
 }
 
 }  // namespace roomatlas::apps

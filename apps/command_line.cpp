@@ -26,6 +26,7 @@ struct Arguments {
   Path log;
   Path store;
   AsrId asr = 0;
+  double resolution_m = 0.0;
   std::string room;
   std::string name;
   Path out;
@@ -180,10 +181,15 @@ class Commands {
     CLI::App* info = command("info", "what is in a log", [this] { apps::info(settings_, a_.log); });
     positional(info, "LOG", a_.log, "mission log");
 
-    CLI::App* build = command("build", "log -> floor plan: everything in order", [this] {
-      apps::build(settings_, a_.log, a_.out, truth_of(a_), a_.trajectory, a_.exported);
+    CLI::App* build = command("build", "log or map -> floor plan: everything in order", [this] {
+      apps::build(settings_, {a_.log, a_.resolution_m, a_.out, truth_of(a_), a_.trajectory,
+                              a_.exported});
     });
-    positional(build, "LOG", a_.log, "mission log, plain or gzip");
+    positional(build, "LOG|MAP", a_.log,
+               "mission log, plain or gzip; or a finished map: nav2 YAML, or PNG or PGM");
+    build->add_option("--resolution", a_.resolution_m, "m a pixel, of a map that is a picture")
+        ->check(within(0.001, 10.0))
+        ->configurable(false);
     output(build, a_.out, "folder for the results");
     add_truth(build, a_);
     add_export_options(build, a_.exported);

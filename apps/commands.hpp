@@ -31,13 +31,21 @@ struct SimulateArguments {
   Path out;
 };
 
+/// Files and choices of `build`.
+struct BuildArguments {
+  Path input;                 ///< a mission log, or a finished map
+  double resolution_m = 0.0;  ///< of a map that is a bare picture, a pixel; 0: not given
+  Path out;
+  std::vector<Path> truth;
+  TrajectoryFlags trajectory;
+  ExportOptions exported;
+};
+
 // Each command reads, makes one call of the library, writes and reports. They throw what the
 // library throws; `main` turns that into an exit code.
 
 void info(const Settings& settings, const Path& log);
-void build(const Settings& settings, const Path& log, const Path& out,
-           const std::vector<Path>& truth, const TrajectoryFlags& flags,
-           const ExportOptions& options);
+void build(const Settings& settings, const BuildArguments& arguments);
 void map(const Settings& settings, const Path& log, const Path& store);
 /// Completes the store. @returns how many rooms the plan has
 std::size_t assemble(const Settings& settings, const Path& store);

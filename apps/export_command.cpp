@@ -37,6 +37,9 @@ struct Exported {
   std::optional<GeoReference> on_earth;
   std::optional<double> north_deg;
   std::string ogr_driver;
+
+  /// False for a plan that was drafted from a finished map.
+  [[nodiscard]] bool has_mission() const { return !correction.asrs.empty(); }
 };
 
 Exported read(const Settings& settings, const Path& store_file, bool measured_walls) {
@@ -115,11 +118,12 @@ const std::map<std::string, Exporter>& exporters() {
       {"svg",
        [](const Exported& from, const Settings& settings, const Path& out) {
          write_file(out / "plan.svg", plan_svg(from, settings));
-         write_file(out / "before_after.svg", before_after_svg(from));
+         if (from.has_mission()) write_file(out / "before_after.svg", before_after_svg(from));
        }},
       {"png",
        [](const Exported& from, const Settings& settings, const Path& out) {
          write_png(out / "plan.png", plan_svg(from, settings), settings.png_dpi);
+         if (!from.has_mission()) return;
          write_png(out / "before_after.png", before_after_svg(from), settings.png_dpi);
        }},
       {"pdf",

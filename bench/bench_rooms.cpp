@@ -3,6 +3,7 @@
 // from. Rooms are paired one to one with the true ones; F1 at IoU .5 and .75, mean IoU over true
 // rooms; processor seconds. The 13 maps of the folder `rooms` of the recorded data.
 //   bench_rooms [MAP...]        the program as it is (it was trained on these very maps)
+//   bench_rooms drafted [MAP...]  the rooms of the plans that are drafted from the maps
 //   bench_rooms train           each map by weights learned from the others; turned, at half
 //                               resolution; and the weights learned from all
 #include <algorithm>
@@ -14,6 +15,8 @@
 #include <vector>
 
 #include "recorded_data.hpp"
+#include "roomatlas/draft/draft_building.hpp"
+#include "roomatlas/draft/map_evidence.hpp"
 #include "rooms/door_training.hpp"
 #include "rooms/labelled_map.hpp"
 #include "rooms/room_score.hpp"
@@ -57,6 +60,48 @@ void print_table(const std::string& title, const std::vector<Row>& rows, bool ea
   std::printf("| **mean; median s** | %d | %d | **%.3f** | %.3f | **%.3f** | %.2f |\n",
               mean.true_rooms, mean.found_rooms, mean.f1_half, mean.f1_three_quarters,
               mean.mean_iou, seconds[seconds.size() / 2]);
+}
+
+MapCells map_cells(const LabelledMap& map) {
+  MapCells cells{map.evidence.frame, Raster<MapCell>(map.true_room.box), {}};
+  for_each_cell(cells.cells.box, [&](const Cell& cell) {
+    if (map.evidence.free.at(cell)) cells.cells[cell] = MapCell::free;
+    if (map.evidence.obstacle.at(cell)) cells.cells[cell] = MapCell::occupied;
+  });
+  return cells;
+}
+
+/// Each cell's drafted room.
+Raster<std::int32_t> room_of_cell(const std::vector<DraftedRoom>& rooms, const CellFrame& frame,
+                                  const CellBox& box) {
+  Raster<std::int32_t> room_of(box, 0);
+  for (const DraftedRoom& room : rooms) {
+    const Box2 reach = bounds(room.outline.outer);
+    const Cell low = frame.cell_of(reach.min);
+    const Cell high = frame.cell_of(reach.max);
+    for_each_cell({low, {high.x + 1, high.y + 1}}, [&](const Cell& cell) {
+      if (!box.contains(cell) || !contains(room.outline, frame.center_of(cell))) return;
+      room_of[cell] = static_cast<std::int32_t>(room.id);
+    });
+  }
+  return room_of;
+}
+
+void evaluate_drafts(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+  for (const bool furnished : {false, true}) {
+    std::vector<Row> rows;
+    for (const std::string& name : names) {
+      const LabelledMap map = read_labelled_map(folder, name, furnished);
+      const MapCells cells = map_cells(map);
+      const double begin = cpu_s();
+      const DraftedBuilding drafted = draft_building(evidence_of_map(cells), {});
+      const double seconds = cpu_s() - begin;
+      const Raster<std::int32_t> found =
+          room_of_cell(drafted.rooms, map.evidence.frame, map.true_room.box);
+      rows.push_back({name, room_score(found, map.true_room, map.evidence.frame.cell_m), seconds});
+    }
+    print_table(furnished ? "drafted, furnished" : "drafted, clean", rows, true);
+  }
 }
 
 void evaluate_program(const std::filesystem::path& folder, const std::vector<std::string>& names) {
@@ -170,8 +215,14 @@ int main(int count, char** arguments) {
       train(folder, names);
       return 0;
     }
-    std::erase_if(names, [&](const std::string& name) { return !is_wanted(name, parts); });
-    evaluate_program(folder, names);
+    const bool is_drafting = !parts.empty() && parts[0] == std::string("drafted");
+    const std::span<const char* const> wanted = is_drafting ? parts.subspan(1) : parts;
+    std::erase_if(names, [&](const std::string& name) { return !is_wanted(name, wanted); });
+    if (is_drafting) {
+      evaluate_drafts(folder, names);
+    } else {
+      evaluate_program(folder, names);
+    }
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_rooms: %s\n", error.what());

@@ -7,8 +7,14 @@
 namespace roomatlas {
 namespace {
 
+/// Rooms of the bare floor; of a finished map those of its floor as it is, for the partition has
+/// learned from such maps, furniture included, what parts rooms.
 RoomPartition partitioned(const DraftedBuilding& drafted, const BuildingEvidence& evidence,
                           const DraftBuildingOptions& options) {
+  if (evidence.building_from_robot.empty()) {
+    const Occupancy& map = drafted.occupancy;
+    return partition_rooms({map.frame, map.free, map.obstacle, {}, {}}, options.partition);
+  }
   const Occupancy& bare = drafted.bare;
   PartitionEvidence known;
   known.frame = bare.frame;
@@ -74,11 +80,12 @@ double measured_share(RoomId room, const std::vector<PlanEdge>& edges) {
   return all_m > 0.0 ? measured_m / all_m : 0.0;
 }
 
-/// Leaves out rooms that are glimpses through doors and windows.
+/// Leaves out rooms that are glimpses through doors and windows, and edges and doors of rooms that
+/// were not drafted. Of a finished map nothing says what was entered.
 void drop_glimpses(const DraftBuildingOptions& options, DraftedBuilding& drafted) {
   const std::vector<RoomId>& entered = drafted.partition.room_of_pose;
-  if (entered.empty()) return;  // a finished map: nothing says what was entered
   std::erase_if(drafted.rooms, [&](const DraftedRoom& room) {
+    if (entered.empty()) return false;
     if (std::find(entered.begin(), entered.end(), room.id) != entered.end()) return false;
     return area(room.outline) < options.min_unentered_m2 ||
            measured_share(room.id, drafted.edges) < options.min_unentered_share;

@@ -61,6 +61,7 @@ RoomPoseErrors pose_errors_of(const std::vector<PlacedVisit>& visits, const Traj
 
 void judge_placements(const AsrSource& source, const Correction& correction, const FloorPlan& plan,
                       const Truth& truth, Evaluation& evaluation) {
+  if (correction.asrs.empty()) return;  // a finished map: nothing was placed
   const std::map<AsrId, RoomId> room_of = rooms_of(plan);
   const Placements placements = placements_of(correction);
   if (!truth.poses.empty()) {

@@ -46,7 +46,8 @@ struct DraftedBuilding {
 };
 
 /// Drafts a building: faces of walls, walls, rooms, the lines on which their walls run, doors,
-/// furniture, and what is known of each edge.
+/// furniture, and what is known of each edge. Without a path (`evidence_of_map`) rooms are decided
+/// on the floor as it is, and none is left out for not being entered.
 [[nodiscard]] DraftedBuilding draft_building(const BuildingEvidence& evidence,
                                              const DraftBuildingOptions& options);
 

@@ -33,6 +33,9 @@ class ReflectionMap {
   /// wall met at a flat angle is not worn away.
   void add_sweep(const std::vector<Ray>& rays);
 
+  /// Says what is known of a cell otherwise, such as from a finished map.
+  void set(const Cell& cell, const CellCounts& counts) { counts_.edit(cell) = counts; }
+
   [[nodiscard]] CellCounts at(const Cell& cell) const { return counts_.at(cell); }
   /// The mean of the hits' cells around a cell (3 x 3), weighted by their number: finer than a
   /// cell where a wall runs between two. The cell's centre where nothing was hit.

@@ -118,15 +118,33 @@ bool read_negate(const FlatYaml& yaml) {
   return true;
 }
 
+MapMode read_mode(const FlatYaml& yaml) {
+  const Value* value = yaml.find("mode");
+  if (value == nullptr || value->text == "trinary") return MapMode::trinary;
+  if (value->text == "scale") return MapMode::scale;
+  if (value->text == "raw") return MapMode::raw;
+  yaml.fail("mode", *value, "trinary, scale or raw: save the map again in one of these modes");
+}
+
+/// The picture that the file names, or the same packed.
+std::filesystem::path picture_of(const std::filesystem::path& file, const std::string& image) {
+  const std::filesystem::path picture = file.parent_path() / image;
+  if (std::filesystem::exists(picture)) return picture;
+  const std::filesystem::path packed = picture.string() + ".gz";
+  return std::filesystem::exists(packed) ? packed : picture;
+}
+
 }  // namespace
 
 Nav2Map read_nav2_map(const std::filesystem::path& file) {
   const FlatYaml yaml(file);
   Nav2Map map;
-  map.picture = file.parent_path() / yaml.at("image", "the name of the picture").text;
+  const Value& image = yaml.at("image", "the name of the picture");
+  map.picture = picture_of(file, image.text);
   if (!std::filesystem::exists(map.picture)) {
-    const std::filesystem::path packed = map.picture.string() + ".gz";
-    if (std::filesystem::exists(packed)) map.picture = packed;
+    yaml.fail("image", image,
+              "the name of a picture beside this file (there is no " + map.picture.string() +
+                  ", nor the same with .gz): put it there, or correct the name");
   }
   const char* metres = "metres a pixel, from 0.001 to 10";
   OccupancyScale& scale = map.scale;
@@ -142,10 +160,7 @@ Nav2Map read_nav2_map(const std::filesystem::path& file) {
   if (scale.free_threshold > scale.occupied_threshold) {
     yaml.fail("free_thresh", *yaml.find("free_thresh"), "at most occupied_thresh");
   }
-  const Value* mode = yaml.find("mode");
-  if (mode != nullptr && mode->text != "trinary") {
-    yaml.fail("mode", *mode, "trinary: save the map again in that mode");
-  }
+  scale.mode = read_mode(yaml);
   return map;
 }
 

@@ -16,7 +16,7 @@ struct Nav2Map {
 /// Reads `image`, `resolution` and `origin`, which must be there, and `negate`,
 /// `occupied_thresh`, `free_thresh` and `mode`; other keys are passed over. Where the picture is
 /// missing and one with `.gz` behind its name is there, that is taken.
-/// Throws InputError naming file, line and key. Of modes only `trinary` is known.
+/// Throws InputError naming file, line and key.
 [[nodiscard]] Nav2Map read_nav2_map(const std::filesystem::path& file);
 
 }  // namespace roomatlas::io

@@ -14,42 +14,36 @@ namespace {
 constexpr double kSpread_m = 0.3;         // of labels: less leaves lines between rooms without any
 constexpr double kNarrowestDoor_m = 0.3;  // labels that touch over less do so by chance
 
-enum class Cell : char { unknown, free, occupied };
-
 /// The picture's cells with a rim of unknown ones, so that walls may stand just outside of it.
-CellGrid<Cell> cells_of(const Picture& picture, const OccupancyScale& scale) {
+CellGrid<MapCell> cells_of(const Picture& picture, const OccupancyScale& scale) {
   const CellGrid<int>& values = picture.values;
-  CellGrid<Cell> cells(values.width() + 2, values.height() + 2, Cell::unknown);
+  CellGrid<MapCell> cells(values.width() + 2, values.height() + 2, MapCell::unknown);
   for (int y = 0; y < values.height(); ++y) {
     for (int x = 0; x < values.width(); ++x) {
-      if (values(x, y) == Picture::kTransparent) continue;
-      const double brightness = static_cast<double>(values(x, y)) / picture.white;
-      const double occupancy = scale.negate ? brightness : 1.0 - brightness;
-      if (occupancy > scale.occupied_threshold) cells(x + 1, y + 1) = Cell::occupied;
-      if (occupancy < scale.free_threshold) cells(x + 1, y + 1) = Cell::free;
+      cells(x + 1, y + 1) = cell_of(values(x, y), picture.white, scale);
     }
   }
   return cells;
 }
 
-bool touches_free(const CellGrid<Cell>& cells, int x, int y) {
+bool touches_free(const CellGrid<MapCell>& cells, int x, int y) {
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {
-      if (cells.get(x + dx, y + dy, Cell::unknown) == Cell::free) return true;
+      if (cells.get(x + dx, y + dy, MapCell::unknown) == MapCell::free) return true;
     }
   }
   return false;
 }
 
 /// 1 where a wall stands.
-CellGrid<int> obstacles_of(const CellGrid<Cell>& cells, std::int64_t& closed_cells) {
+CellGrid<int> obstacles_of(const CellGrid<MapCell>& cells, std::int64_t& closed_cells) {
   CellGrid<int> obstacles(cells.width(), cells.height(), 0);
   for (int y = 0; y < cells.height(); ++y) {
     for (int x = 0; x < cells.width(); ++x) {
-      if (cells(x, y) == Cell::free) continue;
-      const bool is_closed = cells(x, y) == Cell::unknown && touches_free(cells, x, y);
+      if (cells(x, y) == MapCell::free) continue;
+      const bool is_closed = cells(x, y) == MapCell::unknown && touches_free(cells, x, y);
       if (is_closed) ++closed_cells;
-      obstacles(x, y) = is_closed || cells(x, y) == Cell::occupied ? 1 : 0;
+      obstacles(x, y) = is_closed || cells(x, y) == MapCell::occupied ? 1 : 0;
     }
   }
   return obstacles;
@@ -113,14 +107,14 @@ void add_doors(const CellGrid<int>& labels, const ToWorld& to_world, FloorPlan& 
 }
 
 /// The labels that count: on free cells, spread to those beside them.
-CellGrid<int> room_cells(const CellGrid<Cell>& cells, const Picture& labels, int most_steps,
+CellGrid<int> room_cells(const CellGrid<MapCell>& cells, const Picture& labels, int most_steps,
                          FloorPlan& plan) {
   CellGrid<int> grid = with_rim(labels);
   CellGrid<char> free(cells.width(), cells.height(), 0);
   std::int64_t dropped = 0;
   for (int y = 0; y < cells.height(); ++y) {
     for (int x = 0; x < cells.width(); ++x) {
-      free(x, y) = cells(x, y) == Cell::free ? 1 : 0;
+      free(x, y) = cells(x, y) == MapCell::free ? 1 : 0;
       if (free(x, y) == 1 || grid(x, y) == 0) continue;
       grid(x, y) = 0;
       ++dropped;
@@ -146,7 +140,7 @@ FloorPlan world_of_occupancy(const Picture& picture, const OccupancyScale& scale
     throw InputError(name + ": has " + size_text(picture) + " pixels, and its room labels have " +
                      size_text(*labels) + ": expected the same size");
   }
-  const CellGrid<Cell> cells = cells_of(picture, scale);
+  const CellGrid<MapCell> cells = cells_of(picture, scale);
   FloorPlan plan;
   std::int64_t closed_cells = 0;
   const CellGrid<int> obstacles = obstacles_of(cells, closed_cells);
@@ -154,11 +148,7 @@ FloorPlan world_of_occupancy(const Picture& picture, const OccupancyScale& scale
   for (const TracedRegion& region : trace_cells(obstacles)) {
     plan.walls.push_back(to_world(region.outline));
   }
-  if (std::none_of(cells.begin(), cells.end(), [](Cell cell) { return cell == Cell::free; })) {
-    throw InputError(name +
-                     ": no pixel is free: expected white floor and black walls; where it is "
-                     "the other way round, describe it in a YAML file with \"negate: 1\"");
-  }
+  require_floor({cells.begin(), cells.end()}, name);
   if (closed_cells > 0) {
     plan.issues.push_back({Severity::note, "", 0, "walls",
                            std::to_string(closed_cells) + " unknown cells beside free ones are "

@@ -3,12 +3,22 @@
 
 #include "pictures/picture.hpp"
 #include "roomatlas/core/pose2.hpp"
+#include "roomatlas/grid/map_cells.hpp"
 #include "roomatlas/plan/floor_plan.hpp"
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace roomatlas::io {
+
+/// What a picture's greys mean; the words are those of a nav2 map file.
+enum class MapMode {
+  trinary,  ///< free, occupied or unknown, by two thresholds
+  scale,    ///< transparent pixels are unknown, all others known: those between the thresholds are
+            ///< what they are nearer to
+  raw,      ///< the grey's number is the occupancy in per cent; above 100 unknown
+};
 
 /// How to read an occupancy picture; the words are those of a nav2 map file.
 struct OccupancyScale {
@@ -17,7 +27,14 @@ struct OccupancyScale {
   bool negate = false;               ///< true: white is occupied
   double occupied_threshold = 0.65;  ///< darker is an obstacle
   double free_threshold = 0.196;     ///< below the 0.1961 of the usual grey (205) for unknown
+  MapMode mode = MapMode::trinary;
 };
+
+/// What a pixel of the picture says.
+[[nodiscard]] MapCell cell_of(int value, int white, const OccupancyScale& scale);
+
+/// Throws InputError where no cell is free.
+void require_floor(const std::vector<MapCell>& cells, const std::string& name);
 
 /// A world from a picture and, where given, a picture of the same size with the number of the room
 /// for each pixel (0: none).

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "map_store.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include "console.hpp"
+#include "former_store.hpp"
+#include "new_store.hpp"
+#include "roomatlas/io/files/files.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
+#include "roomatlas/pipeline/assemble_map.hpp"
+#include "store_metadata.hpp"
+
+namespace roomatlas::apps {
+
+std::size_t map_into_store(const Settings& settings, const Path& file, const MapCells& cells,
+                           const Path& store_file) {
+  const std::string sha256 = sha256_of_file(file);
+  const std::vector<PlanRoom> carried = rooms_to_carry_over(store_file, sha256);
+  const NewStore made(store_file);
+  try {
+    GeoPackageStore store(made.file(), GeoPackageStore::Mode::create);
+    if (!carried.empty()) store.put_former_rooms(carried);
+    MissionInfo info;  // a map says nothing of the drive behind it
+    info.file = file.filename().string();
+    Metadata metadata = metadata_of(info, sha256, settings);
+    metadata.erase("mission_json");
+    store.put_metadata({*metadata.find("mission_file")});
+    const Assembly assembly =
+        assemble_map(store, cells, settings, settings.as_toml, console_progress(settings));
+    store.put_metadata(metadata);  // a store with the map's checksum is whole
+    store.finish();
+    made.put_in_place();
+    show(assembly.plan.issues);
+    spdlog::info("{} rooms, {} doors", assembly.plan.rooms.size(), assembly.plan.doors.size());
+    return assembly.plan.rooms.size();
+  } catch (...) {
+    made.give_up();
+    throw;
+  }
+}
+
+}  // namespace roomatlas::apps

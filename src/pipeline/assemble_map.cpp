@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/pipeline/assemble_map.hpp"
+
+#include <utility>
+
+#include "draw_up.hpp"
+#include "put_assembly.hpp"
+
+namespace roomatlas {
+
+Assembly assemble_map(const MapCells& map, const Options& options, const Progress& progress) {
+  const AssembleOptions& assemble = options.assemble;
+  report(progress, "map building", 0.0);
+  const BuildingEvidence evidence = evidence_of_map(map);
+  Assembly assembly;
+  if (evidence.surfaces.empty()) return assembly;
+  report(progress, "draft", 0.0);
+  MappedBuilding building =
+      moved(mapped_building_of(draft_building(evidence, assemble.draft), evidence,
+                               options.map.record.map),
+            map.building_from_map);
+  assembly.doors = building.doors;
+  report(progress, "merge", 0.0);
+  draw_up(std::move(building), assemble, assembly);
+  return assembly;
+}
+
+Assembly assemble_map(AssemblyStore& store, const MapCells& map, const Options& options,
+                      const std::string& configuration, const Progress& progress) {
+  Assembly assembly = assemble_map(map, options, progress);
+  put_with_former_rooms(store, configuration, assembly);
+  return assembly;
+}
+
+}  // namespace roomatlas
