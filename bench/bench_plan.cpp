@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How good plans are: a table with a line for each mission, judged against the world it was
 // simulated in (or, for fr079, against labelled rooms). Runs the built program itself. Markdown on
-// stdout, what is going on on stderr.
+// stdout, each line on stderr too as soon as it is known.
 //
 //   bench_plan [--pictures] [--again] [--map-again] [--assemble FLAG]... [WISH...]
 //     WISH         cases that have all its words in their group or name: worlds, maps, fr079,
@@ -62,8 +62,8 @@ int main(int argc, char** argv) {
   std::vector<PlanRow> rows;
   for (const PlanCase& one : plan_cases(source / "data" / "worlds", recorded_data())) {
     if (!choice.includes(one)) continue;
-    std::fprintf(stderr, "%s\n", one.name.c_str());
     rows.push_back(run_plan_case(one, source / "out" / "plan", choice.options));
+    std::fprintf(stderr, "%s", plan_line(rows.back()).c_str());
   }
   if (rows.empty()) {
     std::fprintf(stderr, "no case has those words; bench/plan/plan_cases.cpp has their names\n");

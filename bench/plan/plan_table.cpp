@@ -43,11 +43,6 @@ std::string cells_of(const PlanScore& score, int more_decimals) {
   return text;
 }
 
-std::string line_of(const PlanRow& row) {
-  if (row.failure.empty()) return "| " + row.name + " |" + cells_of(row.score, 0) + "\n";
-  return "| " + row.name + ": " + row.failure + " |" + cells_of(row.score, 0) + "\n";
-}
-
 std::string mean_line(const std::string& group, const std::vector<const PlanRow*>& rows) {
   PlanScore mean;
   for (const Column& column : kColumns) {
@@ -66,6 +61,11 @@ std::string mean_line(const std::string& group, const std::vector<const PlanRow*
 
 }  // namespace
 
+std::string plan_line(const PlanRow& row) {
+  if (row.failure.empty()) return "| " + row.name + " |" + cells_of(row.score, 0) + "\n";
+  return "| " + row.name + ": " + row.failure + " |" + cells_of(row.score, 0) + "\n";
+}
+
 std::string plan_table(const std::vector<PlanRow>& rows) {
   std::string text = "| case |";
   std::string rule = "|---|";
@@ -79,7 +79,7 @@ std::string plan_table(const std::vector<PlanRow>& rows) {
     std::vector<const PlanRow*> group;
     std::size_t end = begin;
     while (end < rows.size() && rows[end].group == rows[begin].group) {
-      text += line_of(rows[end]);
+      text += plan_line(rows[end]);
       group.push_back(&rows[end++]);
     }
     if (group.size() > 1) means += mean_line(rows[begin].group, group);

@@ -34,6 +34,9 @@ struct PlanRow {
   std::string failure;  ///< why there is no plan; empty where there is one
 };
 
+/// The row's line of the table.
+[[nodiscard]] std::string plan_line(const PlanRow& row);
+
 /// Markdown: a line for each row, and for each group of more than one its means over what was
 /// judged. A case without a plan counts there with no room found.
 [[nodiscard]] std::string plan_table(const std::vector<PlanRow>& rows);
