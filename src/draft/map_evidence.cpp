@@ -11,6 +11,8 @@ namespace {
 
 constexpr CellCounts kFree{0, 40};      // beams: enough for every threshold of drafting
 constexpr CellCounts kOccupied{40, 0};
+constexpr double kWall_m = 0.25;        // a strip of unknown cells between floor and obstacle that is
+                                        // no wider is a wall: its face was drawn too faintly
 constexpr double kEvenCells = 1e-6;     // 0.1 / 0.05 is two cells
 constexpr std::array kSides = {Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}};
 
@@ -87,6 +89,31 @@ MapCells building_alone(const MapCells& map, const MapEvidenceOptions& options) 
   return kept;
 }
 
+/// Whether beyond a cell that is not known an obstacle lies within a wall's thickness.
+bool is_in_wall(const MapCells& map, Cell at, const Cell& way) {
+  const int most = std::max(1, static_cast<int>(kWall_m / map.frame.cell_m));
+  for (int i = 0; i <= most && map.cells.box.contains(at); ++i) {
+    if (map.cells[at] != MapCell::unknown) return map.cells[at] == MapCell::occupied;
+    at = {at.x + way.x, at.y + way.y};
+  }
+  return false;
+}
+
+/// The map with faces of walls where floor goes over into a wall that is grey on this side.
+MapCells with_faint_faces(const MapCells& map) {
+  MapCells closed = map;
+  for_each_cell(map.cells.box, [&](const Cell& cell) {
+    if (map.cells[cell] != MapCell::unknown) return;
+    for (const Cell& side : kSides) {
+      const Cell floor{cell.x - side.x, cell.y - side.y};
+      if (map.cells.get(floor) != MapCell::free || !is_in_wall(map, cell, side)) continue;
+      closed.cells[cell] = MapCell::occupied;
+      return;
+    }
+  });
+  return closed;
+}
+
 /// Counts in cells of so many of the map's cells to a side: occupied where any of these is, so that
 /// thin walls stay whole; free where half of them are.
 ReflectionMap counts_of(const MapCells& map, int side) {
@@ -121,7 +148,7 @@ BuildingEvidence evidence_of_map(const MapCells& map, const MapEvidenceOptions& 
   if (!(map.frame.cell_m > 0.0) || !(options.cell_m > 0.0)) {
     throw std::invalid_argument("evidence_of_map: expected cells of a positive size");
   }
-  const MapCells building = building_alone(map, options);
+  const MapCells building = building_alone(with_faint_faces(map), options);
   const int side =
       std::max(1, static_cast<int>(std::floor(options.cell_m / map.frame.cell_m + kEvenCells)));
   BuildingEvidence evidence;

@@ -17,7 +17,6 @@ constexpr double kRough_m = 0.025;       // the same of what sensors drew, withi
 constexpr int kFewest = 2;               // edges to each side; fewer have no direction
 constexpr double kSpacing_m = 0.02;      // of points on an edge: as close as a laser's
 constexpr double kWeight_per_m = 80.0;   // as many beams as a room that was looked at for a while
-constexpr int kBlurredCells = 1;         // between floor and wall, of a grey that says neither
 
 /// Sums over the first mid-points of a boundary, so that those of any stretch are differences.
 struct Sums {
@@ -104,20 +103,6 @@ class Boundary {
   std::vector<Sums> sums_;
 };
 
-/// Whether an obstacle lies across an edge; up to one blurred cell may be between.
-bool is_wall(const MapCells& map, const Point2& midpoint, const Cell& outside) {
-  const Point2 way = map.frame.center_of(outside) - midpoint;
-  const Cell step{static_cast<int>(std::lround(2.0 * way.x() / map.frame.cell_m)),
-                  static_cast<int>(std::lround(2.0 * way.y() / map.frame.cell_m))};
-  Cell at = outside;
-  for (int i = 0; i <= kBlurredCells; ++i) {
-    const MapCell value = map.cells.get(at);
-    if (value != MapCell::unknown) return value == MapCell::occupied;
-    at = {at.x + step.x, at.y + step.y};
-  }
-  return false;
-}
-
 /// Adds the points of one edge, moved onto the line.
 void add_points(const MapCells& map, const Point2& midpoint, const Cell& outside, const Line& line,
                 std::vector<SurfacePoint>& points) {
@@ -147,7 +132,7 @@ std::vector<SurfacePoint> surfaces_of(const MapCells& map) {
     const std::size_t count = traced.edge_midpoints.size();
     std::vector<char> wall(count, 0);
     for (std::size_t i = 0; i < count; ++i) {
-      wall[i] = is_wall(map, traced.edge_midpoints[i], traced.outside_cells[i]) ? 1 : 0;
+      wall[i] = map.cells.get(traced.outside_cells[i]) == MapCell::occupied ? 1 : 0;
     }
     const Boundary boundary(traced, wall, map.frame.cell_m);
     for (std::size_t i = 0; i < count; ++i) {

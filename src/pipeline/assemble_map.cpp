@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/pipeline/assemble_map.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "draw_up.hpp"
 #include "put_assembly.hpp"
 
 namespace roomatlas {
+namespace {
+
+constexpr double kThickestWall_m = 0.8;  // of a map: between two drawn faces nobody saw anything;
+                                         // larger takes narrow shafts for walls
+
+}  // namespace
 
 Assembly assemble_map(const MapCells& map, const Options& options, const Progress& progress) {
   const AssembleOptions& assemble = options.assemble;
@@ -15,8 +22,10 @@ Assembly assemble_map(const MapCells& map, const Options& options, const Progres
   Assembly assembly;
   if (evidence.surfaces.empty()) return assembly;
   report(progress, "draft", 0.0);
+  DraftBuildingOptions draft = assemble.draft;
+  draft.walls.thickest_m = std::max(draft.walls.thickest_m, kThickestWall_m);
   MappedBuilding building =
-      moved(mapped_building_of(draft_building(evidence, assemble.draft), evidence,
+      moved(mapped_building_of(draft_building(evidence, draft), evidence,
                                options.map.record.map),
             map.building_from_map);
   assembly.doors = building.doors;

@@ -22,7 +22,8 @@ struct MapEvidenceOptions {
 ///
 /// Surfaces lie on the edges of cells; their normals come from total least squares over the
 /// boundary around, as far as it is straight to a fraction of a cell: at most 1 m to each side.
-/// Floor that is not the building's (see the options) is taken for unseen.
+/// Unknown strips of up to 0.25 m between floor and an obstacle are walls too: many programs draw
+/// one side faintly. Floor that is not the building's (see the options) is taken for unseen.
 /// @returns without counts and surfaces where nothing is free
 /// @throws std::invalid_argument when the cells' size is not positive
 [[nodiscard]] BuildingEvidence evidence_of_map(const MapCells& map,

@@ -245,10 +245,10 @@ TEST_F(WorldPicture, WhatIsWrongInANav2MapIsSaidWithItsLine) {
               HasSubstr("floor.yaml:2: resolution: expected metres a pixel"));
   EXPECT_THAT(error("image: floor.pgm\nresolution: 0.1\norigin: [0, 0]\n"),
               HasSubstr("floor.yaml:3: origin: expected [x, y, yaw]"));
-  EXPECT_THAT(error("image: floor.pgm\nresolution: 0.1\norigin: [0, 0, 0]\nmode: scale\n"),
-              HasSubstr("floor.yaml:4: mode: expected trinary"));
+  EXPECT_THAT(error("image: floor.pgm\nresolution: 0.1\norigin: [0, 0, 0]\nmode: best\n"),
+              HasSubstr("floor.yaml:4: mode: expected trinary, scale or raw"));
   EXPECT_THAT(error("image: none.pgm\nresolution: 0.1\norigin: [0, 0, 0]\n"),
-              HasSubstr("there is no such file"));
+              HasSubstr("floor.yaml:1: image: expected the name of a picture beside this file"));
 }
 
 TEST_F(WorldPicture, PicturesThatAreCutShortOrAllBlackAreRefused) {
