@@ -9,9 +9,15 @@
 namespace roomatlas {
 namespace {
 
+/// A line of a number that is none would take all others with it.
+bool is_plausible(const DraftLine& line) {
+  return planar::is_plausible(line.segment.a) && planar::is_plausible(line.segment.b);
+}
+
 planar::MillimetreGrid grid_around(const std::vector<DraftLine>& lines) {
   Box2 box;
   for (const DraftLine& line : lines) {
+    if (!is_plausible(line)) continue;
     box.extend(line.segment.a);
     box.extend(line.segment.b);
   }
@@ -25,6 +31,7 @@ planar::PlaneGraph graph_of(const std::vector<DraftLine>& lines,
   set.fine = grid.fine();
   planar::PointNumbers numbers(set.points_mm, 2 * lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!is_plausible(lines[i])) continue;
     const int from = numbers.number_of(grid.to_grid(lines[i].segment.a));
     const int to = numbers.number_of(grid.to_grid(lines[i].segment.b));
     if (from != to) set.edges.push_back({from, to, static_cast<int>(i)});
@@ -93,7 +100,8 @@ std::vector<Arrangement::Crossing> Arrangement::crossings_at(const Rows& rows, i
     const Border& border = borders_[static_cast<std::size_t>(index)];
     const auto& [a, b] = border.segment;
     const double x_m = a.x() + (b.x() - a.x()) * (y_m - a.y()) / (b.y() - a.y());
-    crossings.push_back({x_m, b.y() > a.y() ? border.right : border.left});
+    const auto [low_m, high_m] = std::minmax({a.x(), b.x()});  // nearly level ones round badly
+    crossings.push_back({std::clamp(x_m, low_m, high_m), b.y() > a.y() ? border.right : border.left});
   }
   std::sort(crossings.begin(), crossings.end(),
             [](const Crossing& p, const Crossing& q) { return p.x_m < q.x_m; });
