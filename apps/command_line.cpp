@@ -182,8 +182,8 @@ class Commands {
     positional(info, "LOG", a_.log, "mission log");
 
     CLI::App* build = command("build", "log or map -> floor plan: everything in order", [this] {
-      apps::build(settings_, {a_.log, a_.resolution_m, a_.out, truth_of(a_), a_.trajectory,
-                              a_.exported});
+      apps::build(settings_,
+                  {a_.log, a_.resolution_m, a_.out, truth_of(a_), a_.trajectory, a_.exported});
     });
     positional(build, "LOG|MAP", a_.log,
                "mission log, plain or gzip; or a finished map: nav2 YAML, or PNG or PGM");

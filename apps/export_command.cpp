@@ -85,7 +85,8 @@ PlanAnnotations annotations_of(const Exported& from) {
     annotations.uncertainty.push_back({visit.at, visit.covariance_m2});
   }
   annotations.accuracy = plan_accuracy(from.plan, from.correction, uncertainty.typical_m);
-  if (!from.has_mission() && annotations.accuracy) {  // how well the map's rooms lie to each other, nobody knows
+  if (!from.has_mission() &&
+      annotations.accuracy) {  // how well the map's rooms lie to each other, nobody knows
     annotations.accuracy->between_rooms_m.reset();
     annotations.accuracy->over_building_m.reset();
   }

@@ -101,7 +101,8 @@ std::vector<Arrangement::Crossing> Arrangement::crossings_at(const Rows& rows, i
     const auto& [a, b] = border.segment;
     const double x_m = a.x() + (b.x() - a.x()) * (y_m - a.y()) / (b.y() - a.y());
     const auto [low_m, high_m] = std::minmax({a.x(), b.x()});  // nearly level ones round badly
-    crossings.push_back({std::clamp(x_m, low_m, high_m), b.y() > a.y() ? border.right : border.left});
+    crossings.push_back(
+        {std::clamp(x_m, low_m, high_m), b.y() > a.y() ? border.right : border.left});
   }
   std::sort(crossings.begin(), crossings.end(),
             [](const Crossing& p, const Crossing& q) { return p.x_m < q.x_m; });

@@ -24,9 +24,9 @@ class Arrangement {
 
   /// A stretch of border between two cells.
   struct Border {
-    int left = 0;   ///< cell to the left of the way from a to b
+    int left = 0;  ///< cell to the left of the way from a to b
     int right = 0;
-    Segment2 segment;  ///< metres
+    Segment2 segment;           ///< metres
     double prominence_m = 0.0;  ///< the largest of the lines that run along it
     bool is_wall = false;       ///< a wall's line runs along it
   };
@@ -48,8 +48,8 @@ class Arrangement {
       const std::vector<Crossing> crossings = crossings_at(rows, row);
       for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
         if (crossings[i].cell_after == 0) continue;
-        auto column = static_cast<std::int64_t>(
-            std::ceil((crossings[i].x_m - rows.from.x()) / step_m - 0.5));
+        auto column =
+            static_cast<std::int64_t>(std::ceil((crossings[i].x_m - rows.from.x()) / step_m - 0.5));
         for (;; ++column) {
           const double x_m = rows.from.x() + (static_cast<double>(column) + 0.5) * step_m;
           if (x_m >= crossings[i + 1].x_m) break;

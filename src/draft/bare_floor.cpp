@@ -10,14 +10,14 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kBesideFace_m = 0.1;  // obstacles this near a wall's face are the wall's ...
-constexpr double kBehindFace_m = 0.15;  // ... and this near behind it
-constexpr double kNextFace_m = 4.0;     // posts and jambs stand between two faces on one line that
-                                        // are no farther apart ...
+constexpr double kBesideFace_m = 0.1;    // obstacles this near a wall's face are the wall's ...
+constexpr double kBehindFace_m = 0.15;   // ... and this near behind it
+constexpr double kNextFace_m = 4.0;      // posts and jambs stand between two faces on one line that
+                                         // are no farther apart ...
 constexpr double kBuildingLine_m = 5.0;  // ... or, with this much wall on the line ...
 constexpr double kNextOnBuildingLine_m = 8.0;  // ... than this
-constexpr double kThickest_m = 0.4;     // piers between doors are not thicker; tables are
-constexpr int kExtentDirections = 12;   // of half a turn
+constexpr double kThickest_m = 0.4;            // piers between doors are not thicker; tables are
+constexpr int kExtentDirections = 12;          // of half a turn
 
 /// Of each face, whether it is a wall's for certain.
 std::vector<bool> are_walls(const Walls& walls, const BareFloorOptions& options) {
@@ -27,8 +27,7 @@ std::vector<bool> are_walls(const Walls& walls, const BareFloorOptions& options)
                       line_support_m(face, walls.faces) >= options.min_prominence_m);
   }
   for (const WallBody& body : walls.bodies) {
-    const double both_m =
-        walls.faces[body.front].support_m() + walls.faces[body.back].support_m();
+    const double both_m = walls.faces[body.front].support_m() + walls.faces[body.back].support_m();
     const bool is_thin = body.thickness_m <= options.thin_m;
     if (both_m < (is_thin ? options.min_thin_m : options.min_prominence_m)) continue;
     is_wall[body.front] = true;
@@ -39,11 +38,10 @@ std::vector<bool> are_walls(const Walls& walls, const BareFloorOptions& options)
 
 /// Obstacles on the face's line up to the next face on it: posts, jambs and pieces of the same wall
 /// that are too short or too rough for faces.
-void add_posts(const WallFace& face, const std::vector<WallFace>& faces,
-               const Occupancy& occupancy, const BareFloorOptions& options, CellMask& mask) {
+void add_posts(const WallFace& face, const std::vector<WallFace>& faces, const Occupancy& occupancy,
+               const BareFloorOptions& options, CellMask& mask) {
   Interval reach{face.low_m(), face.high_m()};
-  const double next_m =
-      face.prominence_m >= kBuildingLine_m ? kNextOnBuildingLine_m : kNextFace_m;
+  const double next_m = face.prominence_m >= kBuildingLine_m ? kNextOnBuildingLine_m : kNextFace_m;
   for (const Interval& other : on_line(face, faces, options.min_face_m)) {
     if (other.low_m >= reach.high_m && other.low_m <= face.high_m() + next_m) {
       reach.high_m = std::max(reach.high_m, other.low_m);

@@ -9,8 +9,8 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kSample_m = 0.025;  // between places of a cell: walls are 0.1 m thick and more
-constexpr double kAlong_m = 0.05;    // between places on a border
+constexpr double kSample_m = 0.025;    // between places of a cell: walls are 0.1 m thick and more
+constexpr double kAlong_m = 0.05;      // between places on a border
 constexpr double kDoorReach_m = 0.05;  // from an opening's line, that is in the opening
 constexpr double kRoomAtTheRim = 1e3;  // of the building's frame: no room reaches it
 
@@ -165,8 +165,8 @@ std::vector<LabelBorder> borders_of(const Arrangement& arrangement, const Occupa
       (openings.at(cell) ? door : occupancy.free.at(cell) ? free : unknown) += 1.0 / count;
     }
     const double a_metre =
-        border.is_wall ? options.border_cost +
-                             options.faint_cost * std::exp(-border.prominence_m / options.prominence_m)
+        border.is_wall ? options.border_cost + options.faint_cost * std::exp(-border.prominence_m /
+                                                                             options.prominence_m)
                        : options.border_cost + options.no_wall_cost;
     const double cost = way.norm() * (a_metre + options.unknown_cost * unknown +
                                       options.free_cost * free + options.door_cost * door);

@@ -11,22 +11,22 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kNearWall_m = 2.0;     // a wall is seen this near an opening, or it is another's
-constexpr double kMostAside_m = 0.3;    // of a door's middle from that of the opening in the floor
-constexpr double kMostWider_m = 0.5;    // than the opening in the floor, which margins narrow
-constexpr double kBand_m = 0.06;        // off a face's line: surfaces of the wall
+constexpr double kNearWall_m = 2.0;   // a wall is seen this near an opening, or it is another's
+constexpr double kMostAside_m = 0.3;  // of a door's middle from that of the opening in the floor
+constexpr double kMostWider_m = 0.5;  // than the opening in the floor, which margins narrow
+constexpr double kBand_m = 0.06;      // off a face's line: surfaces of the wall
 constexpr double kFaceTurn_rad = 30.0 * kPi / 180.0;
 constexpr double kBin_m = 0.02;
-constexpr double kReach_m = 3.0;        // along the wall from the opening's middle
-constexpr double kEnough = 4.0;         // beams in the first part of a wall beside an opening ...
-constexpr double kFirstPart_m = 0.1;    // ... of this length
-constexpr double kReveal_m = 0.12;      // jambs' own surfaces, from where the wall begins
+constexpr double kReach_m = 3.0;      // along the wall from the opening's middle
+constexpr double kEnough = 4.0;       // beams in the first part of a wall beside an opening ...
+constexpr double kFirstPart_m = 0.1;  // ... of this length
+constexpr double kReveal_m = 0.12;    // jambs' own surfaces, from where the wall begins
 
 /// The wall that an opening is in: one or two faces that run along it.
 struct WallAt {
-  double along_rad = 0.0;     ///< of the front face
+  double along_rad = 0.0;  ///< of the front face
   const WallFace* front = nullptr;
-  double depth_low_m = 0.0;   ///< of the wall, along the front's normal
+  double depth_low_m = 0.0;  ///< of the wall, along the front's normal
   double depth_high_m = 0.0;
 };
 
@@ -58,12 +58,12 @@ std::optional<WallAt> wall_at(const Door& opening, const Walls& walls, const Doo
     const double along_m = distance_along_m(*face, middle.dot(face->along()));
     return (off_m + along_m) / kOff_m - std::log(std::max(0.1, face->prominence_m));
   };
-  const WallFace* front = *std::min_element(
-      near.begin(), near.end(),
-      [&](const WallFace* a, const WallFace* b) { return cost(a) < cost(b); });
+  const WallFace* front =
+      *std::min_element(near.begin(), near.end(),
+                        [&](const WallFace* a, const WallFace* b) { return cost(a) < cost(b); });
   WallAt wall{front->normal_rad, front, front->offset_m, front->offset_m};
   for (const WallBody& body : walls.bodies) {
-    const WallFace* other = &walls.faces[body.front] == front ? &walls.faces[body.back]
+    const WallFace* other = &walls.faces[body.front] == front  ? &walls.faces[body.back]
                             : &walls.faces[body.back] == front ? &walls.faces[body.front]
                                                                : nullptr;
     if (other == nullptr || std::find(near.begin(), near.end(), other) == near.end()) continue;
@@ -143,7 +143,7 @@ double refined(double begins_m, const Profile& profile) {
 }
 
 std::optional<Interval> laser_jambs(const WallAt& wall, double middle_m,
-                                   const std::vector<SurfacePoint>& surfaces) {
+                                    const std::vector<SurfacePoint>& surfaces) {
   const Profile profile = profile_of(wall, middle_m, surfaces);
   const auto low_m = wall_begins(profile, middle_m, -1);
   const auto high_m = wall_begins(profile, middle_m, 1);
@@ -157,8 +157,8 @@ Door in_wall(const Door& opening, const Walls& walls, const BuildingEvidence& ev
   if (!wall) return opening;
   const double middle_m = opening.frame_from_pivot.position().dot(wall->front->along());
   std::optional<Interval> jambs = evidence.kind == SensorKind::sonar
-                                     ? sonar_jambs(*wall->front, middle_m, evidence)
-                                     : laser_jambs(*wall, middle_m, evidence.surfaces);
+                                      ? sonar_jambs(*wall->front, middle_m, evidence)
+                                      : laser_jambs(*wall, middle_m, evidence.surfaces);
   const double a_m = opening.jambs.a.dot(wall->front->along());
   const double b_m = opening.jambs.b.dot(wall->front->along());
   const Interval found{std::min(a_m, b_m), std::max(a_m, b_m)};

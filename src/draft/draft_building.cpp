@@ -30,17 +30,17 @@ RoomPartition partitioned(const DraftedBuilding& drafted, const BuildingEvidence
 /// What sonars heard leaves gaps in walls, so that rooms are decided by where the robot drove.
 RoomPartition segmented(const Occupancy& occupancy, const BuildingEvidence& evidence,
                         const SegmentOptions& options) {
-  const BuildingGrid grid = building_grid(evidence.coarse, evidence.kind,
-                                          evidence.building_from_robot, evidence.footprint,
-                                          options.grid);
+  const BuildingGrid grid =
+      building_grid(evidence.coarse, evidence.kind, evidence.building_from_robot,
+                    evidence.footprint, options.grid);
   const RoomSegmentation rooms = segment_rooms(grid, evidence.building_from_robot, options);
   RoomPartition partition;
   partition.rooms = rooms.rooms;
   partition.room_of_pose = rooms.room_of_pose;
   partition.room_of_cell = Raster<std::int32_t>(occupancy.free.box, 0);
   for_each_cell(occupancy.free.box, [&](const Cell& cell) {
-    partition.room_of_cell[cell] = static_cast<std::int32_t>(
-        rooms.at(rooms.frame.cell_of(occupancy.frame.center_of(cell))));
+    partition.room_of_cell[cell] =
+        static_cast<std::int32_t>(rooms.at(rooms.frame.cell_of(occupancy.frame.center_of(cell))));
   });
   for (const Door& door : rooms.openings) {
     if (!door.is_between_rooms() || door.room_a == door.room_b) continue;

@@ -13,8 +13,8 @@
 namespace roomatlas {
 namespace {
 
-constexpr int kMostSweeps = 3;         // over all labels; later ones change next to nothing
-constexpr double kFrameMargin_m = 1.0;  // beyond all that was seen
+constexpr int kMostSweeps = 3;            // over all labels; later ones change next to nothing
+constexpr double kFrameMargin_m = 1.0;    // beyond all that was seen
 constexpr double kRimTolerance_m = 0.08;  // of the lines along which floor ends
 constexpr double kStraight_m = 0.003;     // of corners that are none: where other lines end
 constexpr double kShortestRim_m = 1.5;    // around; shorter are specks
@@ -50,8 +50,7 @@ std::vector<DraftLine> lines_of(const Walls& walls, const RoomSeeds& seeds,
                      true});
   }
   for (const Door& opening : seeds.openings) {
-    const Point2 beyond =
-        options.extend_door_m * (opening.jambs.b - opening.jambs.a).normalized();
+    const Point2 beyond = options.extend_door_m * (opening.jambs.b - opening.jambs.a).normalized();
     lines.push_back({{opening.jambs.a - beyond, opening.jambs.b + beyond}, 0.0, false});
     // And across the wall at its jambs: the faces of slanted walls do not go on through a door.
     const Point2 across = options.through_door_m * Point2(-beyond.y(), beyond.x()).normalized();
@@ -133,7 +132,8 @@ void fill_holes(const Arrangement& arrangement, int rooms, double min_hole_m2,
         }
       }
     }
-    if (is_open || around.size() != 1 || area_m2 >= min_hole_m2 || *around.begin() > rooms) continue;
+    if (is_open || around.size() != 1 || area_m2 >= min_hole_m2 || *around.begin() > rooms)
+      continue;
     for (const int cell : part) label_of[static_cast<std::size_t>(cell)] = *around.begin();
   }
 }
@@ -156,9 +156,9 @@ Draft draft_plan(const Walls& walls, const Occupancy& occupancy, const RoomSeeds
     evidence = cell_evidence(*arrangement, walls, occupancy, seeds, options);
   }
   const int labels = static_cast<int>(rooms.size()) + 1;
-  std::vector<int> label_of = label_cells(costs_of(*arrangement, evidence, rooms, options),
-                                          borders_of(*arrangement, occupancy, seeds, options),
-                                          labels, kMostSweeps);
+  std::vector<int> label_of =
+      label_cells(costs_of(*arrangement, evidence, rooms, options),
+                  borders_of(*arrangement, occupancy, seeds, options), labels, kMostSweeps);
   fill_holes(*arrangement, labels - 1, options.min_hole_m2, label_of);
   Draft draft;
   std::vector<int> group;

@@ -9,12 +9,12 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kStep_m = 0.05;        // between places on an edge
-constexpr double kNear_m = 0.08;        // from an edge to an obstacle that is its wall
-constexpr double kShortest_m = 0.3;     // shorter stretches say what their neighbours say
-constexpr double kOnLine_m = 0.03;      // from a wall's line, on it
+constexpr double kStep_m = 0.05;     // between places on an edge
+constexpr double kNear_m = 0.08;     // from an edge to an obstacle that is its wall
+constexpr double kShortest_m = 0.3;  // shorter stretches say what their neighbours say
+constexpr double kOnLine_m = 0.03;   // from a wall's line, on it
 constexpr double kOnLineSine = 0.05;
-constexpr double kReading_m = 0.1;      // surfaces this near an edge are of its wall ...
+constexpr double kReading_m = 0.1;  // surfaces this near an edge are of its wall ...
 constexpr double kReadingTurn_rad = 30.0 * kPi / 180.0;  // ... when they look its way
 
 /// Surfaces in buckets, so that those near an edge are found.
@@ -66,12 +66,13 @@ bool is_obstacle_near(const Point2& at, const Occupancy& occupancy) {
   const int reach = static_cast<int>(std::ceil(kNear_m / occupancy.frame.cell_m));
   const Cell center = occupancy.frame.cell_of(at);
   bool found = false;
-  for_each_cell({{center.x - reach, center.y - reach}, {center.x + reach + 1, center.y + reach + 1}},
-                [&](const Cell& cell) {
-                  found = found || (occupancy.obstacle.at(cell) &&
-                                    (occupancy.frame.center_of(cell) - at).norm() <=
-                                        kNear_m + occupancy.frame.cell_m / 2.0);
-                });
+  for_each_cell(
+      {{center.x - reach, center.y - reach}, {center.x + reach + 1, center.y + reach + 1}},
+      [&](const Cell& cell) {
+        found = found ||
+                (occupancy.obstacle.at(cell) && (occupancy.frame.center_of(cell) - at).norm() <=
+                                                    kNear_m + occupancy.frame.cell_m / 2.0);
+      });
   return found;
 }
 

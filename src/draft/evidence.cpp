@@ -71,8 +71,8 @@ class Gatherer {
     for (std::size_t i = 0; i < reading.ranges_m.size(); ++i) {
       const double range_m = reading.ranges_m[i];
       if (!std::isfinite(range_m) || range_m <= 0.0) continue;
-      evidence_.echoes.push_back({building_from_robot * sensor.robot_from_beam[i], range_m,
-                                  range_m < sensor.max_range_m});
+      evidence_.echoes.push_back(
+          {building_from_robot * sensor.robot_from_beam[i], range_m, range_m < sensor.max_range_m});
     }
   }
 

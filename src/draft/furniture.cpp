@@ -11,7 +11,8 @@ namespace {
 
 double distance_to_edge_m(const Polygon& room, const Point2& at) {
   double nearest_m = distance_to_boundary(room.outer, at);
-  for (const Ring& hole : room.holes) nearest_m = std::min(nearest_m, distance_to_boundary(hole, at));
+  for (const Ring& hole : room.holes)
+    nearest_m = std::min(nearest_m, distance_to_boundary(hole, at));
   return nearest_m;
 }
 
@@ -29,9 +30,8 @@ CellMask inside(const Polygon& room, const Occupancy& occupancy, double off_wall
 
 /// Whether an outline comes near the room's edge.
 bool stands_at_wall(const Ring& outline, const Polygon& room, double within_m) {
-  return std::any_of(outline.begin(), outline.end(), [&](const Point2& at) {
-    return distance_to_edge_m(room, at) <= within_m;
-  });
+  return std::any_of(outline.begin(), outline.end(),
+                     [&](const Point2& at) { return distance_to_edge_m(room, at) <= within_m; });
 }
 
 }  // namespace

@@ -11,9 +11,9 @@ namespace roomatlas {
 namespace {
 
 constexpr double kStep_m = 0.05;
-constexpr double kBeyond_m = 0.5;   // of wall beyond a jamb
-constexpr double kBand_m = 0.1;     // off the opening's line
-constexpr double kBeside_m = 0.3;   // floor beside it: the middle of a block is no wall
+constexpr double kBeyond_m = 0.5;  // of wall beyond a jamb
+constexpr double kBand_m = 0.1;    // off the opening's line
+constexpr double kBeside_m = 0.3;  // floor beside it: the middle of a block is no wall
 
 bool is_free(const Occupancy& bare, const Point2& at) {
   return bare.free.at(bare.frame.cell_of(at));
@@ -28,7 +28,8 @@ double wall_beyond(const Occupancy& bare, const Point2& jamb, const Point2& alon
     ++all;
     bool is_wall = false;
     bool is_beside = false;
-    for (double off_m = -kBand_m - kBeside_m; off_m <= kBand_m + kBeside_m; off_m += kStep_m / 2.0) {
+    for (double off_m = -kBand_m - kBeside_m; off_m <= kBand_m + kBeside_m;
+         off_m += kStep_m / 2.0) {
       const bool free = is_free(bare, jamb + on_m * along + off_m * across);
       if (std::abs(off_m) <= kBand_m) is_wall = is_wall || !free;
       is_beside = is_beside || free;

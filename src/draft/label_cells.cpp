@@ -56,9 +56,9 @@ class Network {
   }
 
  private:
-  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS,
-                                      boost::no_property,
-                                      boost::property<boost::edge_index_t, std::size_t>>;
+  using Graph =
+      boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property,
+                            boost::property<boost::edge_index_t, std::size_t>>;
   using Edge = boost::graph_traits<Graph>::edge_descriptor;
 
   void add_arc(std::size_t from, std::size_t to, double forth, double back) {
@@ -161,8 +161,7 @@ class Expansion {
     take[place[a]] += std::max(0.0, second_keeps - both_keep);
     keep[place[a]] += std::max(0.0, both_keep - second_keeps);
     keep[place[b]] += second_keeps;
-    network.add_pair(place[a], place[b],
-                     std::max(0.0, first_keeps + second_keeps - both_keep));
+    network.add_pair(place[a], place[b], std::max(0.0, first_keeps + second_keeps - both_keep));
   }
 
   const std::vector<LabelCosts>& cells_;
@@ -187,8 +186,7 @@ std::vector<int> cheapest(const std::vector<LabelCosts>& cells) {
 
 }  // namespace
 
-double labelling_cost(const std::vector<LabelCosts>& cells,
-                      const std::vector<LabelBorder>& borders,
+double labelling_cost(const std::vector<LabelCosts>& cells, const std::vector<LabelBorder>& borders,
                       const std::vector<int>& label_of_cell) {
   double sum = 0.0;
   for (std::size_t i = 0; i < cells.size(); ++i) sum += cells[i].of(label_of_cell[i]);
@@ -200,8 +198,7 @@ double labelling_cost(const std::vector<LabelCosts>& cells,
 }
 
 std::vector<int> label_cells(const std::vector<LabelCosts>& cells,
-                             const std::vector<LabelBorder>& borders, int labels,
-                             int most_sweeps) {
+                             const std::vector<LabelBorder>& borders, int labels, int most_sweeps) {
   std::vector<int> best = cheapest(cells);
   double least = labelling_cost(cells, borders, best);
   const Expansion expansion(cells, borders);

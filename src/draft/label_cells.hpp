@@ -9,8 +9,8 @@ namespace roomatlas {
 /// What one cell costs by label. Label 0 is solid; others are rooms.
 struct LabelCosts {
   double solid = 0.0;
-  double other = 0.0;                ///< of a room that is not in `rooms`
-  std::map<int, double> rooms;       ///< labels that have a cost of their own
+  double other = 0.0;           ///< of a room that is not in `rooms`
+  std::map<int, double> rooms;  ///< labels that have a cost of their own
   [[nodiscard]] double of(int label) const {
     if (label == 0) return solid;
     const auto own = rooms.find(label);

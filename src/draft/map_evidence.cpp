@@ -9,11 +9,11 @@
 namespace roomatlas {
 namespace {
 
-constexpr CellCounts kFree{0, 40};      // beams: enough for every threshold of drafting
+constexpr CellCounts kFree{0, 40};  // beams: enough for every threshold of drafting
 constexpr CellCounts kOccupied{40, 0};
-constexpr double kWall_m = 0.25;        // a strip of unknown cells between floor and obstacle that is
-                                        // no wider is a wall: its face was drawn too faintly
-constexpr double kEvenCells = 1e-6;     // 0.1 / 0.05 is two cells
+constexpr double kWall_m = 0.25;     // a strip of unknown cells between floor and obstacle that is
+                                     // no wider is a wall: its face was drawn too faintly
+constexpr double kEvenCells = 1e-6;  // 0.1 / 0.05 is two cells
 constexpr std::array kSides = {Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}};
 
 /// One connected piece of floor and what is around it, in cells' edges.

@@ -12,11 +12,11 @@ namespace {
 constexpr double kReach_m = 0.25;     // of boundary to each side that has one normal ...
 constexpr double kLongReach_m = 1.0;  // ... and at most, where it is straight: the steps of a line
                                       // that runs nearly along the cells are long
-constexpr double kStraightCells = 0.3;   // root mean square: a straight line of cells has up to 0.29
-constexpr double kRough_m = 0.025;       // the same of what sensors drew, within `kReach_m`
-constexpr int kFewest = 2;               // edges to each side; fewer have no direction
-constexpr double kSpacing_m = 0.02;      // of points on an edge: as close as a laser's
-constexpr double kWeight_per_m = 80.0;   // as many beams as a room that was looked at for a while
+constexpr double kStraightCells = 0.3;  // root mean square: a straight line of cells has up to 0.29
+constexpr double kRough_m = 0.025;      // the same of what sensors drew, within `kReach_m`
+constexpr int kFewest = 2;              // edges to each side; fewer have no direction
+constexpr double kSpacing_m = 0.02;     // of points on an edge: as close as a laser's
+constexpr double kWeight_per_m = 80.0;  // as many beams as a room that was looked at for a while
 
 /// Sums over the first mid-points of a boundary, so that those of any stretch are differences.
 struct Sums {
@@ -37,8 +37,8 @@ class Boundary {
   /// @param is_wall of each edge
   Boundary(const CellBoundary& traced, const std::vector<char>& is_wall, double cell_m)
       : traced_(traced), is_wall_(is_wall), cell_m_(cell_m), count_(is_wall.size()) {
-    most_ = std::min(static_cast<std::size_t>(std::lround(kLongReach_m / cell_m)),
-                     (count_ - 1) / 2);
+    most_ =
+        std::min(static_cast<std::size_t>(std::lround(kLongReach_m / cell_m)), (count_ - 1) / 2);
     most_ = std::max(most_, std::min(static_cast<std::size_t>(kFewest), (count_ - 1) / 2));
     const Point2 origin = traced.edge_midpoints.front();
     sums_.resize(count_ + 2 * most_ + 1);

@@ -29,8 +29,9 @@ std::map<AsrId, RoomId> rooms_of_asrs(const BuildingEvidence& evidence,
   std::map<AsrId, RoomId> room_of;
   RoomId last = number_of.empty() ? 0 : number_of.begin()->second;
   for (const auto& [asr, rooms] : votes) {
-    const auto most = std::max_element(
-        rooms.begin(), rooms.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    const auto most =
+        std::max_element(rooms.begin(), rooms.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
     if (most != rooms.end()) last = most->first;
     room_of[asr] = last;  // an ASR in no room counts to the one before
   }

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kStrongFace_m = 0.6;  // shorter faces stop no beams: they may be one bad echo's
 constexpr int kOftenSeen = 20;         // a cell that so many beams reached ...
-constexpr double kSeldomHit = 0.04;    // ... and so few of them hit is no wall, whatever stands there
-constexpr int kBorderCells = 4;        // around everything, so that walls at the rim are closed
+constexpr double kSeldomHit = 0.04;  // ... and so few of them hit is no wall, whatever stands there
+constexpr int kBorderCells = 4;      // around everything, so that walls at the rim are closed
 
 /// Visits the cells of a stretch of a face, moved along its normal.
 template <typename Visit>

@@ -13,15 +13,15 @@ namespace roomatlas {
 namespace {
 
 constexpr double kBucket_m = 0.25;
-constexpr double kSeed_m = 0.25;        // surfaces this near a seed give its first direction
-constexpr double kBand_m = 0.04;        // off the line; larger makes coarser chords of a curve
+constexpr double kSeed_m = 0.25;  // surfaces this near a seed give its first direction
+constexpr double kBand_m = 0.04;  // off the line; larger makes coarser chords of a curve
 constexpr double kTurn_rad = 12.0 * kPi / 180.0;  // of normals from the line's
-constexpr double kTaken_m = 0.07;       // surfaces this near a face that was found are its own ...
+constexpr double kTaken_m = 0.07;  // surfaces this near a face that was found are its own ...
 constexpr double kTakenTurn_rad = 25.0 * kPi / 180.0;  // ... when they look its way
-constexpr double kStep_m = 0.1;         // where a face was seen is told this finely
-constexpr int kGapSteps = 4;            // in a face
-constexpr int kMostRounds = 40;         // of growing; a round adds a gap's length at each end
-constexpr double kLeastWeight = 6.0;    // of what a seed's first direction rests on
+constexpr double kStep_m = 0.1;                        // where a face was seen is told this finely
+constexpr int kGapSteps = 4;                           // in a face
+constexpr int kMostRounds = 40;       // of growing; a round adds a gap's length at each end
+constexpr double kLeastWeight = 6.0;  // of what a seed's first direction rests on
 
 class Grower {
  public:
@@ -62,8 +62,8 @@ class Grower {
     const auto [x0, y0] = bucket(segment.a.cwiseMin(segment.b) - Point2::Constant(reach_m));
     const auto [x1, y1] = bucket(segment.a.cwiseMax(segment.b) + Point2::Constant(reach_m));
     for (int x = x0; x <= x1; ++x) {
-      for (auto at = buckets_.lower_bound({x, y0}); at != buckets_.end() && at->first <= std::pair(x, y1);
-           ++at) {
+      for (auto at = buckets_.lower_bound({x, y0});
+           at != buckets_.end() && at->first <= std::pair(x, y1); ++at) {
         for (const std::size_t i : at->second) {
           if (!is_taken_[i]) visit(i);
         }
@@ -156,7 +156,7 @@ class Grower {
   }
 
   static std::vector<Interval> stretches_of(const std::vector<SurfacePoint>& on,
-                                           const WallFace& face) {
+                                            const WallFace& face) {
     std::vector<int> steps;
     for (const SurfacePoint& one : on) {
       steps.push_back(static_cast<int>(std::floor(one.at.dot(face.along()) / kStep_m)));

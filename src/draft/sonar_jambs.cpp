@@ -9,13 +9,13 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kStep_m = 0.02;        // between jambs that are tried
-constexpr double kNarrowest_m = 0.3;    // half of it is on each side of the middle
+constexpr double kStep_m = 0.02;      // between jambs that are tried
+constexpr double kNarrowest_m = 0.3;  // half of it is on each side of the middle
 constexpr double kWidest_m = 2.0;
-constexpr double kFarthest_m = 2.5;     // sonar to wall; a cone is wider than a door there
-constexpr double kSigma_m = 0.03;       // of an echo's range: noise, path and the wall's own place
-constexpr double kOutlier = 0.05;       // share of echoes from something else
-constexpr double kThrough_m = 0.15;     // what is heard this far behind the wall is heard through it
+constexpr double kFarthest_m = 2.5;  // sonar to wall; a cone is wider than a door there
+constexpr double kSigma_m = 0.03;    // of an echo's range: noise, path and the wall's own place
+constexpr double kOutlier = 0.05;    // share of echoes from something else
+constexpr double kThrough_m = 0.15;  // what is heard this far behind the wall is heard through it
 constexpr std::size_t kFewest = 20;
 
 /// An echo in the frame of a wall: along it, and off it on the side of the sonar.
@@ -85,9 +85,8 @@ std::vector<Side> sides_of(const std::vector<Heard>& heard, double middle_m, dou
     Side& side = sides.emplace_back();
     side.jamb_m = middle_m + sign * off_m;
     for (const Heard& echo : heard) {
-      const double distance_m =
-          sign < 0.0 ? nearest_m(echo, -kInfinite, side.jamb_m, half_cone_rad)
-                     : nearest_m(echo, side.jamb_m, kInfinite, half_cone_rad);
+      const double distance_m = sign < 0.0 ? nearest_m(echo, -kInfinite, side.jamb_m, half_cone_rad)
+                                           : nearest_m(echo, side.jamb_m, kInfinite, half_cone_rad);
       side.distance_m.push_back(distance_m);
       side.surprise.push_back(surprise(echo, distance_m));
     }
@@ -98,7 +97,7 @@ std::vector<Side> sides_of(const std::vector<Heard>& heard, double middle_m, dou
 }  // namespace
 
 std::optional<Interval> sonar_jambs(const WallFace& face, double middle_m,
-                                   const BuildingEvidence& evidence) {
+                                    const BuildingEvidence& evidence) {
   const std::vector<Heard> heard = heard_at(face, middle_m, evidence);
   if (heard.size() < kFewest) return std::nullopt;
   const std::vector<Side> low = sides_of(heard, middle_m, -1.0, evidence.sonar_half_cone_rad);

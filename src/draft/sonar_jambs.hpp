@@ -15,6 +15,6 @@ namespace roomatlas {
 /// @param middle_m of the opening, along the face
 /// @returns nothing where fewer than 20 echoes tell
 [[nodiscard]] std::optional<Interval> sonar_jambs(const WallFace& face, double middle_m,
-                                                 const BuildingEvidence& evidence);
+                                                  const BuildingEvidence& evidence);
 
 }  // namespace roomatlas

@@ -9,12 +9,12 @@ namespace roomatlas {
 namespace {
 
 constexpr std::array kAside_m = {-0.1, 0.0, 0.1};  // an echo speaks for this much of a wall
-constexpr double kCoarse_deg = 1.0;     // between directions that are tried first ...
-constexpr double kFine_deg = 0.125;     // ... and then around the best
+constexpr double kCoarse_deg = 1.0;                // between directions that are tried first ...
+constexpr double kFine_deg = 0.125;                // ... and then around the best
 constexpr double kFineReach_deg = 1.0;
-constexpr double kAcross_m = 0.03;      // bins in which votes agree
-constexpr double kAlong_m = 2.0;   // longer tells directions better, and few walls are longer
-constexpr double kChance = 2.0;         // as many agree in a bin by chance
+constexpr double kAcross_m = 0.03;  // bins in which votes agree
+constexpr double kAlong_m = 2.0;    // longer tells directions better, and few walls are longer
+constexpr double kChance = 2.0;     // as many agree in a bin by chance
 
 /// How well the votes for walls of one direction, in all its four ways, agree.
 double agreement(double direction_rad, const std::vector<Echo>& echoes, double half_cone_rad,

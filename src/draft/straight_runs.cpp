@@ -18,8 +18,8 @@ constexpr int kRefinements = 3;
 constexpr double kMaxTurn_rad = 2.5 * kPi / 180.0;
 constexpr double kMaxTurnOfShort_rad = 5.0 * kPi / 180.0;
 constexpr double kLongFace_m = 1.0;
-constexpr double kMaxSlope = 0.035;     // of the surfaces themselves along the face, 2 degrees
-constexpr double kSlopeFrom_m = 0.8;    // shorter faces have no slope that can be told
+constexpr double kMaxSlope = 0.035;   // of the surfaces themselves along the face, 2 degrees
+constexpr double kSlopeFrom_m = 0.8;  // shorter faces have no slope that can be told
 
 /// A surface by its place across and along the lines of one direction.
 struct Placed {
@@ -39,8 +39,7 @@ struct Run {
 /// Weights of surfaces in bins across (rows) and along (columns) of one direction.
 class RunSearch {
  public:
-  RunSearch(const std::vector<SurfacePoint>& surfaces, double normal_rad,
-            const RunOptions& options)
+  RunSearch(const std::vector<SurfacePoint>& surfaces, double normal_rad, const RunOptions& options)
       : normal_rad_(normal_rad), options_(options) {
     place(surfaces);
     half_rows_ = std::max(1, static_cast<int>(std::lround(options.half_band_m / kBinAcross_m)));
@@ -176,7 +175,8 @@ class RunSearch {
       double sum = 0.0;
       double weights = 0.0;
       for_each_near(run, offset_m, within_m, [&](const Placed& one) {
-        const double weight = one.weight * balance[static_cast<std::size_t>(one.column - run.first)];
+        const double weight =
+            one.weight * balance[static_cast<std::size_t>(one.column - run.first)];
         sum += weight * one.across_m;
         weights += weight;
       });

@@ -11,13 +11,13 @@ namespace roomatlas {
 namespace {
 
 constexpr std::array kNeighbors = {2, 3, 5, 8, 12};  // beams to each side that are tried
-constexpr double kLongestPiece_m = 0.8;   // longer pieces round the corners off
-constexpr double kShortestPiece_m = 0.08;  // on shorter ones noise decides the normal
-constexpr double kEnough_m = 0.35;         // a span this long needs no more beams
-constexpr double kStraight_m = 0.025;      // largest root mean square off the line
+constexpr double kLongestPiece_m = 0.8;              // longer pieces round the corners off
+constexpr double kShortestPiece_m = 0.08;            // on shorter ones noise decides the normal
+constexpr double kEnough_m = 0.35;                   // a span this long needs no more beams
+constexpr double kStraight_m = 0.025;                // largest root mean square off the line
 // Two neighbouring hits lie on one surface when they are nearer than this ...
 constexpr double kGap_m = 0.06;
-constexpr double kFlatness = 6.0;    // ... plus this many times the beams' distance there ...
+constexpr double kFlatness = 6.0;      // ... plus this many times the beams' distance there ...
 constexpr double kLargestGap_m = 0.5;  // ... and never farther apart than this
 constexpr double kVoxel_m = 0.02;      // walls are known to a centimetre or two
 constexpr int kSectors = 36;           // of normals, 10 degrees each

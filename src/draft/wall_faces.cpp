@@ -14,20 +14,20 @@ namespace roomatlas {
 namespace {
 
 constexpr double kQuarter = kPi / 2.0;
-constexpr int kDirectionBins = 180;        // of half a degree
-constexpr int kSmoothBins = 2;             // to each side
-constexpr double kMostWeight = 5.0;        // of one surface: standing still must not decide
-constexpr double kNearFace_m = 0.10;       // surfaces this near a face are explained by it ...
+constexpr int kDirectionBins = 180;   // of half a degree
+constexpr int kSmoothBins = 2;        // to each side
+constexpr double kMostWeight = 5.0;   // of one surface: standing still must not decide
+constexpr double kNearFace_m = 0.10;  // surfaces this near a face are explained by it ...
 constexpr double kNearFace_rad = 25.0 * kPi / 180.0;  // ... when they look its way
 constexpr double kBeyondEnds_m = 0.1;
 constexpr double kWingApart_rad = 10.0 * kPi / 180.0;  // from the main direction
 constexpr double kWingWidth_rad = 3.0 * kPi / 180.0;
-constexpr std::size_t kFewest = 100;       // surfaces that may have a direction
-constexpr double kLaserBand_m = 0.04;      // off a wall's line
+constexpr std::size_t kFewest = 100;   // surfaces that may have a direction
+constexpr double kLaserBand_m = 0.04;  // off a wall's line
 constexpr double kSonarBand_m = 0.05;
-constexpr double kSonarWingFace_m = 1.5;     // of a wing's faces: corners make shorter ones in any
-constexpr std::size_t kSonarWingFaces = 3;   // direction; and a wing has as many, and this share
-constexpr double kSonarWingShare = 0.3;      // of all walls so far
+constexpr double kSonarWingFace_m = 1.5;    // of a wing's faces: corners make shorter ones in any
+constexpr std::size_t kSonarWingFaces = 3;  // direction; and a wing has as many, and this share
+constexpr double kSonarWingShare = 0.3;     // of all walls so far
 
 /// The difference of two directions that count modulo 90 degrees, [-45, 45] degrees.
 double quarter_difference(double a_rad, double b_rad) {
@@ -54,7 +54,8 @@ std::vector<WallFace> faces_along(double direction_rad, const std::vector<Surfac
   std::vector<WallFace> faces;
   for (int quarter = 0; quarter < 4; ++quarter) {
     const double normal_rad = wrap_angle(direction_rad + quarter * kQuarter);
-    for (WallFace& face : straight_runs(looking(surfaces, normal_rad, max_turn_rad), normal_rad, runs)) {
+    for (WallFace& face :
+         straight_runs(looking(surfaces, normal_rad, max_turn_rad), normal_rad, runs)) {
       face.is_regular = true;
       faces.push_back(std::move(face));
     }
@@ -71,8 +72,8 @@ std::vector<WallFace> laser_faces(std::vector<SurfacePoint> surfaces,
                                   const WallFaceOptions& options) {
   if (surfaces.empty()) return {};
   const double max_turn_rad = options.max_turn_deg * kPi / 180.0;
-  RunOptions runs{options.bin_along_m, kLaserBand_m, static_cast<double>(options.min_hits),
-                  options.max_gap_m, options.min_support_m, true};
+  RunOptions runs{options.bin_along_m, kLaserBand_m,          static_cast<double>(options.min_hits),
+                  options.max_gap_m,   options.min_support_m, true};
   const double main_rad = main_direction_rad(surfaces);
   const auto all = static_cast<double>(surfaces.size());
   std::vector<WallFace> faces = faces_along(main_rad, surfaces, runs, max_turn_rad);
@@ -115,23 +116,26 @@ double total_support_m(const std::vector<WallFace>& faces) {
 
 std::vector<WallFace> sonar_faces(const BuildingEvidence& evidence,
                                   const WallFaceOptions& options) {
-  const RunOptions runs{options.bin_along_m, kSonarBand_m, static_cast<double>(options.min_hits),
-                        options.max_gap_m, options.min_wing_support_m, false};
+  const RunOptions runs{options.bin_along_m,
+                        kSonarBand_m,
+                        static_cast<double>(options.min_hits),
+                        options.max_gap_m,
+                        options.min_wing_support_m,
+                        false};
   const double half_cone_rad = evidence.sonar_half_cone_rad;
   std::vector<Echo> echoes = evidence.echoes;
   const auto all = static_cast<double>(
       std::count_if(echoes.begin(), echoes.end(), [](const Echo& echo) { return echo.is_hit; }));
   std::vector<WallFace> faces;
   for (int round = 0; round <= options.max_wings && echoes.size() >= kFewest; ++round) {
-    const double direction_rad =
-        best_direction_rad(echoes, half_cone_rad, options.sonar_range_m);
+    const double direction_rad = best_direction_rad(echoes, half_cone_rad, options.sonar_range_m);
     std::vector<WallFace> found;
     double votes = 0.0;
     for (int quarter = 0; quarter < 4; ++quarter) {
       const double normal_rad = wrap_angle(direction_rad + quarter * kQuarter);
-      for (WallFace& face : straight_runs(
-               votes_for(normal_rad, echoes, half_cone_rad, options.sonar_range_m), normal_rad,
-               runs)) {
+      for (WallFace& face :
+           straight_runs(votes_for(normal_rad, echoes, half_cone_rad, options.sonar_range_m),
+                         normal_rad, runs)) {
         face.is_regular = true;
         found.push_back(std::move(face));
       }
@@ -140,7 +144,8 @@ std::vector<WallFace> sonar_faces(const BuildingEvidence& evidence,
     drop_explained(found, half_cone_rad, echoes);
     votes = before - static_cast<double>(echoes.size());
     if (round > 0) {
-      std::erase_if(found, [](const WallFace& face) { return face.support_m() < kSonarWingFace_m; });
+      std::erase_if(found,
+                    [](const WallFace& face) { return face.support_m() < kSonarWingFace_m; });
       const bool is_wing = found.size() >= kSonarWingFaces &&
                            total_support_m(found) >= kSonarWingShare * total_support_m(faces);
       if (votes < options.wing_share * all || !is_wing) break;

@@ -12,13 +12,13 @@ namespace {
 
 constexpr std::array kOff_m = {0.4, 0.7, 1.0};  // where the floor on a side is measured
 constexpr double kStep_m = 0.05;
-constexpr double kBand_m = 0.05;       // off the line, obstacles are on it
-constexpr double kSmallest_m = 0.1;    // breaks in a wall that are no gaps
-constexpr double kFlankOff_m = 0.25;   // a flank begins this near the gap
-constexpr double kSolidShare = 0.85;   // of a long flank
-constexpr double kFreeShare = 0.6;     // of a gap
-constexpr double kStubEnd_m = 0.25;    // from a stub's end to the wall that it stands at
-constexpr double kSquareSine = 0.95;   // of walls that cross
+constexpr double kBand_m = 0.05;      // off the line, obstacles are on it
+constexpr double kSmallest_m = 0.1;   // breaks in a wall that are no gaps
+constexpr double kFlankOff_m = 0.25;  // a flank begins this near the gap
+constexpr double kSolidShare = 0.85;  // of a long flank
+constexpr double kFreeShare = 0.6;    // of a gap
+constexpr double kStubEnd_m = 0.25;   // from a stub's end to the wall that it stands at
+constexpr double kSquareSine = 0.95;  // of walls that cross
 
 /// What stands on a line, step by step.
 struct LineScan {
@@ -35,7 +35,8 @@ LineScan scan(const WallFace& face, const Interval& reach, const CellMask& near_
   for (double along_m = reach.low_m; along_m <= reach.high_m; along_m += kStep_m) {
     bool is_wall = false;
     for (const double off_m : {-kBand_m, 0.0, kBand_m}) {
-      is_wall = is_wall || near_obstacle.at(frame.cell_of(face.at(along_m) + off_m * face.normal()));
+      is_wall =
+          is_wall || near_obstacle.at(frame.cell_of(face.at(along_m) + off_m * face.normal()));
     }
     line.is_wall.push_back(is_wall);
   }
@@ -80,8 +81,8 @@ class GapFinder {
     if (support_m < options_.min_stub_line_m) return;
     const bool is_stubs = support_m < options_.min_line_m;
     const bool is_buildings = face.prominence_m >= options_.building_line_m;
-    const Interval reach = reach_of(
-        face, on_it, is_buildings ? options_.building_reach_m : options_.reach_m);
+    const Interval reach =
+        reach_of(face, on_it, is_buildings ? options_.building_reach_m : options_.reach_m);
     const LineScan line = scan(face, reach, near_obstacle_, occupancy_.frame);
     std::size_t last = 0;  // step with wall
     bool any = false;

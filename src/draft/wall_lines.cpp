@@ -14,7 +14,7 @@ constexpr double kNextFace_m = 4.0;     // along it; larger joins walls of diffe
 }  // namespace
 
 std::vector<Interval> on_line(const WallFace& face, const std::vector<WallFace>& faces,
-                             double min_face_m) {
+                              double min_face_m) {
   std::vector<Interval> stretches;
   for (const WallFace& other : faces) {
     if (std::abs(std::sin(other.normal_rad - face.normal_rad)) >= kParallelSine) continue;

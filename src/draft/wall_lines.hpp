@@ -11,7 +11,7 @@ namespace roomatlas {
 /// ascending; those of one face do not overlap, those of two may.
 /// @param min_face_m faces with less support do not count
 [[nodiscard]] std::vector<Interval> on_line(const WallFace& face,
-                                           const std::vector<WallFace>& faces, double min_face_m);
+                                            const std::vector<WallFace>& faces, double min_face_m);
 
 /// How much wall was seen on a face's line, up to gaps of 4 m: what is farther is another wall's.
 [[nodiscard]] double line_support_m(const WallFace& face, const std::vector<WallFace>& faces);

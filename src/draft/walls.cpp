@@ -11,18 +11,18 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kStep_m = 0.05;             // between places along a face
-constexpr int kGapSteps = 2;                 // of few reflections in a face
+constexpr double kStep_m = 0.05;  // between places along a face
+constexpr int kGapSteps = 2;      // of few reflections in a face
 constexpr double kShortestStretch_m = 0.08;
 constexpr std::array kAcross_m = {-0.05, 0.0, 0.05};
-constexpr double kParallelSine = 0.03;       // faces that turn by less are on one line, or opposite
+constexpr double kParallelSine = 0.03;  // faces that turn by less are on one line, or opposite
 constexpr double kOppositeCosine = -0.9995;
-constexpr double kShortestOverlap_m = 0.2;   // of the two faces of a wall
-constexpr double kStrongLine_m = 2.5;        // of prominence, for a line that hidden walls run to
-constexpr double kStrongFace_m = 2.0;        // faces less prominent do not run on
-constexpr double kHiddenReach_m = 1.2;       // the line's own ends may be hidden too
-constexpr double kCrossingSine = 0.5;        // lines that cross at less do not end each other
-constexpr double kNested_m = 0.5;            // support of a thinner wall that hides a thicker one
+constexpr double kShortestOverlap_m = 0.2;  // of the two faces of a wall
+constexpr double kStrongLine_m = 2.5;       // of prominence, for a line that hidden walls run to
+constexpr double kStrongFace_m = 2.0;       // faces less prominent do not run on
+constexpr double kHiddenReach_m = 1.2;      // the line's own ends may be hidden too
+constexpr double kCrossingSine = 0.5;       // lines that cross at less do not end each other
+constexpr double kNested_m = 0.5;           // support of a thinner wall that hides a thicker one
 
 /// Places along a stretch.
 std::vector<double> places_on(const Interval& stretch) {
@@ -50,7 +50,7 @@ std::vector<Interval> confirmed(const WallFace& face, const ReflectionMap& count
     }
     for (const auto& [first, last] : runs_of(good, kGapSteps)) {
       const Interval one{places[static_cast<std::size_t>(good[first])],
-                        places[static_cast<std::size_t>(good[last])]};
+                         places[static_cast<std::size_t>(good[last])]};
       if (one.length_m() >= kShortestStretch_m) kept.push_back(one);
     }
   }
@@ -122,8 +122,8 @@ class Builder {
     const int count = std::max(1, static_cast<int>(stretch.length_m() / kStep_m));
     int free = 0;
     for (int i = 0; i < count; ++i) {
-      const Cell cell = occupancy_.frame.cell_of(
-          face.at(stretch.low_m + (i + 0.5) * stretch.length_m() / count));
+      const Cell cell =
+          occupancy_.frame.cell_of(face.at(stretch.low_m + (i + 0.5) * stretch.length_m() / count));
       if (occupancy_.free.at(cell) && !near_obstacle_.at(cell)) ++free;
     }
     return static_cast<double>(free) / count;
@@ -144,13 +144,13 @@ class Builder {
       }
     }
     if (!face.is_regular || face.prominence_m < kStrongFace_m) return cover;
-    const auto low_m = end_behind(face, cover.front().low_m, -1.0, options_.hidden_end_m,
-                                  walls_.faces);
+    const auto low_m =
+        end_behind(face, cover.front().low_m, -1.0, options_.hidden_end_m, walls_.faces);
     if (low_m && free_share(face, {*low_m, cover.front().low_m}) < options_.hidden_free_share) {
       cover.front().low_m = *low_m;
     }
-    const auto high_m = end_behind(face, cover.back().high_m, 1.0, options_.hidden_end_m,
-                                   walls_.faces);
+    const auto high_m =
+        end_behind(face, cover.back().high_m, 1.0, options_.hidden_end_m, walls_.faces);
     if (high_m && free_share(face, {cover.back().high_m, *high_m}) < options_.hidden_free_share) {
       cover.back().high_m = *high_m;
     }
@@ -205,8 +205,7 @@ class Builder {
 
 }  // namespace
 
-std::vector<WallFace> confirmed_faces(std::vector<WallFace> faces,
-                                      const BuildingEvidence& evidence,
+std::vector<WallFace> confirmed_faces(std::vector<WallFace> faces, const BuildingEvidence& evidence,
                                       const WallOptions& options) {
   const bool is_sonar = evidence.kind == SensorKind::sonar;
   std::vector<WallFace> kept;

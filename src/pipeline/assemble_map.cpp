@@ -25,8 +25,7 @@ Assembly assemble_map(const MapCells& map, const Options& options, const Progres
   DraftBuildingOptions draft = assemble.draft;
   draft.walls.thickest_m = std::max(draft.walls.thickest_m, kThickestWall_m);
   MappedBuilding building =
-      moved(mapped_building_of(draft_building(evidence, draft), evidence,
-                               options.map.record.map),
+      moved(mapped_building_of(draft_building(evidence, draft), evidence, options.map.record.map),
             map.building_from_map);
   assembly.doors = building.doors;
   report(progress, "merge", 0.0);

@@ -80,7 +80,9 @@ Raster<float> distance_inside(const CellMask& mask) {
     std::copy(line.begin(), line.end(), row);
   }
   Raster<float> distance(mask.box);
-  for_each_cell(mask.box, [&](const Cell& cell) { distance[cell] = static_cast<float>(std::sqrt(squared[cell])); });
+  for_each_cell(mask.box, [&](const Cell& cell) {
+    distance[cell] = static_cast<float>(std::sqrt(squared[cell]));
+  });
   return distance;
 }
 

@@ -19,8 +19,8 @@ struct Leg {
 /// a way-point that is not finite or where fewer than two points differ.
 [[nodiscard]] std::vector<Leg> legs_of(const Drive& drive);
 
-/// Throws InputError naming the first leg that enters a wall, furniture or an open leaf, or comes closer to
-/// one than `clearance_m`.
+/// Throws InputError naming the first leg that enters a wall, furniture or an open leaf, or comes
+/// closer to one than `clearance_m`.
 void require_clear(const FloorPlan& world, const std::vector<Leg>& legs, double clearance_m);
 
 /// A pure translation or a pure turn at constant speed.

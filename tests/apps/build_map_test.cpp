@@ -33,9 +33,9 @@ TEST(BuildFromMap, WritesThePlanInTheMapsFrame) {
       "house.yaml", "image: house.pgm\nresolution: 0.1\norigin: [10, 20, 1.5707963267948966]\n");
   const Outcome done = run("build -q " + map.string() + " -o " + (folder / "out").string());
   ASSERT_EQ(done.exit_code, 0) << done.err;
-  for (const char* name : {"building.gpkg", "plan.svg", "plan.pdf", "plan.png", "rooms.csv",
-                           "rooms.graphml", "map.yaml", "rooms.yaml", "summary.json",
-                           "report.html"}) {
+  for (const char* name :
+       {"building.gpkg", "plan.svg", "plan.pdf", "plan.png", "rooms.csv", "rooms.graphml",
+        "map.yaml", "rooms.yaml", "summary.json", "report.html"}) {
     EXPECT_GT(content_of(folder / "out" / name).size(), 0U) << name;
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "out" / "trajectory_corrected.tum"));

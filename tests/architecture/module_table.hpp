@@ -26,8 +26,7 @@ inline const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"loops", {"core", "match", "asr", "solve", "correct"}},
     {"rooms", {"core", "plan", "mission", "grid", "polyline", "asr", "graph"}},
     {"planar", {"core"}},
-    {"draft",
-     {"core", "plan", "mission", "grid", "polyline", "asr", "graph", "rooms", "planar"}},
+    {"draft", {"core", "plan", "mission", "grid", "polyline", "asr", "graph", "rooms", "planar"}},
     {"merge", {"core", "plan", "planar"}},
     {"assembly", {"plan", "asr", "graph", "sonar", "correct", "loops", "mission"}},
     {"evaluate", {"core", "plan", "polyline", "asr", "correct", "planar"}},
@@ -37,8 +36,8 @@ inline const std::map<std::string, std::set<std::string>> kMayInclude = {
      {"core", "mission", "odometry", "match", "asr", "graph", "sonar", "correct", "loops", "rooms",
       "draft", "merge", "assembly", "evaluate"}},
     {"io",
-     {"core", "plan", "mission", "grid", "odometry", "asr", "graph", "solve", "correct",
-      "loops", "merge", "evaluate", "draw", "simulate", "assembly"}},
+     {"core", "plan", "mission", "grid", "odometry", "asr", "graph", "solve", "correct", "loops",
+      "merge", "evaluate", "draw", "simulate", "assembly"}},
 };
 
 /// The header of the whole library. It belongs to no module and may include any; for programs, not

@@ -56,9 +56,10 @@ TEST(Arrangement, CellsHaveAsMuchAreaAsPoints) {
 
 TEST(Arrangement, BordersKnowTheirLines) {
   // A square of faint lines, cut by a prominent one that ends inside of the other half.
-  const std::vector<DraftLine> lines = {{{{0, 0}, {4, 0}}, 1.0, true},  {{{4, 0}, {4, 4}}, 1.0, true},
-                                        {{{4, 4}, {0, 4}}, 1.0, true},  {{{0, 4}, {0, 0}}, 1.0, true},
-                                        {{{2, -1}, {2, 5}}, 7.0, true}, {{{3, 1}, {3, 2}}, 9.0, false}};
+  const std::vector<DraftLine> lines = {
+      {{{0, 0}, {4, 0}}, 1.0, true},  {{{4, 0}, {4, 4}}, 1.0, true},
+      {{{4, 4}, {0, 4}}, 1.0, true},  {{{0, 4}, {0, 0}}, 1.0, true},
+      {{{2, -1}, {2, 5}}, 7.0, true}, {{{3, 1}, {3, 2}}, 9.0, false}};
   const Arrangement arrangement(lines);
   EXPECT_EQ(arrangement.cell_count(), 3);
   double inner_m = 0.0;

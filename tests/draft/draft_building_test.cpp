@@ -20,11 +20,11 @@ const DraftedRoom* room_at(const DraftedBuilding& drafted, const Point2& at) {
 }
 
 const Door* door_near(const DraftedBuilding& drafted, const Point2& at) {
-  const auto near =
-      std::min_element(drafted.doors.begin(), drafted.doors.end(), [&](const Door& a, const Door& b) {
-        return (a.frame_from_pivot.position() - at).norm() <
-               (b.frame_from_pivot.position() - at).norm();
-      });
+  const auto near = std::min_element(drafted.doors.begin(), drafted.doors.end(),
+                                     [&](const Door& a, const Door& b) {
+                                       return (a.frame_from_pivot.position() - at).norm() <
+                                              (b.frame_from_pivot.position() - at).norm();
+                                     });
   return near == drafted.doors.end() ? nullptr : &*near;
 }
 

@@ -24,9 +24,8 @@ struct Rectangle {
 };
 
 // Two rooms over a corridor, and a door of 0.9 m from each of them into it.
-const std::vector<Rectangle> kRooms = {{{0.0, 0.0}, {9.2, 2.0}},
-                                       {{0.0, 2.2}, {4.0, 6.2}},
-                                       {{4.2, 2.2}, {9.2, 6.2}}};
+const std::vector<Rectangle> kRooms = {
+    {{0.0, 0.0}, {9.2, 2.0}}, {{0.0, 2.2}, {4.0, 6.2}}, {{4.2, 2.2}, {9.2, 6.2}}};
 const std::vector<Rectangle> kDoors = {{{1.5, 1.9}, {2.4, 2.3}}, {{6.5, 1.9}, {7.4, 2.3}}};
 const Rectangle kHouse{{-kWall_m, -kWall_m}, {9.2 + kWall_m, 6.2 + kWall_m}};
 
@@ -62,8 +61,7 @@ double worst_corner_m(const MappedBuilding& building, const Rectangle& room) {
   const auto holds = [&](const PlacedOutline& outline) {
     return contains(outline.outline, (room.low + room.high) / 2.0);
   };
-  const auto found =
-      std::find_if(building.outlines.begin(), building.outlines.end(), holds);
+  const auto found = std::find_if(building.outlines.begin(), building.outlines.end(), holds);
   if (found == building.outlines.end()) return 1e9;
   double worst_m = 0.0;
   for (const Point2& corner : {room.low, room.high, Point2(room.low.x(), room.high.y()),
@@ -95,11 +93,11 @@ TEST_P(DrawnHouse, ComesBackWithinACell) {
   ASSERT_EQ(building.doors.size(), kDoors.size());
   for (const Rectangle& door : kDoors) {
     const Point2 middle = (door.low + door.high) / 2.0;
-    const auto nearest = std::min_element(
-        building.doors.begin(), building.doors.end(), [&](const Door& a, const Door& b) {
-          return (a.frame_from_pivot.position() - middle).norm() <
-                 (b.frame_from_pivot.position() - middle).norm();
-        });
+    const auto nearest = std::min_element(building.doors.begin(), building.doors.end(),
+                                          [&](const Door& a, const Door& b) {
+                                            return (a.frame_from_pivot.position() - middle).norm() <
+                                                   (b.frame_from_pivot.position() - middle).norm();
+                                          });
     EXPECT_LT((nearest->frame_from_pivot.position() - middle).norm(), 0.2);
     EXPECT_NEAR(nearest->width_m, 0.9, 2.5 * cell_m);
     EXPECT_FALSE(nearest->is_driven);

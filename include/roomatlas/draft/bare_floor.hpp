@@ -6,10 +6,10 @@
 namespace roomatlas {
 
 struct BareFloorOptions {
-  double min_prominence_m = 2.5;  ///< of a line that is a wall's; less takes cupboards for walls
+  double min_prominence_m = 2.5;   ///< of a line that is a wall's; less takes cupboards for walls
   double thin_m = 0.25;            ///< between two faces: a wall, however short ...
   double min_thin_m = 0.8;         ///< ... of both faces together
-  double min_face_m = 0.4;        ///< of a face on it
+  double min_face_m = 0.4;         ///< of a face on it
   bool hidden_walls = true;        ///< walls part where they are hidden, too; off for sonars, which
                                    ///< see too little of furniture to tell
   double furniture_depth_m = 1.2;  ///< what stands against a wall is not deeper

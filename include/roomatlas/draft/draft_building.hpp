@@ -22,8 +22,8 @@ struct DraftBuildingOptions {
   WallOptions walls;
   BareFloorOptions bare;
   WallGapOptions gaps;
-  PartitionOptions partition;   ///< of what lasers saw
-  SegmentOptions sonar_rooms;   ///< of what sonars heard
+  PartitionOptions partition;  ///< of what lasers saw
+  SegmentOptions sonar_rooms;  ///< of what sonars heard
   JoinRoomsOptions join;
   DraftOptions draft;
   DoorOptions doors;

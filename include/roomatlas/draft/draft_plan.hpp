@@ -18,14 +18,15 @@ struct RoomSeeds {
 };
 
 struct DraftOptions {
-  double extend_long_m = 4.0;   ///< lines of faces of `long_face_m` go on this far beyond ...
-  double extend_short_m = 1.5;  ///< ... those of shorter ones this far ...
+  double extend_long_m = 4.0;     ///< lines of faces of `long_face_m` go on this far beyond ...
+  double extend_short_m = 1.5;    ///< ... those of shorter ones this far ...
   double extend_slanted_m = 0.6;  ///< ... and those that follow no direction of the building
   double long_face_m = 2.0;
-  double extend_door_m = 0.4;   ///< the line of an opening, beyond its jambs
-  double through_door_m = 0.35;  ///< across the wall at each jamb: no wall is thicker than twice this
-  double solid_cost = 8.0;      ///< a square metre of floor that becomes solid, or another room's
-  double unseen_cost = 0.25;    ///< a square metre of room that nobody saw ...
+  double extend_door_m = 0.4;  ///< the line of an opening, beyond its jambs
+  double through_door_m =
+      0.35;                   ///< across the wall at each jamb: no wall is thicker than twice this
+  double solid_cost = 8.0;    ///< a square metre of floor that becomes solid, or another room's
+  double unseen_cost = 0.25;  ///< a square metre of room that nobody saw ...
   double deep_unseen_cost = 3.0;  ///< ... and that lies `deep_m` from all floor that was seen
   double deep_m = 0.9;
   double other_floor_cost = 0.6;  ///< a square metre of room that is floor of no room
@@ -40,7 +41,7 @@ struct DraftOptions {
   double mixed_free_m2 = 0.5;     ///< cells with more floor than this ...
   double mixed_unseen_m2 = 2.0;   ///< ... and more unseen are cut where floor ends
   double min_room_m2 = 2.0;
-  double min_hole_m2 = 12.0;      ///< smaller solids inside a room are furniture
+  double min_hole_m2 = 12.0;  ///< smaller solids inside a room are furniture
 };
 
 /// One room as an architect would draw it.
@@ -50,7 +51,7 @@ struct DraftedRoom {
 };
 
 struct Draft {
-  std::vector<DraftedRoom> rooms;   ///< ascending by id; rooms without floor of their own are not
+  std::vector<DraftedRoom> rooms;    ///< ascending by id; rooms without floor of their own are not
   std::vector<Polygon> wall_bodies;  ///< between the two faces of walls
 };
 

@@ -19,7 +19,7 @@ struct GatherOptions {
   double every_deg = 2.0;       ///< ... or turn; less costs time and tells nothing new
   double laser_range_m = 10.0;  ///< hits farther away smear walls by the heading's error
   double sonar_range_m = 4.0;   ///< a cone is 2 m wide there
-  double coarse_cell_m = 0.1;   ///< of what sonars' rooms are decided on: finer leaves gaps in walls
+  double coarse_cell_m = 0.1;  ///< of what sonars' rooms are decided on: finer leaves gaps in walls
   double coarse_range_m = 8.0;
   double sonar_no_echo_m = 1.0;  ///< what a sonar without echo frees. A laser without echo frees
                                  ///< nothing: beams are lost on furniture too

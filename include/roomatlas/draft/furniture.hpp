@@ -8,8 +8,8 @@
 namespace roomatlas {
 
 struct FurnitureOptions {
-  double off_wall_m = 0.09;   ///< obstacles nearer to the room's edge are the wall's
-  double min_area_m2 = 0.03;  ///< smaller are noise
+  double off_wall_m = 0.09;     ///< obstacles nearer to the room's edge are the wall's
+  double min_area_m2 = 0.03;    ///< smaller are noise
   double against_wall_m = 0.2;  ///< pieces this near to the room's edge stand against it
   double simplify_m = 0.06;
 };

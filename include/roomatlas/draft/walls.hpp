@@ -9,34 +9,34 @@
 namespace roomatlas {
 
 struct WallOptions {
-  double laser_share = 0.12;     ///< of beams that a face's cells must reflect to be there ...
-  double sonar_share = 0.06;     ///< ... where sonars heard it
+  double laser_share = 0.12;       ///< of beams that a face's cells must reflect to be there ...
+  double sonar_share = 0.06;       ///< ... where sonars heard it
   double min_laser_face_m = 0.25;  ///< what is left of a face after that; shorter ones are none
   double min_sonar_face_m = 0.4;
-  double same_line_m = 0.08;     ///< faces this near are on one line of the building
+  double same_line_m = 0.08;        ///< faces this near are on one line of the building
   double min_body_support_m = 0.6;  ///< of the faces of a wall ...
   double thin_m = 0.25;             ///< ... and of one no thicker than this ...
   double min_thin_support_m = 0.3;  ///< ... less: beside doors there is little to see
   double thinnest_m = 0.02;
-  double thickest_m = 0.45;      ///< larger takes rooms of cupboards for walls
-  double nested_m = 0.05;        ///< a wall that much thicker than another on the same face is a
-                                 ///< cupboard's front and the wall behind it
-  double door_m = 1.6;           ///< a face goes on across gaps up to this: doors ...
+  double thickest_m = 0.45;        ///< larger takes rooms of cupboards for walls
+  double nested_m = 0.05;          ///< a wall that much thicker than another on the same face is a
+                                   ///< cupboard's front and the wall behind it
+  double door_m = 1.6;             ///< a face goes on across gaps up to this: doors ...
   double hidden_free_share = 0.1;  ///< ... and across any where less than this is free
-  double hidden_end_m = 2.5;     ///< it ends at the strongest line this far beyond, if hidden
+  double hidden_end_m = 2.5;       ///< it ends at the strongest line this far beyond, if hidden
 };
 
 /// A wall of two faces.
 struct WallBody {
-  std::size_t front = 0;          ///< place of a face; the stretches count along it
-  std::size_t back = 0;           ///< of the face that looks away from it
+  std::size_t front = 0;  ///< place of a face; the stretches count along it
+  std::size_t back = 0;   ///< of the face that looks away from it
   double thickness_m = 0.0;
   std::vector<Interval> stretches;  ///< where both faces go on
 };
 
 /// What a building's faces say once they are compared with the cells and with each other.
 struct Walls {
-  std::vector<WallFace> faces;  ///< cut to where cells reflect, with their prominence
+  std::vector<WallFace> faces;   ///< cut to where cells reflect, with their prominence
   std::vector<WallBody> bodies;  ///< thinnest first
 };
 

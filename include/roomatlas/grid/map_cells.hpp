@@ -12,7 +12,7 @@ enum class MapCell : std::uint8_t { unknown, free, occupied };
 
 /// A finished occupancy map of whatever program.
 struct MapCells {
-  CellFrame frame;         ///< the map's own: cell (0, 0) lies at its lower left corner
+  CellFrame frame;  ///< the map's own: cell (0, 0) lies at its lower left corner
   Raster<MapCell> cells;
   Pose2 building_from_map;  ///< where that corner is, and how the map is turned
 };

@@ -19,9 +19,9 @@ struct MappedBuilding {
   SensorKind sensor = SensorKind::laser;  ///< sonar where there were both
 
   // Of a drafted building alone:
-  bool is_drafted = false;                      ///< outlines are walls, not what was seen free
+  bool is_drafted = false;                       ///< outlines are walls, not what was seen free
   std::vector<PlacedOutline> measured_outlines;  ///< the same rooms as far as they were seen free
-  std::vector<Polygon> wall_bodies;             ///< between two faces of a wall that were seen
+  std::vector<Polygon> wall_bodies;              ///< between two faces of a wall that were seen
   std::vector<PlanFurniture> furniture;
   std::vector<PlanEdge> edges;
 };

@@ -18,8 +18,8 @@ struct PartitionEvidence {
   /// The mission's path, in its order. Empty for a finished map: then the free space is taken as it
   /// is; otherwise it is cleaned of what beams leave behind, and parts off the path are dropped.
   std::vector<Pose2> building_from_robot;
-  /// Gaps in walls that are known otherwise, jamb to jamb: the floor is cut there whatever the cells
-  /// around show. May be empty.
+  /// Gaps in walls that are known otherwise, jamb to jamb: the floor is cut there whatever the
+  /// cells around show. May be empty.
   std::vector<Segment2> wall_gaps;
 };
 

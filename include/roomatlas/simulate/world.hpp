@@ -30,8 +30,8 @@ constexpr double kLeafThickness_m = 0.04;
 void require_sound(const FloorPlan& world);
 
 /// Throws InputError unless a robot can stand at `point` (world metres): outside of walls,
-/// furniture and open leaves, at least `clearance_m` from them, and in a room or door where the world has rooms.
-/// The message names the place, the nearest obstacle, and a place that is free.
+/// furniture and open leaves, at least `clearance_m` from them, and in a room or door where the
+/// world has rooms. The message names the place, the nearest obstacle, and a place that is free.
 void require_free(const FloorPlan& world, const Point2& point, double clearance_m);
 
 }  // namespace roomatlas

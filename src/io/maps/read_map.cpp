@@ -52,7 +52,8 @@ MapCells read_map(const Path& file, double resolution_m) {
   io::OccupancyScale scale;
   if (is_yaml(file)) {
     if (resolution_m > 0.0) {
-      throw UsageError(file.string() + ": says itself how large a pixel is: leave --resolution out");
+      throw UsageError(file.string() +
+                       ": says itself how large a pixel is: leave --resolution out");
     }
     const io::Nav2Map map = io::read_nav2_map(file);
     picture = map.picture;

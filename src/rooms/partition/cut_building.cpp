@@ -8,7 +8,8 @@ namespace roomatlas {
 CutBuilding cut_building(const PartitionEvidence& evidence, const PartitionOptions& options) {
   CutBuilding cut;
   cut.floor = open_floor(evidence, options);
-  const std::vector<WallChord> chords = find_wall_chords(cut.floor, find_floor_sides(cut.floor), evidence.wall_gaps);
+  const std::vector<WallChord> chords =
+      find_wall_chords(cut.floor, find_floor_sides(cut.floor), evidence.wall_gaps);
   const Raster<std::int32_t> cuts = chord_of_cell(cut.floor, chords);
   cut.pieces = cut_floor(cut.floor, cuts);
   cut.openings = find_piece_openings(cut.floor, cut.pieces, chords, cuts);

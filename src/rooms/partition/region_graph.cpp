@@ -9,8 +9,9 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kKnownWall = 2.5;  // added to the exponent of openings in walls that are known:
-                                    // maps of cells alone, from which the rest was learned, know none
+constexpr double kKnownWall =
+    2.5;  // added to the exponent of openings in walls that are known:
+          // maps of cells alone, from which the rest was learned, know none
 constexpr double kMinCorridorM = 0.7;  // narrower gaps between straight walls are no corridors
 
 std::size_t at(std::int32_t number) { return static_cast<std::size_t>(number); }

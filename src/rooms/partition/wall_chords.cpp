@@ -70,8 +70,7 @@ bool crosses(const Segment2& a, const Segment2& b) {
 
 }  // namespace
 
-std::vector<WallChord> find_wall_chords(const OpenFloor& floor,
-                                        const std::vector<FloorSide>& faces,
+std::vector<WallChord> find_wall_chords(const OpenFloor& floor, const std::vector<FloorSide>& faces,
                                         const std::vector<Segment2>& known) {
   std::vector<WallChord> found;
   for (const FloorSide& face : faces) {
@@ -89,7 +88,8 @@ std::vector<WallChord> find_wall_chords(const OpenFloor& floor,
   std::vector<WallChord> all;
   for (const Segment2& gap : known) {
     const Point2 along = (gap.b - gap.a).normalized();
-    all.push_back({gap, wall_support(floor, gap.a, -along), wall_support(floor, gap.b, along), true});
+    all.push_back(
+        {gap, wall_support(floor, gap.a, -along), wall_support(floor, gap.b, along), true});
   }
   all.insert(all.end(), found.begin(), found.end());
   std::vector<WallChord> chords;

@@ -58,9 +58,7 @@ TEST_F(ReadMap, TrinaryTellsFreeUnknownAndOccupiedByTwoThresholds) {
   EXPECT_EQ(row("254 205 166 100 0", 5, "occupied_thresh: 0.6\nfree_thresh: 0.25\n"), "..?##");
 }
 
-TEST_F(ReadMap, NegateTurnsItRound) {
-  EXPECT_EQ(row("254 150 0", 3, "negate: 1\n"), "#?.");
-}
+TEST_F(ReadMap, NegateTurnsItRound) { EXPECT_EQ(row("254 150 0", 3, "negate: 1\n"), "#?."); }
 
 TEST_F(ReadMap, ScaleKnowsEveryPixelAndTakesTheNearerSide) {
   EXPECT_EQ(row("254 205 166 100 0", 5, "mode: scale\n"), "...##");  // .423 is the middle
@@ -73,8 +71,8 @@ TEST_F(ReadMap, RawGreysAreOccupancyInPerCentAndUnknownAbove) {
 
 TEST_F(ReadMap, TheFirstCellIsTheLowerLeftOneAndTheOriginIsKept) {
   (void)write("two.pgm", "P2 2 2 255\n0 254\n254 205\n");
-  const MapCells map = read_map(
-      write("two.yaml", "image: two.pgm\nresolution: 0.2\norigin: [3, -4, 0.5]\n"), 0.0);
+  const MapCells map =
+      read_map(write("two.yaml", "image: two.pgm\nresolution: 0.2\norigin: [3, -4, 0.5]\n"), 0.0);
   EXPECT_EQ(map.frame.cell_m, 0.2);
   EXPECT_EQ(map.building_from_map, (Pose2{3.0, -4.0, 0.5}));
   EXPECT_EQ(map.cells.get({0, 0}), MapCell::free);

@@ -35,7 +35,8 @@ inline void for_each_part(
   for (const PlanDoor& door : world.doors)
     visit({door.opening, {}}, [](Covers& cell) { ++cell.doors; });
   for (const Polygon& wall : world.walls) visit(wall, [](Covers& cell) { ++cell.walls; });
-  for (const Polygon& piece : outlines_of(world.furniture)) visit(piece, [](Covers& cell) { ++cell.furniture; });
+  for (const Polygon& piece : outlines_of(world.furniture))
+    visit(piece, [](Covers& cell) { ++cell.furniture; });
 }
 
 inline Covers covers_of(const FloorPlan& world, const Point2& point) {
