@@ -119,6 +119,7 @@ class EdgeJudge {
     const Point2 way = side.b - side.a;
     const int count = std::max(1, static_cast<int>(way.norm() / kStep_m));
     std::vector<bool> is_measured;
+    is_measured.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
       is_measured.push_back(is_obstacle_near(side.a + way * ((i + 0.5) / count), occupancy_));
     }
