@@ -158,7 +158,7 @@ Point2 LabelAlignment::building_from_picture(const Point2& point_px) const {
 
 LabelAlignment fit_labels(const FloorPlan& labels, const AsrSource& mission,
                           const Correction& correction) {
-  const BuildingEvidence evidence = gather_evidence(mission, placement_of(correction), {}, {});
+  const BuildingEvidence evidence = gather_evidence(mission, placement_of(correction), {}, {}, {});
   const HitDistance hits(evidence.counts);
   const std::vector<Point2> borders_px = border_points(labels);
   Point2 middle_px = Point2::Zero();
