@@ -52,11 +52,11 @@ TEST(StoredConfiguration, InspectDrawsTheRoomAsTheCorrectionOfSonarsMappedItAgai
   EXPECT_NE(as_mapped_again, inspected(folder, store, "--cell 0.05").out);
 }
 
-/// The plan after an assembly with these options of its own.
+/// The plan as measured after an assembly with these options of its own.
 std::string plan_of(const Folder& folder, const std::string& store, const std::string& options) {
   const std::string out = (folder / "plans").string();
   EXPECT_EQ(run("-q assemble " + store + " " + options).exit_code, 0);
-  EXPECT_EQ(run("-q export " + store + " -f geojson -o " + out).exit_code, 0);
+  EXPECT_EQ(run("-q export " + store + " --measured-walls -f geojson -o " + out).exit_code, 0);
   return content_of(out + "/plan.local.geojson");
 }
 
@@ -65,8 +65,7 @@ TEST(StoredConfiguration, AssembleTakesWhatTheMissionWasMappedWith) {
   for (const char* sensor : {"laser", "sonar"}) {
     const std::string tolerance = "--simplify-tolerance 0.5 --sonar-simplify-tolerance 0.5";
     const std::string finer = "--simplify-tolerance 0.01 --sonar-simplify-tolerance 0.01";
-    const std::string options =
-        tolerance + " --wall-thickness 0.4 --no-regular-walls --plan traced";
+    const std::string options = tolerance + " --wall-thickness 0.4";
     const std::string store = mapped(folder, sensor, options);
     const std::string plan = plan_of(folder, store, "");
     EXPECT_EQ(plan, plan_of(folder, store, options)) << sensor;
