@@ -39,6 +39,8 @@ MapCells cells_of(const io::Picture& picture, const io::OccupancyScale& scale) {
 }  // namespace
 
 bool is_map(const Path& file) {
+  // Others, a pipe for one, can be read once, and who reads them says what is wrong.
+  if (!std::filesystem::is_regular_file(file)) return false;
   if (is_yaml(file)) return true;
   try {
     return io::is_picture(io::read_unpacked(file));
