@@ -112,40 +112,87 @@ double least_extent(const std::vector<Cell>& cells) {
   return least;
 }
 
+/// The component of what is neither floor nor wall around a cell; marks it as done.
+std::vector<Cell> part_around(const Cell& start, const CellMask& walls, const CellMask& floor,
+                              CellMask& is_done) {
+  std::vector<Cell> part = {start};
+  is_done.set(start, true);
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const Cell at = part[i];
+    for_each_cell({{at.x - 1, at.y - 1}, {at.x + 2, at.y + 2}}, [&](const Cell& near) {
+      if (!floor.box.contains(near) || is_done.at(near)) return;
+      if (floor.at(near) || walls.at(near)) return;
+      is_done.set(near, true);
+      part.push_back(near);
+    });
+  }
+  return part;
+}
+
+/// Whether a part may be furniture: small, off the mask's rim, and beside floor, which the core of
+/// a wall is not.
+bool may_be_furniture(const std::vector<Cell>& part, int most_cells, const CellMask& floor) {
+  CellBox around{part.front(), part.front()};
+  for (const Cell& at : part) {
+    around.min = {std::min(around.min.x, at.x), std::min(around.min.y, at.y)};
+    around.max = {std::max(around.max.x, at.x), std::max(around.max.y, at.y)};
+  }
+  const CellBox& box = floor.box;
+  const bool is_at_rim = around.min.x == box.min.x || around.min.y == box.min.y ||
+                         around.max.x == box.max.x - 1 || around.max.y == box.max.y - 1;
+  if (is_at_rim || std::max(around.width(), around.height()) >= most_cells) return false;
+  return std::any_of(part.begin(), part.end(), [&](const Cell& cell) {
+    return floor.at({cell.x + 1, cell.y}) || floor.at({cell.x - 1, cell.y}) ||
+           floor.at({cell.x, cell.y + 1}) || floor.at({cell.x, cell.y - 1});
+  });
+}
+
 /// Components of what is neither floor nor wall that are small enough for furniture become floor.
 /// @param thicker_than_m only those that are thicker, as walls are not
 void add_small(const CellMask& walls, double side_m, double thicker_than_m, Occupancy& bare) {
-  const CellBox& box = bare.free.box;
-  const int most = static_cast<int>(side_m / bare.frame.cell_m);
-  CellMask is_done(box);
-  std::vector<Cell> part;
-  for_each_cell(box, [&](const Cell& start) {
+  const int most_cells = static_cast<int>(side_m / bare.frame.cell_m);
+  CellMask is_done(bare.free.box);
+  for_each_cell(bare.free.box, [&](const Cell& start) {
     if (is_done.at(start) || bare.free.at(start) || walls.at(start)) return;
-    part.assign(1, start);
-    is_done.set(start, true);
-    CellBox around{start, start};
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      const Cell at = part[i];
-      around.min = {std::min(around.min.x, at.x), std::min(around.min.y, at.y)};
-      around.max = {std::max(around.max.x, at.x), std::max(around.max.y, at.y)};
-      for_each_cell({{at.x - 1, at.y - 1}, {at.x + 2, at.y + 2}}, [&](const Cell& near) {
-        if (!box.contains(near) || is_done.at(near)) return;
-        if (bare.free.at(near) || walls.at(near)) return;
-        is_done.set(near, true);
-        part.push_back(near);
-      });
-    }
-    const bool is_at_rim = around.min.x == box.min.x || around.min.y == box.min.y ||
-                           around.max.x == box.max.x - 1 || around.max.y == box.max.y - 1;
-    if (is_at_rim || std::max(around.width(), around.height()) >= most) return;
-    const bool touches_floor = std::any_of(part.begin(), part.end(), [&](const Cell& cell) {
-      return bare.free.at({cell.x + 1, cell.y}) || bare.free.at({cell.x - 1, cell.y}) ||
-             bare.free.at({cell.x, cell.y + 1}) || bare.free.at({cell.x, cell.y - 1});
-    });
-    if (!touches_floor) return;  // the core of a wall
+    const std::vector<Cell> part = part_around(start, walls, bare.free, is_done);
+    if (!may_be_furniture(part, most_cells, bare.free)) return;
     if (least_extent(part) * bare.frame.cell_m < thicker_than_m) return;
     for (const Cell& cell : part) bare.free.set(cell, true);
   });
+}
+
+/// What hides walls, from the floor in front of it to the wall.
+CellMask hiding_cells(const Walls& walls, const std::vector<bool>& is_wall, const CellMask& lines,
+                      const Occupancy& occupancy, double depth_m) {
+  CellMask hiding(occupancy.free.box);
+  const double step_m = occupancy.frame.cell_m / 2.0;
+  for (std::size_t i = 0; i < walls.faces.size(); ++i) {
+    const WallFace& face = walls.faces[i];
+    if (!is_wall[i] || !face.is_regular) continue;
+    for (double along_m = face.low_m(); along_m <= face.high_m(); along_m += step_m) {
+      add_before_wall(face, along_m, lines, occupancy, depth_m, hiding);
+    }
+  }
+  return hiding;
+}
+
+/// Where walls go on though nobody saw them there, up to the next wall: a wall that is hidden still
+/// parts.
+CellMask covered_cells(const Walls& walls, const std::vector<bool>& is_wall,
+                       const Occupancy& occupancy) {
+  CellMask covered(occupancy.free.box);
+  const double step_m = occupancy.frame.cell_m / 2.0;
+  for (std::size_t i = 0; i < walls.faces.size(); ++i) {
+    const WallFace& face = walls.faces[i];
+    if (!is_wall[i] || !face.is_regular) continue;
+    for (const Interval& cover : face.cover) {
+      for (double along_m = cover.low_m; along_m <= cover.high_m; along_m += step_m) {
+        const Cell cell = occupancy.frame.cell_of(face.at(along_m));
+        if (!occupancy.free.at(cell)) covered.set(cell, true);
+      }
+    }
+  }
+  return covered;
 }
 
 }  // namespace
@@ -160,38 +207,13 @@ Occupancy bare_floor(const Walls& walls, const Occupancy& occupancy,
     if (bare.free.at(cell) && !occupancy.free.at(cell)) lines.set(cell, false);  // stands free
   });
   const CellMask thick = dilated(lines, 1);
-  CellMask hidden(occupancy.free.box);
-  const double step_m = occupancy.frame.cell_m / 2.0;
-  for (std::size_t i = 0; i < walls.faces.size(); ++i) {
-    const WallFace& face = walls.faces[i];
-    if (!is_wall[i] || !face.is_regular) continue;
-    for (double along_m = face.low_m(); along_m <= face.high_m(); along_m += step_m) {
-      add_before_wall(face, along_m, lines, occupancy, options.furniture_depth_m, hidden);
-    }
-  }
-  for_each_cell(bare.free.box, [&](const Cell& cell) {
-    if (hidden.at(cell)) bare.free.set(cell, true);
-    if (lines.at(cell) || (thick.at(cell) && occupancy.obstacle.at(cell) && !hidden.at(cell))) {
-      bare.free.set(cell, false);
-    }
-  });
-  // A wall that is hidden still parts, up to the next wall.
-  CellMask covered(bare.free.box);
-  for (std::size_t i = 0; i < walls.faces.size(); ++i) {
-    const WallFace& face = walls.faces[i];
-    if (!is_wall[i] || !face.is_regular) continue;
-    const std::vector<Interval> seen = {{face.low_m(), face.high_m()}};
-    for (const Interval& cover : options.hidden_walls ? face.cover : seen) {
-      for (double along_m = cover.low_m; along_m <= cover.high_m; along_m += step_m) {
-        const Cell cell = occupancy.frame.cell_of(face.at(along_m));
-        if (occupancy.free.at(cell)) continue;
-        bare.free.set(cell, false);
-        covered.set(cell, true);
-      }
-    }
-  }
+  const CellMask hiding = hiding_cells(walls, is_wall, lines, occupancy, options.furniture_depth_m);
+  const CellMask covered = covered_cells(walls, is_wall, occupancy);
   CellMask wall(bare.free.box);
   for_each_cell(bare.free.box, [&](const Cell& cell) {
+    const bool is_wall_here = thick.at(cell) && occupancy.obstacle.at(cell) && !hiding.at(cell);
+    if (hiding.at(cell)) bare.free.set(cell, true);
+    if (lines.at(cell) || is_wall_here || covered.at(cell)) bare.free.set(cell, false);
     wall.set(cell, (thick.at(cell) || covered.at(cell)) && !bare.free.at(cell));
   });
   add_small(wall, options.furniture_side_m, 0.0, bare);

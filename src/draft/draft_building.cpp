@@ -4,8 +4,22 @@
 #include <algorithm>
 #include <set>
 
+#include "roomatlas/draft/edges.hpp"
+
 namespace roomatlas {
 namespace {
+
+/// Finds door leaves that stand open, and takes them out of the walls and of what stands on the
+/// floor. Of a finished map nothing says what else was seen where they stand.
+std::vector<DoorLeaf> take_leaves(const DraftBuildingOptions& options, DraftedBuilding& drafted) {
+  const std::vector<Segment2> gaps = find_wall_gaps(drafted.walls, drafted.occupancy, options.gaps);
+  std::vector<DoorLeaf> leaves = find_leaves(gaps, drafted.occupancy, options.leaves);
+  if (leaves.empty()) return leaves;
+  clear_leaves(leaves, drafted.occupancy);
+  drafted.walls = build_walls(without_leaves(std::move(drafted.walls.faces), leaves),
+                              drafted.occupancy, options.walls);
+  return leaves;
+}
 
 /// Rooms of the bare floor; of a finished map those of its floor as it is, for the partition has
 /// learned from such maps, furniture included, what parts rooms.
@@ -15,7 +29,7 @@ RoomPartition partitioned(const DraftedBuilding& drafted, const BuildingEvidence
     const Occupancy& map = drafted.occupancy;
     return partition_rooms({map.frame, map.free, map.obstacle, {}, {}}, options.partition);
   }
-  const Occupancy& bare = drafted.bare;
+  const Occupancy bare = bare_floor(drafted.walls, drafted.occupancy, options.bare);
   PartitionEvidence known;
   known.frame = bare.frame;
   known.free = bare.free;
@@ -29,11 +43,13 @@ RoomPartition partitioned(const DraftedBuilding& drafted, const BuildingEvidence
 
 /// What sonars heard leaves gaps in walls, so that rooms are decided by where the robot drove.
 RoomPartition segmented(const Occupancy& occupancy, const BuildingEvidence& evidence,
-                        const SegmentOptions& options) {
+                        const DraftBuildingOptions& options) {
+  SegmentOptions segment = options.sonar_rooms;
+  segment.min_room_m2 = options.partition.min_driven_room_m2;
   const BuildingGrid grid =
       building_grid(evidence.coarse, evidence.kind, evidence.building_from_robot,
-                    evidence.footprint, options.grid);
-  const RoomSegmentation rooms = segment_rooms(grid, evidence.building_from_robot, options);
+                    evidence.footprint, segment.grid);
+  const RoomSegmentation rooms = segment_rooms(grid, evidence.building_from_robot, segment);
   RoomPartition partition;
   partition.rooms = rooms.rooms;
   partition.room_of_pose = rooms.room_of_pose;
@@ -44,27 +60,10 @@ RoomPartition segmented(const Occupancy& occupancy, const BuildingEvidence& evid
   });
   for (const Door& door : rooms.openings) {
     if (!door.is_between_rooms() || door.room_a == door.room_b) continue;
-    Opening& opening = partition.openings.emplace_back();
+    Opening& opening = partition.openings.emplace_back(door, 1.0);
     static_cast<Doorway&>(opening) = with_jambs_at_peaks(door, evidence.coarse);
-    opening.room_a = *door.room_a;
-    opening.room_b = *door.room_b;
-    opening.probability = 1.0;
-    opening.is_driven = door.is_driven;
   }
   return partition;
-}
-
-std::vector<Door> doors_of(const RoomPartition& partition) {
-  std::vector<Door> doors;
-  for (const Opening& opening : partition.openings) {
-    Door door;
-    static_cast<Doorway&>(door) = opening;
-    door.room_a = opening.room_a;
-    door.room_b = opening.room_b;
-    door.is_driven = opening.is_driven;
-    doors.push_back(std::move(door));
-  }
-  return doors;
 }
 
 /// The share of a room's edge along which an obstacle was seen.
@@ -107,18 +106,21 @@ DraftedBuilding draft_building(const BuildingEvidence& evidence,
       confirmed_faces(find_wall_faces(evidence, options.faces), evidence, options.walls);
   drafted.occupancy = occupancy_of(evidence, faces, options.occupancy);
   drafted.walls = build_walls(std::move(faces), drafted.occupancy, options.walls);
-  BareFloorOptions bare = options.bare;
-  bare.hidden_walls = bare.hidden_walls && evidence.kind == SensorKind::laser;
-  drafted.bare = bare_floor(drafted.walls, drafted.occupancy, bare);
+  std::vector<DoorLeaf> leaves;
+  if (evidence.kind == SensorKind::laser && !evidence.building_from_robot.empty()) {
+    leaves = take_leaves(options, drafted);
+  }
   drafted.partition = evidence.kind == SensorKind::sonar
-                          ? segmented(drafted.occupancy, evidence, options.sonar_rooms)
+                          ? segmented(drafted.occupancy, evidence, options)
                           : partitioned(drafted, evidence, options);
-  const RoomSeeds seeds{drafted.partition.room_of_cell, doors_of(drafted.partition)};
+  const auto& openings = drafted.partition.openings;
+  const RoomSeeds seeds{drafted.partition.room_of_cell, {openings.begin(), openings.end()}};
   Draft draft = draft_plan(drafted.walls, drafted.occupancy, seeds, options.draft);
   drafted.rooms = std::move(draft.rooms);
   drafted.wall_bodies = std::move(draft.wall_bodies);
   drafted.edges = edges_of(drafted.rooms, drafted.walls, evidence, drafted.occupancy);
   drafted.doors = placed_doors(seeds.openings, drafted.walls, evidence, options.doors);
+  hang_leaves(leaves, drafted.doors);
   drop_glimpses(options, drafted);
   drafted.furniture = find_furniture(drafted.rooms, drafted.occupancy, options.furniture);
   return drafted;

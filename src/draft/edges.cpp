@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/draft/edges.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
-
-#include "roomatlas/draft/furniture.hpp"
 
 namespace roomatlas {
 namespace {

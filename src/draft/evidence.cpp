@@ -71,8 +71,12 @@ class Gatherer {
     for (std::size_t i = 0; i < reading.ranges_m.size(); ++i) {
       const double range_m = reading.ranges_m[i];
       if (!std::isfinite(range_m) || range_m <= 0.0) continue;
+      const bool is_hit = range_m < sensor.max_range_m;
+      const bool is_near = is_hit && range_m <= options_.sonar_range_m;
+      const double free_m =
+          is_near ? range_m : std::min({range_m, options_.sonar_range_m, options_.sonar_no_echo_m});
       evidence_.echoes.push_back(
-          {building_from_robot * sensor.robot_from_beam[i], range_m, range_m < sensor.max_range_m});
+          {building_from_robot * sensor.robot_from_beam[i], range_m, is_hit, free_m});
     }
   }
 

@@ -65,8 +65,8 @@ void join_rooms(const Occupancy& bare, const JoinRoomsOptions& options, RoomPart
   std::map<RoomId, RoomId> joined;
   for (const Opening& opening : partition.openings) {
     if (parts(bare, opening, options)) continue;
-    const RoomId a = root_of(joined, opening.room_a);
-    const RoomId b = root_of(joined, opening.room_b);
+    const RoomId a = root_of(joined, *opening.room_a);
+    const RoomId b = root_of(joined, *opening.room_b);
     joined[std::max(a, b)] = std::min(a, b);
   }
   if (joined.empty()) return;
@@ -77,8 +77,8 @@ void join_rooms(const Occupancy& bare, const JoinRoomsOptions& options, RoomPart
     if (room > 0) room = root_of(joined, room);
   }
   for (Opening& opening : partition.openings) {
-    opening.room_a = root_of(joined, opening.room_a);
-    opening.room_b = root_of(joined, opening.room_b);
+    opening.room_a = root_of(joined, *opening.room_a);
+    opening.room_b = root_of(joined, *opening.room_b);
   }
   std::erase_if(partition.openings,
                 [](const Opening& opening) { return opening.room_a == opening.room_b; });

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "line_sums.hpp"
 #include "roomatlas/draft/map_evidence.hpp"
 #include "roomatlas/polyline/region.hpp"
 
@@ -20,15 +21,8 @@ constexpr double kWeight_per_m = 80.0;  // as many beams as a room that was look
 
 /// Sums over the first mid-points of a boundary, so that those of any stretch are differences.
 struct Sums {
-  double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
+  LineSums midpoints;
   int breaks = 0;  ///< edges that are no obstacle's
-};
-
-/// A straight piece of boundary.
-struct Line {
-  Point2 middle = Point2::Zero();
-  Point2 along = Point2::UnitX();
-  double rms_m = 0.0;
 };
 
 /// A boundary of floor, unrolled beyond both ends of its ring.
@@ -44,21 +38,16 @@ class Boundary {
     sums_.resize(count_ + 2 * most_ + 1);
     for (std::size_t i = 0; i + 1 < sums_.size(); ++i) {
       const std::size_t edge = edge_of(i);
-      const Point2 at = traced.edge_midpoints[edge] - origin;
       Sums& next = sums_[i + 1] = sums_[i];
-      next.x += at.x();
-      next.y += at.y();
-      next.xx += at.x() * at.x();
-      next.xy += at.x() * at.y();
-      next.yy += at.y() * at.y();
+      next.midpoints.add(traced.edge_midpoints[edge] - origin);
       if (is_wall[edge] == 0) ++next.breaks;
     }
   }
 
   /// The line of the longest stretch around an edge that is straight; nothing in corners.
-  [[nodiscard]] std::optional<Line> line_at(std::size_t edge) const {
-    std::optional<Line> straight;
-    std::optional<Line> rough;
+  [[nodiscard]] std::optional<FittedLine> line_at(std::size_t edge) const {
+    std::optional<FittedLine> straight;
+    std::optional<FittedLine> rough;
     for (auto reach = static_cast<std::size_t>(kFewest); reach <= most_;
          reach = std::max(reach + 1, reach * 3 / 2)) {
       const auto line = line_of(edge + most_ - reach, edge + most_ + reach);
@@ -77,21 +66,12 @@ class Boundary {
   }
 
   /// Total least squares; nothing across edges that are no obstacle's.
-  [[nodiscard]] std::optional<Line> line_of(std::size_t first, std::size_t last) const {
+  [[nodiscard]] std::optional<FittedLine> line_of(std::size_t first, std::size_t last) const {
     const Sums& from = sums_[first];
     const Sums& to = sums_[last + 1];
     if (from.breaks != to.breaks) return std::nullopt;
-    const auto count = static_cast<double>(last + 1 - first);
-    const double x = (to.x - from.x) / count;
-    const double y = (to.y - from.y) / count;
-    const double xx = (to.xx - from.xx) / count - x * x;
-    const double xy = (to.xy - from.xy) / count - x * y;
-    const double yy = (to.yy - from.yy) / count - y * y;
-    const double smaller = (xx + yy - std::hypot(xx - yy, 2.0 * xy)) / 2.0;
-    Line line;
-    line.middle = traced_.edge_midpoints.front() + Point2(x, y);
-    line.along = direction(0.5 * std::atan2(2.0 * xy, xx - yy));
-    line.rms_m = std::sqrt(std::max(0.0, smaller));
+    FittedLine line = (to.midpoints - from.midpoints).line();
+    line.middle += traced_.edge_midpoints.front();
     return line;
   }
 
@@ -104,12 +84,13 @@ class Boundary {
 };
 
 /// Adds the points of one edge, moved onto the line.
-void add_points(const MapCells& map, const Point2& midpoint, const Cell& outside, const Line& line,
-                std::vector<SurfacePoint>& points) {
+void add_points(const MapCells& map, const Point2& midpoint, const Cell& outside,
+                const FittedLine& line, std::vector<SurfacePoint>& points) {
+  const Point2 along = direction(line.direction_rad);
   const Point2 inwards = midpoint - map.frame.center_of(outside);
-  Point2 normal(-line.along.y(), line.along.x());
+  Point2 normal(-along.y(), along.x());
   if (normal.dot(inwards) < 0.0) normal = -normal;
-  const Point2 at = line.middle + (midpoint - line.middle).dot(line.along) * line.along;
+  const Point2 at = line.middle + (midpoint - line.middle).dot(along) * along;
   // An edge covers so much of its line.
   const double cell_m = map.frame.cell_m;
   const double covered_m = cell_m * normal.dot(2.0 * inwards / cell_m);
@@ -117,7 +98,7 @@ void add_points(const MapCells& map, const Point2& midpoint, const Cell& outside
   const double weight = kWeight_per_m * std::max(0.2 * cell_m, covered_m) / count;
   for (int i = 0; i < count; ++i) {
     const double off_m = covered_m * ((i + 0.5) / count - 0.5);
-    points.push_back({at + off_m * line.along, std::atan2(normal.y(), normal.x()), weight});
+    points.push_back({at + off_m * along, std::atan2(normal.y(), normal.x()), weight});
   }
 }
 

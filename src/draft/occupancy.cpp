@@ -51,17 +51,14 @@ CellMask stops_of(const BuildingEvidence& evidence, const std::vector<WallFace>&
 }
 
 /// The echoes' rays, each ended at the first stop.
-ReflectionMap counted_again(const BuildingEvidence& evidence, const CellMask& stops,
-                            const OccupancyOptions& options) {
+ReflectionMap counted_again(const BuildingEvidence& evidence, const CellMask& stops) {
   const CellFrame& frame = evidence.counts.frame();
   ReflectionMap counts(frame.cell_m);
   for (const Echo& echo : evidence.echoes) {
-    const bool is_hit = echo.is_hit && echo.range_m <= options.sonar_range_m;
-    const double seen_m =
-        is_hit ? echo.range_m
-               : std::min({echo.range_m, options.sonar_range_m, options.sonar_no_echo_m});
-    Ray ray{{echo.building_from_beam.position(), echo.building_from_beam * Point2(seen_m, 0.0)},
-            is_hit};
+    const bool ends_at_echo = echo.is_hit && echo.free_m >= echo.range_m;
+    Ray ray{
+        {echo.building_from_beam.position(), echo.building_from_beam * Point2(echo.free_m, 0.0)},
+        ends_at_echo};
     Cell last = frame.cell_of(ray.segment.a);
     for_each_cell_on_line(last, frame.cell_of(ray.segment.b), [&](const Cell& cell) {
       if (!stops.at(cell)) return true;
@@ -92,8 +89,7 @@ Occupancy occupancy_of(const BuildingEvidence& evidence, const std::vector<WallF
                        const OccupancyOptions& options) {
   const bool is_sonar = evidence.kind == SensorKind::sonar;
   const ReflectionMap counts =
-      is_sonar ? counted_again(evidence, stops_of(evidence, faces, options), options)
-               : evidence.counts;
+      is_sonar ? counted_again(evidence, stops_of(evidence, faces, options)) : evidence.counts;
   CellBox box = evidence.counts.box();
   box.min = {box.min.x - kBorderCells, box.min.y - kBorderCells};
   box.max = {box.max.x + kBorderCells, box.max.y + kBorderCells};

@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 
+#include "line_sums.hpp"
 #include "roomatlas/grid/cells.hpp"
 #include "straight_runs.hpp"
 
@@ -73,27 +74,19 @@ class Grower {
 
   /// The line through surfaces by total least squares, looking their way.
   static WallFace line_through(const std::vector<SurfacePoint>& on) {
-    Point2 mean = Point2::Zero();
+    const Point2 origin = on.front().at;
+    LineSums sums;
     Point2 look = Point2::Zero();
-    double weights = 0.0;
     for (const SurfacePoint& one : on) {
-      mean += one.weight * one.at;
+      sums.add(one.at - origin, one.weight);
       look += one.weight * direction(one.normal_rad);
-      weights += one.weight;
     }
-    mean /= weights;
-    double xx = 0.0, xy = 0.0, yy = 0.0;
-    for (const SurfacePoint& one : on) {
-      const Point2 off = one.at - mean;
-      xx += one.weight * off.x() * off.x();
-      xy += one.weight * off.x() * off.y();
-      yy += one.weight * off.y() * off.y();
-    }
+    const FittedLine line = sums.line();
     WallFace face;
-    face.normal_rad = 0.5 * std::atan2(2.0 * xy, xx - yy) + kPi / 2.0;
+    face.normal_rad = line.direction_rad + kPi / 2.0;
     if (direction(face.normal_rad).dot(look) < 0.0) face.normal_rad += kPi;
     face.normal_rad = wrap_angle(face.normal_rad);
-    face.offset_m = mean.dot(face.normal());
+    face.offset_m = (origin + line.middle).dot(face.normal());
     return face;
   }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "line_sums.hpp"
 #include "roomatlas/draft/evidence.hpp"
 
 namespace roomatlas {
@@ -24,7 +25,7 @@ constexpr int kSectors = 36;           // of normals, 10 degrees each
 
 /// Sums over the first beams of a sweep, so that those of any stretch are differences.
 struct Sums {
-  double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
+  LineSums hits;
   int breaks = 0;  ///< between beams that are not on one surface
 };
 
@@ -66,13 +67,7 @@ std::vector<Sums> sums_of(const std::vector<Hit>& hits, const RangeSensor& senso
                                                   sensor.robot_from_beam[i - 1].theta_rad));
       if (is_break(hits[i - 1], hits[i], step_rad)) ++next.breaks;
     }
-    if (!hits[i].is_hit) continue;
-    const Point2 at = hits[i].at - origin;
-    next.x += at.x();
-    next.y += at.y();
-    next.xx += at.x() * at.x();
-    next.xy += at.x() * at.y();
-    next.yy += at.y() * at.y();
+    if (hits[i].is_hit) next.hits.add(hits[i].at - origin);
   }
   return sums;
 }
@@ -80,17 +75,9 @@ std::vector<Sums> sums_of(const std::vector<Hit>& hits, const RangeSensor& senso
 /// The normal of beams `first` to `last`, modulo 180 degrees; nothing where they are not straight.
 std::optional<double> normal_of(const std::vector<Sums>& sums, std::size_t first,
                                 std::size_t last) {
-  const Sums& from = sums[first];
-  const Sums& to = sums[last + 1];
-  const auto count = static_cast<double>(last + 1 - first);
-  const double x = (to.x - from.x) / count;
-  const double y = (to.y - from.y) / count;
-  const double xx = (to.xx - from.xx) / count - x * x;
-  const double xy = (to.xy - from.xy) / count - x * y;
-  const double yy = (to.yy - from.yy) / count - y * y;
-  const double smaller = (xx + yy - std::hypot(xx - yy, 2.0 * xy)) / 2.0;
-  if (smaller > kStraight_m * kStraight_m) return std::nullopt;
-  return 0.5 * std::atan2(2.0 * xy, xx - yy) + kPi / 2.0;
+  const FittedLine line = (sums[last + 1].hits - sums[first].hits).line();
+  if (line.rms_m > kStraight_m) return std::nullopt;
+  return line.direction_rad + kPi / 2.0;
 }
 
 /// The normal at a beam, from the longest stretch about it that is allowed.

@@ -29,12 +29,6 @@ constexpr double kSonarWingFace_m = 1.5;    // of a wing's faces: corners make s
 constexpr std::size_t kSonarWingFaces = 3;  // direction; and a wing has as many, and this share
 constexpr double kSonarWingShare = 0.3;     // of all walls so far
 
-/// The difference of two directions that count modulo 90 degrees, [-45, 45] degrees.
-double quarter_difference(double a_rad, double b_rad) {
-  const double turns = (a_rad - b_rad) / kQuarter;
-  return (turns - std::round(turns)) * kQuarter;
-}
-
 bool explains(const WallFace& face, const SurfacePoint& surface) {
   if (std::abs(surface.at.dot(face.normal()) - face.offset_m) >= kNearFace_m) return false;
   if (std::abs(wrap_angle(surface.normal_rad - face.normal_rad)) >= kNearFace_rad) return false;
@@ -49,23 +43,26 @@ void drop_explained(const std::vector<WallFace>& faces, std::vector<SurfacePoint
   });
 }
 
+void append(std::vector<WallFace> more, std::vector<WallFace>& faces) {
+  faces.insert(faces.end(), std::make_move_iterator(more.begin()),
+               std::make_move_iterator(more.end()));
+}
+
+/// Faces that follow a direction of the building.
+std::vector<WallFace> regular(std::vector<WallFace> faces) {
+  for (WallFace& face : faces) face.is_regular = true;
+  return faces;
+}
+
 std::vector<WallFace> faces_along(double direction_rad, const std::vector<SurfacePoint>& surfaces,
                                   const RunOptions& runs, double max_turn_rad) {
   std::vector<WallFace> faces;
   for (int quarter = 0; quarter < 4; ++quarter) {
     const double normal_rad = wrap_angle(direction_rad + quarter * kQuarter);
-    for (WallFace& face :
-         straight_runs(looking(surfaces, normal_rad, max_turn_rad), normal_rad, runs)) {
-      face.is_regular = true;
-      faces.push_back(std::move(face));
-    }
+    append(regular(straight_runs(looking(surfaces, normal_rad, max_turn_rad), normal_rad, runs)),
+           faces);
   }
   return faces;
-}
-
-void append(std::vector<WallFace> more, std::vector<WallFace>& faces) {
-  faces.insert(faces.end(), std::make_move_iterator(more.begin()),
-               std::make_move_iterator(more.end()));
 }
 
 std::vector<WallFace> laser_faces(std::vector<SurfacePoint> surfaces,
@@ -82,10 +79,10 @@ std::vector<WallFace> laser_faces(std::vector<SurfacePoint> surfaces,
   for (int wing = 0; wing < options.max_wings && surfaces.size() >= kFewest; ++wing) {
     const double wing_rad = main_direction_rad(surfaces);
     const auto along = std::count_if(surfaces.begin(), surfaces.end(), [&](const auto& surface) {
-      return std::abs(quarter_difference(surface.normal_rad, wing_rad)) < kWingWidth_rad;
+      return std::abs(wrap_quarter(surface.normal_rad - wing_rad)) < kWingWidth_rad;
     });
     if (static_cast<double>(along) < options.wing_share * all) break;
-    if (std::abs(quarter_difference(wing_rad, main_rad)) < kWingApart_rad) break;
+    if (std::abs(wrap_quarter(wing_rad - main_rad)) < kWingApart_rad) break;
     std::vector<WallFace> of_wing = faces_along(wing_rad, surfaces, runs, max_turn_rad);
     if (of_wing.empty()) break;
     drop_explained(of_wing, surfaces);
@@ -99,7 +96,7 @@ std::vector<WallFace> laser_faces(std::vector<SurfacePoint> surfaces,
 void drop_explained(const std::vector<WallFace>& faces, double half_cone_rad,
                     std::vector<Echo>& echoes) {
   std::erase_if(echoes, [&](const Echo& echo) {
-    return !echo.is_hit || std::any_of(faces.begin(), faces.end(), [&](const WallFace& face) {
+    return std::any_of(faces.begin(), faces.end(), [&](const WallFace& face) {
       const double off_rad = wrap_angle(echo.building_from_beam.theta_rad + kPi - face.normal_rad);
       if (std::abs(off_rad) > half_cone_rad) return false;
       const Point2 foot = echo.building_from_beam.position() - echo.range_m * face.normal();
@@ -114,7 +111,8 @@ double total_support_m(const std::vector<WallFace>& faces) {
   return sum_m;
 }
 
-std::vector<WallFace> sonar_faces(const BuildingEvidence& evidence,
+/// What echoes vote for along the direction of the building that most of them agree on.
+std::vector<WallFace> voted_faces(const std::vector<Echo>& echoes, double half_cone_rad,
                                   const WallFaceOptions& options) {
   const RunOptions runs{options.bin_along_m,
                         kSonarBand_m,
@@ -122,27 +120,30 @@ std::vector<WallFace> sonar_faces(const BuildingEvidence& evidence,
                         options.max_gap_m,
                         options.min_wing_support_m,
                         false};
+  const double direction_rad = best_direction_rad(echoes, half_cone_rad, options.sonar_range_m);
+  std::vector<WallFace> faces;
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const double normal_rad = wrap_angle(direction_rad + quarter * kQuarter);
+    append(
+        regular(straight_runs(votes_for(normal_rad, echoes, half_cone_rad, options.sonar_range_m),
+                              normal_rad, runs)),
+        faces);
+  }
+  return faces;
+}
+
+std::vector<WallFace> sonar_faces(const BuildingEvidence& evidence,
+                                  const WallFaceOptions& options) {
   const double half_cone_rad = evidence.sonar_half_cone_rad;
   std::vector<Echo> echoes = evidence.echoes;
-  const auto all = static_cast<double>(
-      std::count_if(echoes.begin(), echoes.end(), [](const Echo& echo) { return echo.is_hit; }));
+  std::erase_if(echoes, [](const Echo& echo) { return !echo.is_hit; });
+  const auto all = static_cast<double>(echoes.size());
   std::vector<WallFace> faces;
   for (int round = 0; round <= options.max_wings && echoes.size() >= kFewest; ++round) {
-    const double direction_rad = best_direction_rad(echoes, half_cone_rad, options.sonar_range_m);
-    std::vector<WallFace> found;
-    double votes = 0.0;
-    for (int quarter = 0; quarter < 4; ++quarter) {
-      const double normal_rad = wrap_angle(direction_rad + quarter * kQuarter);
-      for (WallFace& face :
-           straight_runs(votes_for(normal_rad, echoes, half_cone_rad, options.sonar_range_m),
-                         normal_rad, runs)) {
-        face.is_regular = true;
-        found.push_back(std::move(face));
-      }
-    }
+    std::vector<WallFace> found = voted_faces(echoes, half_cone_rad, options);
     const auto before = static_cast<double>(echoes.size());
     drop_explained(found, half_cone_rad, echoes);
-    votes = before - static_cast<double>(echoes.size());
+    const double votes = before - static_cast<double>(echoes.size());
     if (round > 0) {
       std::erase_if(found,
                     [](const WallFace& face) { return face.support_m() < kSonarWingFace_m; });
@@ -262,7 +263,7 @@ double main_direction_rad(const std::vector<SurfacePoint>& surfaces) {
     double sum = 0.0;
     double weights = 0.0;
     for (const SurfacePoint& surface : surfaces) {
-      const double off_rad = quarter_difference(surface.normal_rad, center_rad);
+      const double off_rad = wrap_quarter(surface.normal_rad - center_rad);
       if (std::abs(off_rad) >= within_deg * kPi / 180.0) continue;
       const double weight = std::min(surface.weight, kMostWeight);
       sum += weight * off_rad;

@@ -78,7 +78,8 @@ TEST(SonarJambs, StandWhereTheEchoesBesideADoorSay) {
     for (const double turn_deg : {-110.0, -90.0, -70.0}) {
       const Pose2 from{x_m, 1.2, turn_deg * kPi / 180.0};
       const double range_m = heard_m(from, door, evidence.sonar_half_cone_rad);
-      evidence.echoes.push_back({from, std::min(range_m, 5.0), range_m < 5.0});
+      evidence.echoes.push_back(
+          {from, std::min(range_m, 5.0), range_m < 5.0, std::min(range_m, 5.0)});
     }
   }
   const auto jambs = sonar_jambs(face, -0.9, evidence);

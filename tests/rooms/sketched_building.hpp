@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "roomatlas/rooms/building_grid.hpp"
+#include "sketched_drive.hpp"
 
 namespace roomatlas::test {
 
@@ -22,16 +23,7 @@ class SketchedBuilding {
     boxes_.push_back({{min_x, min_y}, {max_x, max_y}});
   }
   /// The robot drives from point to point, a pose each 0.1 m.
-  void drive(const std::vector<Point2>& points) {
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      const Point2 way = points[i] - points[i - 1];
-      const int steps = static_cast<int>(std::ceil(way.norm() / 0.1));
-      for (int k = 0; k <= steps; ++k) {
-        const Point2 at = points[i - 1] + way * k / steps;
-        path_.push_back({at.x(), at.y(), std::atan2(way.y(), way.x())});
-      }
-    }
-  }
+  void drive(const std::vector<Point2>& points) { add_drive(points, path_); }
 
   [[nodiscard]] const std::vector<Pose2>& path() const { return path_; }
 

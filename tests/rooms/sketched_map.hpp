@@ -2,10 +2,10 @@
 // Finished maps drawn from boxes in metres, at any angle and any size of cells.
 #pragma once
 
-#include <cmath>
 #include <vector>
 
 #include "roomatlas/rooms/partition_rooms.hpp"
+#include "sketched_drive.hpp"
 
 namespace roomatlas::test {
 
@@ -28,14 +28,7 @@ class SketchedMap {
   }
   /// The robot drives from point to point, a pose each 0.1 m.
   SketchedMap& drive(const std::vector<Point2>& points) {
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      const Point2 way = points[i] - points[i - 1];
-      const int steps = static_cast<int>(std::ceil(way.norm() / 0.1));
-      for (int k = 0; k <= steps; ++k) {
-        const Point2 at = points[i - 1] + way * k / steps;
-        path_.push_back({at.x(), at.y(), std::atan2(way.y(), way.x())});
-      }
-    }
+    add_drive(points, path_);
     return *this;
   }
 

@@ -10,8 +10,6 @@ struct BareFloorOptions {
   double thin_m = 0.25;            ///< between two faces: a wall, however short ...
   double min_thin_m = 0.8;         ///< ... of both faces together
   double min_face_m = 0.4;         ///< of a face on it
-  bool hidden_walls = true;        ///< walls part where they are hidden, too; off for sonars, which
-                                   ///< see too little of furniture to tell
   double furniture_depth_m = 1.2;  ///< what stands against a wall is not deeper
   double furniture_side_m = 3.0;   ///< what stands free, or sticks out of a wall, is not longer
 };

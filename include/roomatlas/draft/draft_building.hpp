@@ -3,6 +3,7 @@
 
 #include "roomatlas/asr/map_room.hpp"
 #include "roomatlas/draft/bare_floor.hpp"
+#include "roomatlas/draft/door_leaves.hpp"
 #include "roomatlas/draft/doors.hpp"
 #include "roomatlas/draft/draft_plan.hpp"
 #include "roomatlas/draft/furniture.hpp"
@@ -20,10 +21,11 @@ struct DraftBuildingOptions {
   WallFaceOptions faces;
   OccupancyOptions occupancy;
   WallOptions walls;
+  LeafOptions leaves;
   BareFloorOptions bare;
   WallGapOptions gaps;
   PartitionOptions partition;  ///< of what lasers saw
-  SegmentOptions sonar_rooms;  ///< of what sonars heard
+  SegmentOptions sonar_rooms;  ///< of what sonars heard; the smallest room is `partition`'s
   JoinRoomsOptions join;
   DraftOptions draft;
   DoorOptions doors;
@@ -36,7 +38,6 @@ struct DraftBuildingOptions {
 struct DraftedBuilding {
   Walls walls;
   Occupancy occupancy;
-  Occupancy bare;           ///< without furniture: what rooms are decided on
   RoomPartition partition;  ///< its rooms' numbers hold throughout
   std::vector<DraftedRoom> rooms;
   std::vector<Polygon> wall_bodies;

@@ -37,6 +37,7 @@ struct Echo {
   Pose2 building_from_beam;
   double range_m = 0.0;
   bool is_hit = false;  ///< false: nothing was heard up to the range
+  double free_m = 0.0;  ///< how far it frees: up to the echo, unless that is too far away to count
 };
 
 /// Everything that a mission says about where walls are, in the building's frame.

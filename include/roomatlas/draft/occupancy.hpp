@@ -9,14 +9,12 @@
 namespace roomatlas {
 
 struct OccupancyOptions {
-  int min_hits = 2;              ///< fewer are noise
-  double occupied_share = 0.2;   ///< reflected share from which a cell is an obstacle; higher loses
-                                 ///< glass and walls met at flat angles
-  int min_seen = 2;              ///< beams; a cell seen less often is not known to be free
-  double path_clear_m = 0.15;    ///< around the path all is free: the robot was there
-  double stop_behind_m = 0.08;   ///< a sonar's beam ends this far behind the face of a wall
-  double sonar_range_m = 4.0;    ///< a cone is 2 m wide there
-  double sonar_no_echo_m = 1.0;  ///< what a sonar without echo frees
+  int min_hits = 2;             ///< fewer are noise
+  double occupied_share = 0.2;  ///< reflected share from which a cell is an obstacle; higher loses
+                                ///< glass and walls met at flat angles
+  int min_seen = 2;             ///< beams; a cell seen less often is not known to be free
+  double path_clear_m = 0.15;   ///< around the path all is free: the robot was there
+  double stop_behind_m = 0.08;  ///< a sonar's beam ends this far behind the face of a wall
 };
 
 /// What a building's cells are; the masks share one box.

@@ -35,11 +35,8 @@ struct PartitionOptions {
 };
 
 /// An opening between two rooms; building metres. Its way leads from room_a to room_b.
-struct Opening : Doorway {
-  RoomId room_a = 0;
-  RoomId room_b = 0;
+struct Opening : Door {
   double probability = 0.0;  ///< that it parts two rooms, [0, 1]
-  bool is_driven = false;    ///< the path goes through it
 };
 
 struct RoomPartition {

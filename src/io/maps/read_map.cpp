@@ -43,7 +43,7 @@ bool is_map(const Path& file) {
   if (!std::filesystem::is_regular_file(file)) return false;
   if (is_yaml(file)) return true;
   try {
-    return io::is_picture(io::read_unpacked(file));
+    return io::is_picture_file(file);
   } catch (const InputError&) {
     return false;  // whoever reads it says what is wrong
   }
@@ -63,8 +63,7 @@ MapCells read_map(const Path& file, double resolution_m) {
   } else {
     scale = scale_of(file, resolution_m);
   }
-  const MapCells map =
-      cells_of(io::parse_picture(io::read_unpacked(picture), picture.string()), scale);
+  MapCells map = cells_of(io::parse_picture(io::read_unpacked(picture), picture.string()), scale);
   try {
     io::require_floor(map.cells.values, picture.string());
   } catch (const InputError& nothing) {

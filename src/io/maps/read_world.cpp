@@ -51,7 +51,7 @@ FloorPlan read_world(const Path& file, const WorldFileOptions& options) {
   if (has_extension(file, {".yaml", ".yml"})) {
     const io::Nav2Map map = io::read_nav2_map(file);
     world = read_picture(map.picture, map.scale, options);
-  } else if (io::is_picture(io::read_unpacked(file))) {
+  } else if (io::is_picture_file(file)) {
     world = read_picture(file, scale_of(file, options), options);
   } else {
     if (!options.room_labels.empty()) {

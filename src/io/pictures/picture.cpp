@@ -20,7 +20,7 @@ struct GzClose {
 
 }  // namespace
 
-std::string read_unpacked(const std::filesystem::path& file) {
+std::string read_unpacked(const std::filesystem::path& file, std::size_t most_bytes) {
   const std::string name = file.string();
   if (!std::filesystem::exists(file)) {
     throw InputError(name + ": there is no such file; check the path");
@@ -33,7 +33,8 @@ std::string read_unpacked(const std::filesystem::path& file) {
   std::string bytes;
   std::array<char, std::size_t{1} << 16> block{};
   int count = 0;
-  while ((count = gzread(stream.get(), block.data(), block.size())) > 0) {
+  while (bytes.size() < most_bytes &&
+         (count = gzread(stream.get(), block.data(), block.size())) > 0) {
     bytes.append(block.data(), static_cast<std::size_t>(count));
   }
   int error = Z_OK;
@@ -42,6 +43,10 @@ std::string read_unpacked(const std::filesystem::path& file) {
     throw InputError(name + ": its gzip data is damaged or cut short; copy the file again");
   }
   return bytes;
+}
+
+bool is_picture_file(const std::filesystem::path& file) {
+  return is_picture(read_unpacked(file, 1));  // a block, which holds any signature
 }
 
 bool is_picture(const std::string& bytes) {

@@ -4,6 +4,7 @@
 #include "maps/cell_grid.hpp"
 
 #include <filesystem>
+#include <limits>
 #include <string>
 
 namespace roomatlas::io {
@@ -17,10 +18,14 @@ struct Picture {
 };
 
 /// A file's bytes; those of a gzip file are unpacked. Throws InputError.
-[[nodiscard]] std::string read_unpacked(const std::filesystem::path& file);
+/// @param most_bytes reading ends with the block that holds so many
+[[nodiscard]] std::string read_unpacked(
+    const std::filesystem::path& file,
+    std::size_t most_bytes = std::numeric_limits<std::size_t>::max());
 
 /// Whether a file's (unpacked) content begins like a picture that `parse_picture` knows.
 [[nodiscard]] bool is_picture(const std::string& bytes);
+[[nodiscard]] bool is_picture_file(const std::filesystem::path& file);
 
 /// PGM (P2 and P5, 8 or 16 bits) or PNG; colours become the mean of red, green and blue, and a
 /// pixel that is less than half opaque is transparent.

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/draft/door_leaves.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace roomatlas {
+namespace {
+
+constexpr double kStep_m = 0.05;        // along a leaf, and between hinges that are tried
+constexpr double kTurn_rad = kPi / 72;  // between directions that are tried
+constexpr int kMostGaps = 2;            // steps in a leaf where nothing was seen
+constexpr double kBeside_m = 0.15;      // off a leaf, its sides are looked at
+constexpr double kFromHinge_m = 0.25;   // nearer to the hinge the wall is beside it
+constexpr double kRound_m = 0.17;       // off the free end
+constexpr std::array kRound_rad = {-1.2, -0.6, 0.0, 0.6, 1.2};  // of a leaf's direction
+constexpr int kLeastRound = 4;                                  // of these that are floor
+constexpr double kOwn_m = 0.09;      // surfaces this near a leaf are its own ...
+constexpr double kOwnSine = 0.3;     // ... when they look its way
+constexpr double kWall_m = 0.08;     // of its length that is the wall's
+constexpr double kSame_m = 0.3;      // leaves whose middles are nearer are one
+constexpr double kSameGap_m = 0.45;  // from a gap's middle to the door in it
+constexpr double kSlack_m = 0.03;    // half a cell
+
+/// A leaf that may be, and how well it agrees with what was seen.
+struct Candidate {
+  Segment2 line;
+  double score = 0.0;
+};
+
+class Finder {
+ public:
+  Finder(const Occupancy& occupancy, const LeafOptions& options)
+      : occupancy_(occupancy), options_(options), near_obstacle_(dilated(occupancy.obstacle, 1)) {}
+
+  [[nodiscard]] std::optional<Candidate> at(const Segment2& gap) const {
+    std::optional<Candidate> best;
+    const double width_m = (gap.b - gap.a).norm();
+    if (width_m < options_.narrowest_m || width_m > options_.widest_m) return best;
+    for (const Segment2& way : {gap, Segment2{gap.b, gap.a}}) {
+      const Point2 shut = (way.b - way.a) / width_m;
+      for (const double side : {-1.0, 1.0}) {
+        const Point2 out = side * Point2(-shut.y(), shut.x());
+        for_each_hinge(way.a, shut, out, [&](const Point2& hinge) {
+          for (double turn_rad = radians(options_.least_turn_deg);
+               turn_rad <= radians(options_.most_turn_deg); turn_rad += kTurn_rad) {
+            const Point2 along = std::cos(turn_rad) * shut + std::sin(turn_rad) * out;
+            const auto one = leaf(hinge, along, width_m);
+            if (one && (!best || one->score > best->score)) best = one;
+          }
+        });
+      }
+    }
+    return best;
+  }
+
+ private:
+  template <typename Visit>
+  void for_each_hinge(const Point2& jamb, const Point2& shut, const Point2& out,
+                      Visit visit) const {
+    for (double along_m = -options_.hinge_m; along_m <= options_.hinge_m + 1e-9;
+         along_m += kStep_m) {
+      for (double off_m = 0.0; off_m <= options_.depth_m + 1e-9; off_m += kStep_m) {
+        const Point2 hinge = jamb + along_m * shut + off_m * out;
+        if (is_solid(hinge)) visit(hinge);
+      }
+    }
+  }
+
+  [[nodiscard]] bool is_solid(const Point2& at) const {
+    return occupancy_.obstacle.at(occupancy_.frame.cell_of(at));
+  }
+  [[nodiscard]] bool is_floor(const Point2& at) const {
+    const Cell cell = occupancy_.frame.cell_of(at);
+    return occupancy_.free.at(cell) && !near_obstacle_.at(cell);
+  }
+
+  /// How far something stands without a break.
+  [[nodiscard]] double solid_m(const Point2& hinge, const Point2& along, double most_m) const {
+    double last_m = 0.0;
+    for (double at_m = kStep_m; at_m <= most_m; at_m += kStep_m) {
+      if (is_solid(hinge + at_m * along)) last_m = at_m;
+      if (at_m - last_m > (kMostGaps + 0.5) * kStep_m) break;
+    }
+    return last_m;
+  }
+
+  [[nodiscard]] std::optional<Candidate> leaf(const Point2& hinge, const Point2& along,
+                                              double width_m) const {
+    const double length_m = solid_m(hinge, along, width_m + options_.longer_m + 3 * kStep_m);
+    if (length_m < width_m - options_.shorter_m || length_m > width_m + options_.longer_m) {
+      return std::nullopt;
+    }
+    const Point2 end = hinge + length_m * along;
+    int round = 0;
+    for (const double turn_rad : kRound_rad) {
+      round += is_floor(end + kRound_m * (Pose2{0.0, 0.0, turn_rad} * along)) ? 1 : 0;
+    }
+    if (round < kLeastRound) return std::nullopt;
+    const Point2 aside = kBeside_m * Point2(-along.y(), along.x());
+    int solid = 0;
+    int steps = 0;
+    int open = 0;
+    int sides = 0;
+    for (double at_m = kStep_m; at_m <= length_m + 1e-9; at_m += kStep_m) {
+      ++steps;
+      const Point2 at = hinge + at_m * along;
+      if (is_solid(at)) ++solid;
+      if (at_m < kFromHinge_m) continue;
+      sides += 2;
+      open += is_floor(at + aside) ? 1 : 0;
+      open += is_floor(at - aside) ? 1 : 0;
+    }
+    const double solid_share = static_cast<double>(solid) / std::max(1, steps);
+    const double open_share = static_cast<double>(open) / std::max(1, sides);
+    if (solid_share < options_.solid_share || open_share < options_.open_share) {
+      return std::nullopt;
+    }
+    return Candidate{{hinge, end}, solid_share + open_share - std::abs(length_m - width_m)};
+  }
+
+  const Occupancy& occupancy_;
+  const LeafOptions& options_;
+  CellMask near_obstacle_;
+};
+
+/// The stretch of a face that is a leaf's; nothing where the two do not lie on each other.
+std::optional<Interval> leaf_on(const WallFace& face, const DoorLeaf& leaf) {
+  const Point2 way = leaf.line.b - leaf.line.a;
+  const Point2 along = way.normalized();
+  if (std::abs(along.dot(face.normal())) > kOwnSine) return std::nullopt;
+  for (const Point2& at : {leaf.line.a, leaf.line.b}) {
+    if (std::abs(at.dot(face.normal()) - face.offset_m) > kOwn_m) return std::nullopt;
+  }
+  const double a_m = Point2(leaf.line.a + kWall_m * along).dot(face.along());
+  const double b_m = Point2(leaf.line.b + kOwn_m * along).dot(face.along());
+  return Interval{std::min(a_m, b_m), std::max(a_m, b_m)};
+}
+
+void cut(const Interval& out, std::vector<Interval>& seen) {
+  std::vector<Interval> kept;
+  for (const Interval& one : seen) {
+    const Interval below{one.low_m, std::min(one.high_m, out.low_m)};
+    const Interval above{std::max(one.low_m, out.high_m), one.high_m};
+    for (const Interval& rest : {below, above}) {
+      if (rest.length_m() > kStep_m) kept.push_back(rest);
+    }
+  }
+  seen = std::move(kept);
+}
+
+Point2 middle_of(const Segment2& line) { return (line.a + line.b) / 2.0; }
+
+}  // namespace
+
+std::vector<DoorLeaf> find_leaves(const std::vector<Segment2>& gaps, const Occupancy& occupancy,
+                                  const LeafOptions& options) {
+  const Finder finder(occupancy, options);
+  std::vector<DoorLeaf> leaves;
+  for (const Segment2& gap : gaps) {
+    const auto found = finder.at(gap);
+    if (!found) continue;
+    const bool is_known = std::any_of(leaves.begin(), leaves.end(), [&](const DoorLeaf& leaf) {
+      return (middle_of(leaf.line) - middle_of(found->line)).norm() < kSame_m ||
+             (middle_of(leaf.gap) - middle_of(gap)).norm() < kSame_m;
+    });
+    if (!is_known) leaves.push_back({found->line, gap});
+  }
+  return leaves;
+}
+
+std::vector<WallFace> without_leaves(std::vector<WallFace> faces,
+                                     const std::vector<DoorLeaf>& leaves) {
+  for (WallFace& face : faces) {
+    for (const DoorLeaf& leaf : leaves) {
+      if (const auto stretch = leaf_on(face, leaf)) cut(*stretch, face.seen);
+    }
+  }
+  std::erase_if(faces, [](const WallFace& face) { return face.seen.empty(); });
+  return faces;
+}
+
+void clear_leaves(const std::vector<DoorLeaf>& leaves, Occupancy& occupancy) {
+  for (const DoorLeaf& leaf : leaves) {
+    const Point2 along = (leaf.line.b - leaf.line.a).normalized();
+    const Segment2 own{leaf.line.a + kWall_m * along, leaf.line.b + kSlack_m * along};
+    Box2 around;
+    for (const Point2& at : {own.a, own.b}) {
+      around.extend(at - Point2::Constant(kOwn_m));
+      around.extend(at + Point2::Constant(kOwn_m));
+    }
+    const CellBox box{occupancy.frame.cell_of(around.min), occupancy.frame.cell_of(around.max)};
+    for_each_cell(box, [&](const Cell& cell) {
+      if (distance(own, occupancy.frame.center_of(cell)) > kOwn_m) return;
+      occupancy.obstacle.set(cell, false);
+      occupancy.free.set(cell, true);
+      occupancy.seen.set(cell, true);
+    });
+  }
+}
+
+void hang_leaves(const std::vector<DoorLeaf>& leaves, std::vector<Door>& doors) {
+  for (const DoorLeaf& leaf : leaves) {
+    Door* nearest = nullptr;
+    double nearest_m = kSameGap_m;
+    for (Door& door : doors) {
+      const double off_m = (door.frame_from_pivot.position() - middle_of(leaf.gap)).norm();
+      if (door.kind != DoorKind::door || door.leaf || off_m >= nearest_m) continue;
+      nearest = &door;
+      nearest_m = off_m;
+    }
+    if (nearest != nullptr) nearest->leaf = leaf.line;
+  }
+}
+
+}  // namespace roomatlas
