@@ -99,9 +99,11 @@ std::vector<CellEvidence> cell_evidence(const Arrangement& arrangement, const Wa
     const Cell where = occupancy.frame.cell_of(at);
     ++places[static_cast<std::size_t>(index)];
     if (bodies.contains(at)) ++in_body[static_cast<std::size_t>(index)];
+    const RoomId room = seeds.room_of_cell.get(where);
     if (occupancy.free.at(where)) {
-      const RoomId room = seeds.room_of_cell.get(where);
       (room > 0 ? cell.floor_m2[room] : cell.other_floor_m2) += kPlace_m2;
+    } else if (room > 0) {
+      cell.hidden_m2[room] += kPlace_m2;
     } else if (!occupancy.seen.at(where)) {
       const double depth_m = depth_cells.get(where, 1e6F) * occupancy.frame.cell_m;
       (depth_m > options.deep_m ? cell.deep_unseen_m2 : cell.unseen_m2) += kPlace_m2;
@@ -120,21 +122,25 @@ std::vector<LabelCosts> costs_of(const Arrangement& arrangement,
   std::vector<LabelCosts> costs(evidence.size());
   for (std::size_t i = 0; i < evidence.size(); ++i) {
     const CellEvidence& cell = evidence[i];
-    double floor_m2 = 0.0;
-    for (const auto& [room, area_m2] : cell.floor_m2) floor_m2 += area_m2;
+    std::map<RoomId, double> price_of;  // of its floor, seen and hidden, if it is not the room's
+    for (const auto& [room, area_m2] : cell.floor_m2)
+      price_of[room] += options.solid_cost * area_m2;
+    for (const auto& [room, area_m2] : cell.hidden_m2)
+      price_of[room] += options.hidden_cost * area_m2;
+    double floor_cost = 0.0;
+    for (const auto& [room, price] : price_of) floor_cost += price;
     double room_cost = options.unseen_cost * cell.unseen_m2 +
                        options.deep_unseen_cost * cell.deep_unseen_m2 +
                        options.other_floor_cost * options.unseen_cost * cell.other_floor_m2;
     if (cell.is_wall_body) {
       room_cost += options.wall_body_cost * arrangement.area_m2(static_cast<int>(i));
     }
-    costs[i].solid = cell.is_wall_body ? 0.0 : options.solid_cost * floor_m2;
-    costs[i].other = options.solid_cost * floor_m2 + room_cost;
-    for (const auto& [room, area_m2] : cell.floor_m2) {
+    costs[i].solid = cell.is_wall_body ? 0.0 : floor_cost;
+    costs[i].other = floor_cost + room_cost;
+    for (const auto& [room, price] : price_of) {
       const auto at = std::lower_bound(rooms.begin(), rooms.end(), room);
       if (at == rooms.end() || *at != room) continue;
-      costs[i].rooms[static_cast<int>(at - rooms.begin()) + 1] =
-          options.solid_cost * (floor_m2 - area_m2) + room_cost;
+      costs[i].rooms[static_cast<int>(at - rooms.begin()) + 1] = floor_cost - price + room_cost;
     }
   }
   const auto close = [&](int cell) {

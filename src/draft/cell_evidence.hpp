@@ -12,11 +12,12 @@ namespace roomatlas {
 
 /// What was seen in one cell of an arrangement; square metres.
 struct CellEvidence {
-  std::map<RoomId, double> floor_m2;  ///< by room
-  double other_floor_m2 = 0.0;        ///< of no room
-  double unseen_m2 = 0.0;             ///< near floor that was seen
-  double deep_unseen_m2 = 0.0;        ///< far from it
-  bool is_wall_body = false;          ///< between the two faces of a wall
+  std::map<RoomId, double> floor_m2;   ///< by room
+  std::map<RoomId, double> hidden_m2;  ///< floor of a room that furniture hides
+  double other_floor_m2 = 0.0;         ///< of no room
+  double unseen_m2 = 0.0;              ///< near floor that was seen
+  double deep_unseen_m2 = 0.0;         ///< far from it
+  bool is_wall_body = false;           ///< between the two faces of a wall
 };
 
 [[nodiscard]] std::vector<CellEvidence> cell_evidence(const Arrangement& arrangement,

@@ -18,11 +18,11 @@ constexpr double kRound_m = 0.17;       // off the free end
 constexpr std::array kRound_rad = {-1.2, -0.6, 0.0, 0.6, 1.2};  // of a leaf's direction
 constexpr int kLeastRound = 4;                                  // of these that are floor
 constexpr double kOwn_m = 0.09;      // surfaces this near a leaf are its own ...
-constexpr double kOwnSine = 0.3;     // ... when they look its way
+constexpr double kOwnSine = 0.5;     // ... when they look its way
+constexpr double kCut_m = 0.02;      // between places on a face that are asked
 constexpr double kWall_m = 0.08;     // of its length that is the wall's
 constexpr double kSame_m = 0.3;      // leaves whose middles are nearer are one
 constexpr double kSameGap_m = 0.45;  // from a gap's middle to the door in it
-constexpr double kSlack_m = 0.03;    // half a cell
 
 /// A leaf that may be, and how well it agrees with what was seen.
 struct Candidate {
@@ -37,10 +37,11 @@ class Finder {
 
   [[nodiscard]] std::optional<Candidate> at(const Segment2& gap) const {
     std::optional<Candidate> best;
-    const double width_m = (gap.b - gap.a).norm();
+    const double cell_m = occupancy_.frame.cell_m;
+    const double width_m = (gap.b - gap.a).norm() + 2.0 * cell_m;  // a gap ends before its jambs
     if (width_m < options_.narrowest_m || width_m > options_.widest_m) return best;
     for (const Segment2& way : {gap, Segment2{gap.b, gap.a}}) {
-      const Point2 shut = (way.b - way.a) / width_m;
+      const Point2 shut = (way.b - way.a).normalized();
       for (const double side : {-1.0, 1.0}) {
         const Point2 out = side * Point2(-shut.y(), shut.x());
         for_each_hinge(way.a, shut, out, [&](const Point2& hinge) {
@@ -126,29 +127,33 @@ class Finder {
   CellMask near_obstacle_;
 };
 
-/// The stretch of a face that is a leaf's; nothing where the two do not lie on each other.
-std::optional<Interval> leaf_on(const WallFace& face, const DoorLeaf& leaf) {
-  const Point2 way = leaf.line.b - leaf.line.a;
-  const Point2 along = way.normalized();
-  if (std::abs(along.dot(face.normal())) > kOwnSine) return std::nullopt;
-  for (const Point2& at : {leaf.line.a, leaf.line.b}) {
-    if (std::abs(at.dot(face.normal()) - face.offset_m) > kOwn_m) return std::nullopt;
-  }
-  const double a_m = Point2(leaf.line.a + kWall_m * along).dot(face.along());
-  const double b_m = Point2(leaf.line.b + kOwn_m * along).dot(face.along());
-  return Interval{std::min(a_m, b_m), std::max(a_m, b_m)};
+/// A leaf but for its end at the wall.
+Segment2 own_part(const DoorLeaf& leaf) {
+  return {leaf.line.a + kWall_m * (leaf.line.b - leaf.line.a).normalized(), leaf.line.b};
 }
 
-void cut(const Interval& out, std::vector<Interval>& seen) {
+/// Takes out of a face what lies on a leaf.
+void cut(const DoorLeaf& leaf, WallFace& face) {
+  const Segment2 own = own_part(leaf);
+  if (std::abs((own.b - own.a).normalized().dot(face.normal())) > kOwnSine) return;
   std::vector<Interval> kept;
-  for (const Interval& one : seen) {
-    const Interval below{one.low_m, std::min(one.high_m, out.low_m)};
-    const Interval above{std::max(one.low_m, out.high_m), one.high_m};
-    for (const Interval& rest : {below, above}) {
-      if (rest.length_m() > kStep_m) kept.push_back(rest);
+  for (const Interval& stretch : face.seen) {
+    Interval part{stretch.low_m, stretch.low_m};
+    const auto end_part = [&] {
+      if (part.length_m() > kStep_m) kept.push_back(part);
+    };
+    for (double at_m = stretch.low_m; at_m < stretch.high_m + kCut_m; at_m += kCut_m) {
+      const double along_m = std::min(at_m, stretch.high_m);
+      if (distance(own, face.at(along_m)) > kOwn_m) {
+        part.high_m = along_m;
+      } else {
+        end_part();
+        part = {along_m, along_m};
+      }
     }
+    end_part();
   }
-  seen = std::move(kept);
+  face.seen = std::move(kept);
 }
 
 Point2 middle_of(const Segment2& line) { return (line.a + line.b) / 2.0; }
@@ -174,9 +179,7 @@ std::vector<DoorLeaf> find_leaves(const std::vector<Segment2>& gaps, const Occup
 std::vector<WallFace> without_leaves(std::vector<WallFace> faces,
                                      const std::vector<DoorLeaf>& leaves) {
   for (WallFace& face : faces) {
-    for (const DoorLeaf& leaf : leaves) {
-      if (const auto stretch = leaf_on(face, leaf)) cut(*stretch, face.seen);
-    }
+    for (const DoorLeaf& leaf : leaves) cut(leaf, face);
   }
   std::erase_if(faces, [](const WallFace& face) { return face.seen.empty(); });
   return faces;
@@ -184,8 +187,7 @@ std::vector<WallFace> without_leaves(std::vector<WallFace> faces,
 
 void clear_leaves(const std::vector<DoorLeaf>& leaves, Occupancy& occupancy) {
   for (const DoorLeaf& leaf : leaves) {
-    const Point2 along = (leaf.line.b - leaf.line.a).normalized();
-    const Segment2 own{leaf.line.a + kWall_m * along, leaf.line.b + kSlack_m * along};
+    const Segment2 own = own_part(leaf);
     Box2 around;
     for (const Point2& at : {own.a, own.b}) {
       around.extend(at - Point2::Constant(kOwn_m));
