@@ -23,7 +23,7 @@ constexpr int kExtentDirections = 12;          // of half a turn
 std::vector<bool> are_walls(const Walls& walls, const BareFloorOptions& options) {
   std::vector<bool> is_wall;
   for (const WallFace& face : walls.faces) {
-    is_wall.push_back(face.support_m() >= options.min_face_m &&
+    is_wall.push_back(!face.is_furniture && face.support_m() >= options.min_face_m &&
                       line_support_m(face, walls.faces) >= options.min_prominence_m);
   }
   for (const WallBody& body : walls.bodies) {
@@ -169,8 +169,10 @@ CellMask hiding_cells(const Walls& walls, const std::vector<bool>& is_wall, cons
   for (std::size_t i = 0; i < walls.faces.size(); ++i) {
     const WallFace& face = walls.faces[i];
     if (!is_wall[i] || !face.is_regular) continue;
-    for (double along_m = face.low_m(); along_m <= face.high_m(); along_m += step_m) {
-      add_before_wall(face, along_m, lines, occupancy, depth_m, hiding);
+    for (const Interval& cover : face.cover) {
+      for (double along_m = cover.low_m; along_m <= cover.high_m; along_m += step_m) {
+        add_before_wall(face, along_m, lines, occupancy, depth_m, hiding);
+      }
     }
   }
   return hiding;

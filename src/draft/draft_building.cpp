@@ -17,7 +17,7 @@ std::vector<DoorLeaf> take_leaves(const DraftBuildingOptions& options, DraftedBu
   if (leaves.empty()) return leaves;
   clear_leaves(leaves, drafted.occupancy);
   drafted.walls = build_walls(without_leaves(std::move(drafted.walls.faces), leaves),
-                              drafted.occupancy, options.walls);
+                              drafted.occupancy, SensorKind::laser, options.walls);
   return leaves;
 }
 
@@ -105,7 +105,7 @@ DraftedBuilding draft_building(const BuildingEvidence& evidence,
   std::vector<WallFace> faces =
       confirmed_faces(find_wall_faces(evidence, options.faces), evidence, options.walls);
   drafted.occupancy = occupancy_of(evidence, faces, options.occupancy);
-  drafted.walls = build_walls(std::move(faces), drafted.occupancy, options.walls);
+  drafted.walls = build_walls(std::move(faces), drafted.occupancy, evidence.kind, options.walls);
   std::vector<DoorLeaf> leaves;
   if (evidence.kind == SensorKind::laser && !evidence.building_from_robot.empty()) {
     leaves = take_leaves(options, drafted);

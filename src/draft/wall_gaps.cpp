@@ -197,7 +197,7 @@ std::vector<Segment2> find_wall_gaps(const Walls& walls, const Occupancy& occupa
   const GapFinder finder(walls, occupancy, options);
   std::vector<Segment2> gaps;
   for (const WallFace& face : walls.faces) {
-    if (face.is_regular) finder.add_gaps_of(face, gaps);
+    if (face.is_regular && !face.is_furniture) finder.add_gaps_of(face, gaps);
   }
   std::stable_sort(gaps.begin(), gaps.end(), [](const Segment2& a, const Segment2& b) {
     return (a.b - a.a).norm() < (b.b - b.a).norm();

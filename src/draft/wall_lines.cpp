@@ -18,7 +18,7 @@ std::vector<Interval> on_line(const WallFace& face, const std::vector<WallFace>&
   std::vector<Interval> stretches;
   for (const WallFace& other : faces) {
     if (std::abs(std::sin(other.normal_rad - face.normal_rad)) >= kParallelSine) continue;
-    if (other.support_m() < min_face_m) continue;
+    if (other.is_furniture || other.support_m() < min_face_m) continue;
     const Point2 middle = (other.at(other.low_m()) + other.at(other.high_m())) / 2.0;
     if (std::abs(middle.dot(face.normal()) - face.offset_m) >= kSameLine_m) continue;
     for (const Interval& seen : other.seen) {

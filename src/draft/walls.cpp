@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "furniture_fronts.hpp"
 #include "straight_runs.hpp"
 
 namespace roomatlas {
@@ -15,7 +16,6 @@ constexpr double kStep_m = 0.05;  // between places along a face
 constexpr int kGapSteps = 2;      // of few reflections in a face
 constexpr double kShortestStretch_m = 0.08;
 constexpr std::array kAcross_m = {-0.05, 0.0, 0.05};
-constexpr double kParallelSine = 0.03;  // faces that turn by less are on one line, or opposite
 constexpr double kOppositeCosine = -0.9995;
 constexpr double kShortestOverlap_m = 0.2;  // of the two faces of a wall
 constexpr double kStrongLine_m = 2.5;       // of prominence, for a line that hidden walls run to
@@ -55,17 +55,6 @@ std::vector<Interval> confirmed(const WallFace& face, const ReflectionMap& count
     }
   }
   return kept;
-}
-
-/// The support of all faces on a face's line.
-double line_support_m(const WallFace& face, const std::vector<WallFace>& faces, double within_m) {
-  double sum_m = 0.0;
-  for (const WallFace& other : faces) {
-    if (std::abs(std::sin(other.normal_rad - face.normal_rad)) >= kParallelSine) continue;
-    const Point2 middle = other.at((other.low_m() + other.high_m()) / 2.0);
-    if (std::abs(middle.dot(face.normal()) - face.offset_m) < within_m) sum_m += other.support_m();
-  }
-  return sum_m;
 }
 
 /// How far along a face the strongest line crosses it, at most `reach_m` beyond an end.
@@ -117,62 +106,77 @@ class Builder {
   }
 
  private:
-  /// The share of a stretch along a face on which nothing stands and beams went through.
-  [[nodiscard]] double free_share(const WallFace& face, const Interval& stretch) const {
-    const int count = std::max(1, static_cast<int>(stretch.length_m() / kStep_m));
-    int free = 0;
-    for (int i = 0; i < count; ++i) {
-      const Cell cell =
-          occupancy_.frame.cell_of(face.at(stretch.low_m + (i + 0.5) * stretch.length_m() / count));
-      if (occupancy_.free.at(cell) && !near_obstacle_.at(cell)) ++free;
-    }
-    return static_cast<double>(free) / count;
+  [[nodiscard]] bool is_hidden(const WallFace& face, const Interval& stretch,
+                               double off_m = 0.0) const {
+    return free_share(face, stretch, off_m, occupancy_, near_obstacle_) <
+           options_.hidden_free_share;
   }
 
   /// Where a face goes on, seen or hidden.
   [[nodiscard]] std::vector<Interval> cover_of(const WallFace& face) const {
+    std::vector<Interval> known = face.seen;
+    known.insert(known.end(), face.hidden.begin(), face.hidden.end());
+    std::sort(known.begin(), known.end(),
+              [](const Interval& a, const Interval& b) { return a.low_m < b.low_m; });
     std::vector<Interval> cover;
-    for (const Interval& stretch : face.seen) {
+    for (const Interval& stretch : known) {
       const bool goes_on =
-          !cover.empty() &&
-          (stretch.low_m - cover.back().high_m <= options_.door_m ||
-           free_share(face, {cover.back().high_m, stretch.low_m}) < options_.hidden_free_share);
+          !cover.empty() && (stretch.low_m - cover.back().high_m <= options_.door_m ||
+                             is_hidden(face, {cover.back().high_m, stretch.low_m}));
       if (goes_on) {
-        cover.back().high_m = stretch.high_m;
+        cover.back().high_m = std::max(cover.back().high_m, stretch.high_m);
       } else {
         cover.push_back(stretch);
       }
     }
-    if (!face.is_regular || face.prominence_m < kStrongFace_m) return cover;
+    if (!face.is_regular || face.is_furniture || face.prominence_m < kStrongFace_m) return cover;
     const auto low_m =
         end_behind(face, cover.front().low_m, -1.0, options_.hidden_end_m, walls_.faces);
-    if (low_m && free_share(face, {*low_m, cover.front().low_m}) < options_.hidden_free_share) {
+    if (low_m && is_hidden(face, {*low_m, cover.front().low_m})) {
       cover.front().low_m = *low_m;
     }
     const auto high_m =
         end_behind(face, cover.back().high_m, 1.0, options_.hidden_end_m, walls_.faces);
-    if (high_m && free_share(face, {cover.back().high_m, *high_m}) < options_.hidden_free_share) {
+    if (high_m && is_hidden(face, {cover.back().high_m, *high_m})) {
       cover.back().high_m = *high_m;
     }
     return cover;
   }
 
+  /// A wall goes on where one of its faces does and furniture hides the other.
+  [[nodiscard]] Interval extended(const Interval& both, const Interval& front, const Interval& back,
+                                  const WallBody& body) const {
+    const WallFace& face = walls_.faces[body.front];
+    Interval whole = both;
+    const auto is_solid = [&](const Interval& more) {
+      return is_hidden(face, more) && is_hidden(face, more, -body.thickness_m / 2.0) &&
+             is_hidden(face, more, -body.thickness_m);
+    };
+    const Interval below{std::min(front.low_m, back.low_m), both.low_m};
+    if (below.length_m() > 0.0 && is_solid(below)) whole.low_m = below.low_m;
+    const Interval above{both.high_m, std::max(front.high_m, back.high_m)};
+    if (above.length_m() > 0.0 && is_solid(above)) whole.high_m = above.high_m;
+    return whole;
+  }
+
   [[nodiscard]] std::optional<WallBody> body_of(std::size_t i, std::size_t j) const {
     const WallFace& front = walls_.faces[i];
     const WallFace& back = walls_.faces[j];
+    if (front.is_furniture || back.is_furniture) return std::nullopt;
     if (front.normal().dot(back.normal()) > kOppositeCosine) return std::nullopt;
-    WallBody body{i, j, 0.0, {}};
-    for (const Interval& a : front.cover) {
-      for (const Interval& b : back.cover) {  // counts the other way
-        const Interval both{std::max(a.low_m, -b.high_m), std::min(a.high_m, -b.low_m)};
-        if (both.length_m() > kShortestOverlap_m) body.stretches.push_back(both);
-      }
-    }
-    if (body.stretches.empty()) return std::nullopt;
-    body.thickness_m = front.offset_m + back.offset_m;
+    WallBody body{i, j, front.offset_m + back.offset_m, {}};
     if (body.thickness_m <= options_.thinnest_m || body.thickness_m > options_.thickest_m) {
       return std::nullopt;
     }
+    for (const Interval& a : front.cover) {
+      for (const Interval& b : back.cover) {  // counts the other way
+        const Interval both{std::max(a.low_m, -b.high_m), std::min(a.high_m, -b.low_m)};
+        if (both.length_m() > kShortestOverlap_m) {
+          body.stretches.push_back(extended(both, a, {-b.high_m, -b.low_m}, body));
+        }
+      }
+    }
+    if (body.stretches.empty()) return std::nullopt;
     const bool is_thin = body.thickness_m <= options_.thin_m;
     const double least_m = is_thin ? options_.min_thin_support_m : options_.min_body_support_m;
     if (std::min(front.support_m(), back.support_m()) < least_m) return std::nullopt;
@@ -219,11 +223,13 @@ std::vector<WallFace> confirmed_faces(std::vector<WallFace> faces, const Buildin
   return kept;
 }
 
-Walls build_walls(std::vector<WallFace> faces, const Occupancy& occupancy,
+Walls build_walls(std::vector<WallFace> faces, const Occupancy& occupancy, SensorKind kind,
                   const WallOptions& options) {
+  if (kind == SensorKind::laser) set_fronts_apart(occupancy, options.fronts, faces);
   Walls walls{std::move(faces), {}};
   for (WallFace& face : walls.faces) {
-    face.prominence_m = line_support_m(face, walls.faces, options.same_line_m);
+    face.prominence_m =
+        face.is_furniture ? 0.0 : seen_on_line_m(face, walls.faces, options.same_line_m);
   }
   Builder(walls, occupancy, options).find_bodies();
   for (const WallBody& body : walls.bodies) {

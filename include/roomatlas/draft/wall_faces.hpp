@@ -17,14 +17,16 @@ struct Interval {
 
 /// One side of a wall: a straight line, where along it the wall was seen, and from which side.
 struct WallFace {
-  double normal_rad = 0.0;      ///< towards the side from which it was seen
-  double offset_m = 0.0;        ///< of the line from the building's origin, along the normal
-  std::vector<Interval> seen;   ///< ascending; along `along()`, with gaps between them
-  std::vector<Interval> cover;  ///< where it goes on, seen or hidden: across gaps of doors, across
-                                ///< what nobody saw, up to the next wall; `build_walls` tells
-  bool is_regular = false;      ///< follows a direction of the building
-  double prominence_m = 0.0;    ///< metres of wall seen on its line, both faces of a wall together;
-                                ///< see `measure_prominence`
+  double normal_rad = 0.0;       ///< towards the side from which it was seen
+  double offset_m = 0.0;         ///< of the line from the building's origin, along the normal
+  std::vector<Interval> seen;    ///< ascending; along `along()`, with gaps between them
+  std::vector<Interval> cover;   ///< where it goes on, seen or hidden: across gaps of doors, across
+                                 ///< what nobody saw, up to the next wall; `build_walls` tells
+  std::vector<Interval> hidden;  ///< where furniture stands before it; `build_walls` tells
+  bool is_furniture = false;     ///< the front of what hides a wall
+  bool is_regular = false;       ///< follows a direction of the building
+  double prominence_m = 0.0;  ///< metres of wall seen on its line, both faces of a wall together;
+                              ///< see `measure_prominence`
 
   [[nodiscard]] Point2 normal() const { return direction(normal_rad); }
   [[nodiscard]] Point2 along() const { return direction(normal_rad + kPi / 2.0); }
@@ -45,7 +47,7 @@ struct WallFaceOptions {
   double wing_share = 0.08;            ///< of all surfaces, for a further direction
   int max_wings = 2;
   double snap_m = 0.04;        ///< faces of one direction and side this near are one line ...
-  double snap_gap_m = 4.0;     ///< ... when no farther apart along it
+  double snap_gap_m = 12.0;    ///< ... when no farther apart along it
   double sonar_range_m = 3.0;  ///< farther echoes say too little about where a wall is
 };
 

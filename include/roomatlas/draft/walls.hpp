@@ -8,7 +8,20 @@
 
 namespace roomatlas {
 
+/// When a face before another is furniture's.
+struct FrontOptions {
+  double shallowest_m = 0.3;  ///< nearer ones are steps of the wall: pillars, reveals
+  double deepest_m = 1.0;     ///< of cupboards; larger takes steps of the building for furniture
+  double longest_m = 6.0;     ///< of a row
+  double beside_m = 0.45;     ///< from where the wall is lost to where the front begins
+  double least_wall_m = 0.6;  ///< of wall that was seen on the line behind ...
+  double least_share = 0.25;  ///< ... and of the front's length: less may be a niche
+  double free_share = 0.1;    ///< of what is behind the front; more was seen to be open
+  double same_line_m = 0.08;
+};
+
 struct WallOptions {
+  FrontOptions fronts;
   double laser_share = 0.12;       ///< of beams that a face's cells must reflect to be there ...
   double sonar_share = 0.06;       ///< ... where sonars heard it
   double min_laser_face_m = 0.25;  ///< what is left of a face after that; shorter ones are none
@@ -46,7 +59,8 @@ struct Walls {
                                                     const WallOptions& options);
 
 /// @param faces confirmed
+/// @param kind of the sensors: sonars see too little of furniture to tell its fronts
 [[nodiscard]] Walls build_walls(std::vector<WallFace> faces, const Occupancy& occupancy,
-                                const WallOptions& options);
+                                SensorKind kind, const WallOptions& options);
 
 }  // namespace roomatlas

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "furniture_fronts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace roomatlas {
+namespace {
+
+constexpr double kStep_m = 0.05;        // between places along a face
+constexpr double kParallelSine = 0.03;  // faces that turn by less are parallel
+constexpr double kBackClear_m = 0.05;   // a wall's other side lies so much before the wall behind
+constexpr double kBackShare = 0.4;      // of a front, that has another side
+constexpr double kAlongFront_m = 0.05;  // a front that adds less does not count
+constexpr double kShortestFront_m = 0.3;
+
+/// A stretch of a face.
+struct Piece {
+  std::size_t face = 0;
+  std::size_t stretch = 0;
+};
+
+class Fronts {
+ public:
+  Fronts(const Occupancy& occupancy, const FrontOptions& options, std::vector<WallFace>& faces)
+      : occupancy_(occupancy),
+        options_(options),
+        faces_(faces),
+        near_obstacle_(dilated(occupancy.obstacle, 1)) {
+    for (const WallFace& face : faces) is_front_.emplace_back(face.seen.size(), false);
+  }
+
+  void find() {
+    std::vector<double> line_m;
+    for (const WallFace& face : faces_) {
+      line_m.push_back(seen_on_line_m(face, faces_, options_.same_line_m));
+    }
+    for (std::size_t wall = 0; wall < faces_.size(); ++wall) {
+      if (!faces_[wall].is_regular || faces_[wall].is_furniture) continue;
+      if (line_m[wall] < options_.least_wall_m) continue;
+      for (const double sign : {-1.0, 1.0}) {
+        // Every stretch of the wall may end behind a front.
+        const std::vector<Interval> seen = faces_[wall].seen;
+        for (const Interval& stretch : seen) {
+          follow(wall, sign > 0.0 ? stretch.high_m : stretch.low_m, sign, line_m[wall]);
+        }
+      }
+    }
+  }
+
+  void apart() {
+    std::vector<WallFace> fronts;
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      WallFace& face = faces_[i];
+      std::vector<Interval> rest;
+      for (std::size_t k = 0; k < face.seen.size(); ++k) {
+        if (!is_front_[i][k]) {
+          rest.push_back(face.seen[k]);
+          continue;
+        }
+        WallFace front = face;
+        front.seen = {face.seen[k]};
+        front.hidden.clear();
+        front.is_furniture = true;
+        fronts.push_back(std::move(front));
+      }
+      face.seen = std::move(rest);
+    }
+    std::erase_if(faces_, [](const WallFace& face) { return face.seen.empty(); });
+    faces_.insert(faces_.end(), fronts.begin(), fronts.end());
+  }
+
+ private:
+  /// From where a wall is lost, along the fronts that hide it.
+  void follow(std::size_t wall, double end_m, double sign, double wall_line_m) {
+    const double from_m = end_m;
+    while (const auto next = front_at(wall, end_m, sign, wall_line_m)) {
+      const Interval reach = along(faces_[wall], *next);
+      end_m = sign > 0.0 ? reach.high_m : reach.low_m;
+      is_front_[next->face][next->stretch] = true;
+    }
+    if (end_m != from_m) {
+      faces_[wall].hidden.push_back({std::min(from_m, end_m), std::max(from_m, end_m)});
+    }
+  }
+
+  [[nodiscard]] Interval along(const WallFace& wall, const Piece& piece) const {
+    const WallFace& face = faces_[piece.face];
+    const double a_m = face.at(face.seen[piece.stretch].low_m).dot(wall.along());
+    const double b_m = face.at(face.seen[piece.stretch].high_m).dot(wall.along());
+    return {std::min(a_m, b_m), std::max(a_m, b_m)};
+  }
+
+  /// The front before a wall that begins where the wall is lost.
+  [[nodiscard]] std::optional<Piece> front_at(std::size_t wall, double end_m, double sign,
+                                              double wall_line_m) const {
+    const WallFace& behind = faces_[wall];
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      const WallFace& face = faces_[i];
+      if (!face.is_regular || face.normal_rad != behind.normal_rad) continue;
+      const double depth_m = face.offset_m - behind.offset_m;
+      if (depth_m < options_.shallowest_m || depth_m > options_.deepest_m) continue;
+      for (std::size_t k = 0; k < face.seen.size(); ++k) {
+        const Interval reach = along(behind, {i, k});
+        const double begins_m = sign > 0.0 ? reach.low_m - end_m : end_m - reach.high_m;
+        const double beyond_m = sign > 0.0 ? reach.high_m - end_m : end_m - reach.low_m;
+        if (std::abs(begins_m) > options_.beside_m || beyond_m < kAlongFront_m) continue;
+        if (reach.length_m() > options_.longest_m || reach.length_m() < kShortestFront_m) continue;
+        if (wall_line_m < options_.least_share * reach.length_m()) continue;
+        const Interval lost =
+            sign > 0.0 ? Interval{end_m, reach.high_m} : Interval{reach.low_m, end_m};
+        if (free_share(behind, lost, 0.0, occupancy_, near_obstacle_) > options_.free_share ||
+            free_share(behind, lost, depth_m / 2.0, occupancy_, near_obstacle_) >
+                options_.free_share ||
+            has_other_side(face, face.seen[k], depth_m)) {
+          continue;
+        }
+        return Piece{i, k};
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Whether a stretch was seen from behind too, before the wall: then it is a wall itself.
+  [[nodiscard]] bool has_other_side(const WallFace& face, const Interval& stretch,
+                                    double depth_m) const {
+    double seen_m = 0.0;
+    for (const WallFace& back : faces_) {
+      if (back.normal().dot(face.normal()) > -1.0 + kParallelSine * kParallelSine) continue;
+      const double thickness_m = face.offset_m + back.offset_m;
+      if (thickness_m <= 0.0 || thickness_m > depth_m - kBackClear_m) continue;
+      for (const Interval& one : back.seen) {
+        const Interval both{std::max(stretch.low_m, -one.high_m),
+                            std::min(stretch.high_m, -one.low_m)};
+        seen_m += std::max(0.0, both.length_m());
+      }
+    }
+    return seen_m > kBackShare * stretch.length_m();
+  }
+
+  const Occupancy& occupancy_;
+  const FrontOptions& options_;
+  std::vector<WallFace>& faces_;
+  CellMask near_obstacle_;
+  std::vector<std::vector<bool>> is_front_;  ///< parallel to the stretches of the faces
+};
+
+}  // namespace
+
+double seen_on_line_m(const WallFace& face, const std::vector<WallFace>& faces, double within_m) {
+  double sum_m = 0.0;
+  for (const WallFace& other : faces) {
+    if (other.is_furniture) continue;
+    if (std::abs(std::sin(other.normal_rad - face.normal_rad)) >= kParallelSine) continue;
+    const Point2 middle = other.at((other.low_m() + other.high_m()) / 2.0);
+    if (std::abs(middle.dot(face.normal()) - face.offset_m) < within_m) sum_m += other.support_m();
+  }
+  return sum_m;
+}
+
+double free_share(const WallFace& face, const Interval& stretch, double off_m,
+                  const Occupancy& occupancy, const CellMask& near_obstacle) {
+  const int count = std::max(1, static_cast<int>(stretch.length_m() / kStep_m));
+  int free = 0;
+  for (int i = 0; i < count; ++i) {
+    const double along_m = stretch.low_m + (i + 0.5) * stretch.length_m() / count;
+    const Cell cell = occupancy.frame.cell_of(face.at(along_m) + off_m * face.normal());
+    if (occupancy.free.at(cell) && !near_obstacle.at(cell)) ++free;
+  }
+  return static_cast<double>(free) / count;
+}
+
+void set_fronts_apart(const Occupancy& occupancy, const FrontOptions& options,
+                      std::vector<WallFace>& faces) {
+  Fronts fronts(occupancy, options, faces);
+  fronts.find();
+  fronts.apart();
+}
+
+}  // namespace roomatlas
