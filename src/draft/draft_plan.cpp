@@ -17,6 +17,7 @@ constexpr int kMostSweeps = 3;            // over all labels; later ones change 
 constexpr double kFrameMargin_m = 1.0;    // beyond all that was seen
 constexpr double kRimTolerance_m = 0.08;  // of the lines along which floor ends
 constexpr double kStraight_m = 0.003;     // of corners that are none: where other lines end
+constexpr double kBeyond_m = 0.3;          // of where a wall goes on, to the line that ends it
 constexpr double kShortestRim_m = 1.5;    // around; shorter are specks
 
 std::vector<RoomId> rooms_of(const RoomSeeds& seeds) {
@@ -45,9 +46,9 @@ std::vector<DraftLine> lines_of(const Walls& walls, const RoomSeeds& seeds,
     const double beyond_m = face.is_regular
                                 ? (is_long ? options.extend_long_m : options.extend_short_m)
                                 : (is_long ? options.extend_short_m : options.extend_slanted_m);
-    lines.push_back({{face.at(face.low_m() - beyond_m), face.at(face.high_m() + beyond_m)},
-                     face.prominence_m,
-                     true});
+    const double low_m = std::min(face.low_m() - beyond_m, face.cover.front().low_m - kBeyond_m);
+    const double high_m = std::max(face.high_m() + beyond_m, face.cover.back().high_m + kBeyond_m);
+    lines.push_back({{face.at(low_m), face.at(high_m)}, face.prominence_m, true});
   }
   for (const Door& opening : seeds.openings) {
     const Point2 beyond = options.extend_door_m * (opening.jambs.b - opening.jambs.a).normalized();

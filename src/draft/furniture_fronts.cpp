@@ -2,6 +2,7 @@
 #include "furniture_fronts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -14,6 +15,7 @@ constexpr double kBackClear_m = 0.05;   // a wall's other side lies so much befo
 constexpr double kBackShare = 0.4;      // of a front, that has another side
 constexpr double kAlongFront_m = 0.05;  // a front that adds less does not count
 constexpr double kShortestFront_m = 0.3;
+constexpr std::array kBehind_m = {0.6, 0.9, 1.2};  // tables are not deeper
 
 /// A stretch of a face.
 struct Piece {
@@ -32,21 +34,17 @@ class Fronts {
   }
 
   void find() {
-    std::vector<double> line_m;
-    for (const WallFace& face : faces_) {
-      line_m.push_back(seen_on_line_m(face, faces_, options_.same_line_m));
+    look();  // a front may hide behind another, ...
+    const auto may_be_front = is_front_;
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      is_front_[i].assign(faces_[i].seen.size(), false);
+      faces_[i].hidden.clear();
     }
-    for (std::size_t wall = 0; wall < faces_.size(); ++wall) {
-      if (!faces_[wall].is_regular || faces_[wall].is_furniture) continue;
-      if (line_m[wall] < options_.least_wall_m) continue;
-      for (const double sign : {-1.0, 1.0}) {
-        // Every stretch of the wall may end behind a front.
-        const std::vector<Interval> seen = faces_[wall].seen;
-        for (const Interval& stretch : seen) {
-          follow(wall, sign > 0.0 ? stretch.high_m : stretch.low_m, sign, line_m[wall]);
-        }
-      }
-    }
+    look(&may_be_front);  // ... but what goes on behind fronts is a wall
+  }
+
+  void note_what_is_behind() {
+    for (WallFace& face : faces_) face.is_closed_behind = is_closed_behind(face);
   }
 
   void apart() {
@@ -72,6 +70,23 @@ class Fronts {
   }
 
  private:
+  using Flags = std::vector<std::vector<bool>>;  ///< of stretches, by face
+
+  /// @param no_walls stretches behind which nothing goes on
+  void look(const Flags* no_walls = nullptr) {
+    for (std::size_t wall = 0; wall < faces_.size(); ++wall) {
+      if (!faces_[wall].is_regular || faces_[wall].is_furniture) continue;
+      const double line_m = seen_on_line_m(faces_[wall], faces_, options_.same_line_m);
+      if (line_m < options_.least_wall_m) continue;
+      const std::vector<Interval> seen = faces_[wall].seen;
+      for (std::size_t k = 0; k < seen.size(); ++k) {
+        if (no_walls != nullptr && (*no_walls)[wall][k]) continue;
+        follow(wall, seen[k].low_m, -1.0, line_m);
+        follow(wall, seen[k].high_m, 1.0, line_m);
+      }
+    }
+  }
+
   /// From where a wall is lost, along the fronts that hide it.
   void follow(std::size_t wall, double end_m, double sign, double wall_line_m) {
     const double from_m = end_m;
@@ -125,25 +140,48 @@ class Fronts {
   /// Whether a stretch was seen from behind too, before the wall: then it is a wall itself.
   [[nodiscard]] bool has_other_side(const WallFace& face, const Interval& stretch,
                                     double depth_m) const {
+    return other_side_m(face, stretch, depth_m - kBackClear_m) > kBackShare * stretch.length_m();
+  }
+
+  /// Whether a face is a wall's by what is behind it: its other side, or nothing that was seen.
+  /// Behind a table's side there is floor again.
+  [[nodiscard]] bool is_closed_behind(const WallFace& face) const {
+    double other_m = 0.0;
+    double open_m = 0.0;
+    for (const Interval& stretch : face.seen) {
+      other_m += other_side_m(face, stretch, options_.thickest_m);
+      double open = 0.0;
+      for (const double behind_m : kBehind_m) {
+        open = std::max(open, free_share(face, stretch, -behind_m, occupancy_, near_obstacle_));
+      }
+      open_m += open * stretch.length_m();
+    }
+    const double all_m = face.support_m();
+    return other_m > kBackShare * all_m || open_m < options_.open_share * all_m;
+  }
+
+  /// How much of a stretch was seen from behind, up to so far behind.
+  [[nodiscard]] double other_side_m(const WallFace& face, const Interval& stretch,
+                                    double within_m) const {
     double seen_m = 0.0;
     for (const WallFace& back : faces_) {
       if (back.normal().dot(face.normal()) > -1.0 + kParallelSine * kParallelSine) continue;
       const double thickness_m = face.offset_m + back.offset_m;
-      if (thickness_m <= 0.0 || thickness_m > depth_m - kBackClear_m) continue;
+      if (thickness_m <= 0.0 || thickness_m > within_m) continue;
       for (const Interval& one : back.seen) {
         const Interval both{std::max(stretch.low_m, -one.high_m),
                             std::min(stretch.high_m, -one.low_m)};
         seen_m += std::max(0.0, both.length_m());
       }
     }
-    return seen_m > kBackShare * stretch.length_m();
+    return seen_m;
   }
 
   const Occupancy& occupancy_;
   const FrontOptions& options_;
   std::vector<WallFace>& faces_;
   CellMask near_obstacle_;
-  std::vector<std::vector<bool>> is_front_;  ///< parallel to the stretches of the faces
+  Flags is_front_;  ///< parallel to the stretches of the faces
 };
 
 }  // namespace
@@ -176,6 +214,7 @@ void set_fronts_apart(const Occupancy& occupancy, const FrontOptions& options,
   Fronts fronts(occupancy, options, faces);
   fronts.find();
   fronts.apart();
+  fronts.note_what_is_behind();
 }
 
 }  // namespace roomatlas

@@ -22,6 +22,7 @@ constexpr double kStrongLine_m = 2.5;       // of prominence, for a line that hi
 constexpr double kStrongFace_m = 2.0;       // faces less prominent do not run on
 constexpr double kHiddenReach_m = 1.2;      // the line's own ends may be hidden too
 constexpr double kCrossingSine = 0.5;       // lines that cross at less do not end each other
+constexpr double kCorner_m = 0.1;           // beside what hides a wall there is floor before it
 constexpr double kNested_m = 0.5;           // support of a thinner wall that hides a thicker one
 
 /// Places along a stretch.
@@ -69,7 +70,8 @@ std::optional<double> end_behind(const WallFace& face, double end_m, double sign
     const double beyond_m = (line.offset_m - face.at(end_m).dot(line.normal())) / sine;
     if (beyond_m * sign < 0.02 || std::abs(beyond_m) > reach_m) continue;
     const double on_line_m = face.at(end_m + beyond_m).dot(line.along());
-    if (on_line_m < line.low_m() - kHiddenReach_m || on_line_m > line.high_m() + kHiddenReach_m) {
+    if (on_line_m < line.cover.front().low_m - kHiddenReach_m ||
+        on_line_m > line.cover.back().high_m + kHiddenReach_m) {
       continue;
     }
     if (line.prominence_m > strongest_m) {
@@ -88,8 +90,9 @@ class Builder {
   }
 
   void find_bodies() {
+    for (WallFace& face : walls_.faces) face.cover = cover_of(face);
     std::vector<std::vector<Interval>> covers;
-    for (const WallFace& face : walls_.faces) covers.push_back(cover_of(face));
+    for (const WallFace& face : walls_.faces) covers.push_back(cover_to_next_walls(face));
     for (std::size_t i = 0; i < covers.size(); ++i) walls_.faces[i].cover = std::move(covers[i]);
     std::vector<WallBody> bodies;
     for (std::size_t i = 0; i < walls_.faces.size(); ++i) {
@@ -129,17 +132,19 @@ class Builder {
         cover.push_back(stretch);
       }
     }
+    return cover;
+  }
+
+  /// The same, and on beyond both ends up to the next wall, where that is hidden.
+  [[nodiscard]] std::vector<Interval> cover_to_next_walls(const WallFace& face) const {
+    std::vector<Interval> cover = face.cover;
     if (!face.is_regular || face.is_furniture || face.prominence_m < kStrongFace_m) return cover;
     const auto low_m =
         end_behind(face, cover.front().low_m, -1.0, options_.hidden_end_m, walls_.faces);
-    if (low_m && is_hidden(face, {*low_m, cover.front().low_m})) {
-      cover.front().low_m = *low_m;
-    }
+    if (low_m && is_hidden(face, {*low_m, cover.front().low_m})) cover.front().low_m = *low_m;
     const auto high_m =
         end_behind(face, cover.back().high_m, 1.0, options_.hidden_end_m, walls_.faces);
-    if (high_m && is_hidden(face, {cover.back().high_m, *high_m})) {
-      cover.back().high_m = *high_m;
-    }
+    if (high_m && is_hidden(face, {cover.back().high_m, *high_m})) cover.back().high_m = *high_m;
     return cover;
   }
 
@@ -147,15 +152,16 @@ class Builder {
   [[nodiscard]] Interval extended(const Interval& both, const Interval& front, const Interval& back,
                                   const WallBody& body) const {
     const WallFace& face = walls_.faces[body.front];
-    Interval whole = both;
-    const auto is_solid = [&](const Interval& more) {
-      return is_hidden(face, more) && is_hidden(face, more, -body.thickness_m / 2.0) &&
-             is_hidden(face, more, -body.thickness_m);
+    const auto is_solid = [&](double along_m) {
+      const Interval step{along_m - kStep_m / 2.0, along_m + kStep_m / 2.0};
+      return is_hidden(face, step) && is_hidden(face, step, -body.thickness_m / 2.0) &&
+             is_hidden(face, step, -body.thickness_m);
     };
-    const Interval below{std::min(front.low_m, back.low_m), both.low_m};
-    if (below.length_m() > 0.0 && is_solid(below)) whole.low_m = below.low_m;
-    const Interval above{both.high_m, std::max(front.high_m, back.high_m)};
-    if (above.length_m() > 0.0 && is_solid(above)) whole.high_m = above.high_m;
+    Interval whole = both;
+    const double low_m = std::min(front.low_m, back.low_m);
+    while (whole.low_m > low_m && is_solid(whole.low_m - kCorner_m)) whole.low_m -= kStep_m;
+    const double high_m = std::max(front.high_m, back.high_m);
+    while (whole.high_m < high_m && is_solid(whole.high_m + kCorner_m)) whole.high_m += kStep_m;
     return whole;
   }
 

@@ -7,6 +7,7 @@ namespace roomatlas {
 
 struct BareFloorOptions {
   double min_prominence_m = 2.5;   ///< of a line that is a wall's; less takes cupboards for walls
+  double min_hidden_m = 1.0;       ///< the same of one that goes on behind furniture
   double thin_m = 0.25;            ///< between two faces: a wall, however short ...
   double min_thin_m = 0.8;         ///< ... of both faces together
   double min_face_m = 0.4;         ///< of a face on it

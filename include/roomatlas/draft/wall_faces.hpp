@@ -23,6 +23,7 @@ struct WallFace {
   std::vector<Interval> cover;   ///< where it goes on, seen or hidden: across gaps of doors, across
                                  ///< what nobody saw, up to the next wall; `build_walls` tells
   std::vector<Interval> hidden;  ///< where furniture stands before it; `build_walls` tells
+  bool is_closed_behind = true;  ///< its other side was seen near, or nothing for a metre behind
   bool is_furniture = false;     ///< the front of what hides a wall
   bool is_regular = false;       ///< follows a direction of the building
   double prominence_m = 0.0;  ///< metres of wall seen on its line, both faces of a wall together;
