@@ -17,7 +17,7 @@ constexpr int kMostSweeps = 3;            // over all labels; later ones change 
 constexpr double kFrameMargin_m = 1.0;    // beyond all that was seen
 constexpr double kRimTolerance_m = 0.08;  // of the lines along which floor ends
 constexpr double kStraight_m = 0.003;     // of corners that are none: where other lines end
-constexpr double kBeyond_m = 0.3;          // of where a wall goes on, to the line that ends it
+constexpr double kBeyond_m = 0.3;         // of where a wall goes on, to the line that ends it
 constexpr double kShortestRim_m = 1.5;    // around; shorter are specks
 
 std::vector<RoomId> rooms_of(const RoomSeeds& seeds) {

@@ -15,6 +15,7 @@ constexpr double kBackClear_m = 0.05;   // a wall's other side lies so much befo
 constexpr double kBackShare = 0.4;      // of a front, that has another side
 constexpr double kAlongFront_m = 0.05;  // a front that adds less does not count
 constexpr double kShortestFront_m = 0.3;
+constexpr double kBehindFace_m = 0.05;             // before it there may be a slit behind furniture
 constexpr std::array kBehind_m = {0.6, 0.9, 1.2};  // tables are not deeper
 
 /// A stretch of a face.
@@ -125,7 +126,8 @@ class Fronts {
         if (wall_line_m < options_.least_share * reach.length_m()) continue;
         const Interval lost =
             sign > 0.0 ? Interval{end_m, reach.high_m} : Interval{reach.low_m, end_m};
-        if (free_share(behind, lost, 0.0, occupancy_, near_obstacle_) > options_.free_share ||
+        if (free_share(behind, lost, -kBehindFace_m, occupancy_, near_obstacle_) >
+                options_.free_share ||
             free_share(behind, lost, depth_m / 2.0, occupancy_, near_obstacle_) >
                 options_.free_share ||
             has_other_side(face, face.seen[k], depth_m)) {

@@ -22,8 +22,10 @@ constexpr double kStrongLine_m = 2.5;       // of prominence, for a line that hi
 constexpr double kStrongFace_m = 2.0;       // faces less prominent do not run on
 constexpr double kHiddenReach_m = 1.2;      // the line's own ends may be hidden too
 constexpr double kCrossingSine = 0.5;       // lines that cross at less do not end each other
-constexpr double kCorner_m = 0.1;           // beside what hides a wall there is floor before it
-constexpr double kNested_m = 0.5;           // support of a thinner wall that hides a thicker one
+constexpr double kBehind_m = 0.05;          // a face
+constexpr std::array kInside = {0.25, 0.5, 0.75};  // of a wall's thickness
+constexpr double kCorner_m = 0.1;  // beside what hides a wall there is floor before it
+constexpr double kNested_m = 0.5;  // support of a thinner wall that hides a thicker one
 
 /// Places along a stretch.
 std::vector<double> places_on(const Interval& stretch) {
@@ -109,8 +111,9 @@ class Builder {
   }
 
  private:
+  /// Just behind its face a wall is not free; before it there may be a slit behind furniture.
   [[nodiscard]] bool is_hidden(const WallFace& face, const Interval& stretch,
-                               double off_m = 0.0) const {
+                               double off_m = -kBehind_m) const {
     return free_share(face, stretch, off_m, occupancy_, near_obstacle_) <
            options_.hidden_free_share;
   }
@@ -154,8 +157,9 @@ class Builder {
     const WallFace& face = walls_.faces[body.front];
     const auto is_solid = [&](double along_m) {
       const Interval step{along_m - kStep_m / 2.0, along_m + kStep_m / 2.0};
-      return is_hidden(face, step) && is_hidden(face, step, -body.thickness_m / 2.0) &&
-             is_hidden(face, step, -body.thickness_m);
+      return std::all_of(kInside.begin(), kInside.end(), [&](double share) {
+        return is_hidden(face, step, -share * body.thickness_m);
+      });
     };
     Interval whole = both;
     const double low_m = std::min(front.low_m, back.low_m);
