@@ -14,9 +14,8 @@ constexpr double kTurn_rad = kPi / 72;  // between directions that are tried
 constexpr int kMostGaps = 2;            // steps in a leaf where nothing was seen
 constexpr double kBeside_m = 0.15;      // off a leaf, its sides are looked at
 constexpr double kFromHinge_m = 0.25;   // nearer to the hinge the wall is beside it
-constexpr double kRound_m = 0.17;       // off the free end
+constexpr double kRound_m = 0.17;       // off the free end all is floor, in these directions
 constexpr std::array kRound_rad = {-1.2, -0.6, 0.0, 0.6, 1.2};  // of a leaf's direction
-constexpr int kLeastRound = 4;                                  // of these that are floor
 constexpr double kOwn_m = 0.09;      // surfaces this near a leaf are its own ...
 constexpr double kOwnSine = 0.5;     // ... when they look its way
 constexpr double kCut_m = 0.02;      // between places on a face that are asked
@@ -73,6 +72,11 @@ class Finder {
   [[nodiscard]] bool is_solid(const Point2& at) const {
     return occupancy_.obstacle.at(occupancy_.frame.cell_of(at));
   }
+  /// The same for a leaf along a direction: the cells of a slanted one are steps.
+  [[nodiscard]] bool is_solid(const Point2& at, const Point2& along) const {
+    const Point2 aside = occupancy_.frame.cell_m / 2.0 * Point2(-along.y(), along.x());
+    return is_solid(at) || is_solid(at + aside) || is_solid(at - aside);
+  }
   [[nodiscard]] bool is_floor(const Point2& at) const {
     const Cell cell = occupancy_.frame.cell_of(at);
     return occupancy_.free.at(cell) && !near_obstacle_.at(cell);
@@ -82,7 +86,7 @@ class Finder {
   [[nodiscard]] double solid_m(const Point2& hinge, const Point2& along, double most_m) const {
     double last_m = 0.0;
     for (double at_m = kStep_m; at_m <= most_m; at_m += kStep_m) {
-      if (is_solid(hinge + at_m * along)) last_m = at_m;
+      if (is_solid(hinge + at_m * along, along)) last_m = at_m;
       if (at_m - last_m > (kMostGaps + 0.5) * kStep_m) break;
     }
     return last_m;
@@ -95,11 +99,9 @@ class Finder {
       return std::nullopt;
     }
     const Point2 end = hinge + length_m * along;
-    int round = 0;
     for (const double turn_rad : kRound_rad) {
-      round += is_floor(end + kRound_m * (Pose2{0.0, 0.0, turn_rad} * along)) ? 1 : 0;
+      if (!is_floor(end + kRound_m * (Pose2{0.0, 0.0, turn_rad} * along))) return std::nullopt;
     }
-    if (round < kLeastRound) return std::nullopt;
     const Point2 aside = kBeside_m * Point2(-along.y(), along.x());
     int solid = 0;
     int steps = 0;
@@ -108,7 +110,7 @@ class Finder {
     for (double at_m = kStep_m; at_m <= length_m + 1e-9; at_m += kStep_m) {
       ++steps;
       const Point2 at = hinge + at_m * along;
-      if (is_solid(at)) ++solid;
+      if (is_solid(at, along)) ++solid;
       if (at_m < kFromHinge_m) continue;
       sides += 2;
       open += is_floor(at + aside) ? 1 : 0;

@@ -3,12 +3,15 @@
 // poses.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <utility>
 
 #include "roomatlas/asr/memory_store.hpp"
 #include "roomatlas/draft/draft_building.hpp"
 #include "roomatlas/io/logs/drive.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
+#include "roomatlas/simulate/furnish.hpp"
 #include "roomatlas/simulate/simulate.hpp"
 
 namespace roomatlas::test {
@@ -20,21 +23,27 @@ struct KnownMission {
 
 /// `eight_rooms`, driven through all its doors.
 /// @param building_from_world how the building's frame lies
-inline KnownMission eight_rooms(SensorKind sensor, const Pose2& building_from_world) {
+/// @param furnish_seed of what stands in the rooms; 0: nothing
+inline KnownMission eight_rooms(SensorKind sensor, const Pose2& building_from_world,
+                                std::uint64_t furnish_seed = 0) {
   const std::filesystem::path worlds =
       std::filesystem::path(ROOMATLAS_SOURCE_DIR) / "data" / "worlds";
   KnownMission mission{read_plan(worlds / "eight_rooms.geojson"), {}};
+  const Drive drive = read_drive(worlds / "eight_rooms.drive");
   SimulationOptions robot;
   robot.sensor = sensor;
+  if (furnish_seed > 0) {
+    FurnishOptions options;
+    options.route = drive;
+    mission.world = furnished(std::move(mission.world), furnish_seed, options);
+  }
   Asr asr;
   asr.id = 1;
-  simulate(mission.world, read_drive(worlds / "eight_rooms.drive"), robot,
-           [&](const SimulatedStep& step) {
-             asr.path.push_back({step.truth.timestamp_s,
-                                 building_from_world * step.truth.world_from_robot,
-                                 step.odometry.odom_from_robot});
-             asr.readings.push_back(step.reading);
-           });
+  simulate(mission.world, drive, robot, [&](const SimulatedStep& step) {
+    asr.path.push_back({step.truth.timestamp_s, building_from_world * step.truth.world_from_robot,
+                        step.odometry.odom_from_robot});
+    asr.readings.push_back(step.reading);
+  });
   MemoryStore store;
   store.put(asr);
   mission.evidence = gather_evidence(store, {{1, Pose2{}}}, robot.footprint, {}, {});
