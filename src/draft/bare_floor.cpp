@@ -24,11 +24,12 @@ std::vector<bool> are_walls(const Walls& walls, const BareFloorOptions& options)
   std::vector<bool> is_wall;
   for (const WallFace& face : walls.faces) {
     const double line_m = line_support_m(face, walls.faces);
+    // Through windows there is something to see behind walls, too; but these are long.
+    const bool is_closed = face.is_closed_behind || line_m >= kBuildingLine_m;
     const bool is_prominent =
         face.support_m() >= options.min_face_m && line_m >= options.min_prominence_m;
     const bool goes_on_behind = !face.hidden.empty() && line_m >= options.min_hidden_m;
-    is_wall.push_back(!face.is_furniture && face.is_closed_behind &&
-                      (is_prominent || goes_on_behind));
+    is_wall.push_back(!face.is_furniture && is_closed && (is_prominent || goes_on_behind));
   }
   for (const WallBody& body : walls.bodies) {
     const double both_m = walls.faces[body.front].support_m() + walls.faces[body.back].support_m();

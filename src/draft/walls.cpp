@@ -138,17 +138,41 @@ class Builder {
     return cover;
   }
 
-  /// The same, and on beyond both ends up to the next wall, where that is hidden.
+  /// The same, and on beyond both ends where that is hidden: up to where the face's line is seen
+  /// again, else up to the next wall that crosses it.
   [[nodiscard]] std::vector<Interval> cover_to_next_walls(const WallFace& face) const {
     std::vector<Interval> cover = face.cover;
     if (!face.is_regular || face.is_furniture || face.prominence_m < kStrongFace_m) return cover;
-    const auto low_m =
-        end_behind(face, cover.front().low_m, -1.0, options_.hidden_end_m, walls_.faces);
-    if (low_m && is_hidden(face, {*low_m, cover.front().low_m})) cover.front().low_m = *low_m;
-    const auto high_m =
-        end_behind(face, cover.back().high_m, 1.0, options_.hidden_end_m, walls_.faces);
-    if (high_m && is_hidden(face, {cover.back().high_m, *high_m})) cover.back().high_m = *high_m;
+    cover.front().low_m = hidden_end(face, cover.front().low_m, -1.0);
+    cover.back().high_m = hidden_end(face, cover.back().high_m, 1.0);
     return cover;
+  }
+
+  [[nodiscard]] double hidden_end(const WallFace& face, double end_m, double sign) const {
+    for (const auto& further_m :
+         {seen_again(face, end_m, sign),
+          end_behind(face, end_m, sign, options_.hidden_end_m, walls_.faces)}) {
+      if (!further_m) continue;
+      if (is_hidden(face, {std::min(end_m, *further_m), std::max(end_m, *further_m)})) {
+        return *further_m;
+      }
+    }
+    return end_m;
+  }
+
+  /// Where a face's line is next seen from the same side, beyond an end.
+  [[nodiscard]] std::optional<double> seen_again(const WallFace& face, double end_m,
+                                                 double sign) const {
+    std::optional<double> next_m;
+    for (const WallFace& other : walls_.faces) {
+      if (other.is_furniture || other.normal_rad != face.normal_rad) continue;
+      if (std::abs(other.offset_m - face.offset_m) > options_.same_line_m) continue;
+      const double at_m = sign > 0.0 ? other.low_m() : other.high_m();
+      const double beyond_m = sign * (at_m - end_m);
+      if (beyond_m <= 0.0 || beyond_m > options_.hidden_reach_m) continue;
+      if (!next_m || beyond_m < sign * (*next_m - end_m)) next_m = at_m;
+    }
+    return next_m;
   }
 
   /// A wall goes on where one of its faces does and furniture hides the other.

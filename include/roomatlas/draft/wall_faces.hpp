@@ -48,7 +48,7 @@ struct WallFaceOptions {
   double wing_share = 0.08;            ///< of all surfaces, for a further direction
   int max_wings = 2;
   double snap_m = 0.04;        ///< faces of one direction and side this near are one line ...
-  double snap_gap_m = 12.0;    ///< ... when no farther apart along it
+  double snap_gap_m = 4.0;     ///< ... when no farther apart along it
   double sonar_range_m = 3.0;  ///< farther echoes say too little about where a wall is
 };
 

@@ -13,12 +13,12 @@ struct FrontOptions {
   double shallowest_m = 0.3;  ///< nearer ones are steps of the wall: pillars, reveals
   double deepest_m = 1.0;     ///< of cupboards; larger takes steps of the building for furniture
   double longest_m = 6.0;     ///< of a row
-  double beside_m = 1.0;    ///< from where the wall is lost to where the front begins
+  double beside_m = 1.0;      ///< from where the wall is lost to where the front begins
   double least_wall_m = 0.6;  ///< of wall that was seen on the line behind ...
   double least_share = 0.25;  ///< ... and of the front's length: less may be a niche
   double free_share = 0.1;    ///< of what is behind the front; more was seen to be open
-  double open_share = 0.3;     ///< of what is behind a wall; behind furniture there is floor again
-  double thickest_m = 0.45;    ///< a wall whose other side was seen
+  double open_share = 0.3;    ///< of what is behind a wall; behind furniture there is floor again
+  double thickest_m = 0.45;   ///< a wall whose other side was seen
   double same_line_m = 0.08;
 };
 
@@ -38,6 +38,7 @@ struct WallOptions {
                                    ///< cupboard's front and the wall behind it
   double door_m = 1.6;             ///< a face goes on across gaps up to this: doors ...
   double hidden_free_share = 0.1;  ///< ... and across any where less than this is free
+  double hidden_reach_m = 8.0;     ///< up to where its line is seen again
   double hidden_end_m = 2.5;       ///< it ends at the strongest line this far beyond, if hidden
 };
 
