@@ -102,7 +102,7 @@ std::vector<CellEvidence> cell_evidence(const Arrangement& arrangement, const Wa
     const RoomId room = seeds.room_of_cell.get(where);
     if (occupancy.free.at(where)) {
       (room > 0 ? cell.floor_m2[room] : cell.other_floor_m2) += kPlace_m2;
-    } else if (room > 0) {
+    } else if (room > 0 && options.hidden_cost > 0.0) {
       cell.hidden_m2[room] += kPlace_m2;
     } else if (!occupancy.seen.at(where)) {
       const double depth_m = depth_cells.get(where, 1e6F) * occupancy.frame.cell_m;

@@ -115,7 +115,9 @@ DraftedBuilding draft_building(const BuildingEvidence& evidence,
                           : partitioned(drafted, evidence, options);
   const auto& openings = drafted.partition.openings;
   const RoomSeeds seeds{drafted.partition.room_of_cell, {openings.begin(), openings.end()}};
-  Draft draft = draft_plan(drafted.walls, drafted.occupancy, seeds, options.draft);
+  DraftOptions on_lines = options.draft;
+  if (evidence.building_from_robot.empty()) on_lines.hidden_cost = 0.0;  // rooms hold furniture too
+  Draft draft = draft_plan(drafted.walls, drafted.occupancy, seeds, on_lines);
   drafted.rooms = std::move(draft.rooms);
   drafted.wall_bodies = std::move(draft.wall_bodies);
   drafted.edges = edges_of(drafted.rooms, drafted.walls, evidence, drafted.occupancy);

@@ -26,7 +26,8 @@ struct DraftOptions {
   double through_door_m =
       0.35;                   ///< across the wall at each jamb: no wall is thicker than twice this
   double solid_cost = 8.0;    ///< a square metre of floor that becomes solid, or another room's
-  double hidden_cost = 1.0;   ///< the same of floor that furniture before a wall hides
+  double hidden_cost = 1.0;   ///< the same of floor that furniture before a wall hides; 0: what
+                              ///< furniture hides is unseen like all else
   double unseen_cost = 0.25;  ///< a square metre of room that nobody saw ...
   double deep_unseen_cost = 3.0;  ///< ... and that lies `deep_m` from all floor that was seen
   double deep_m = 0.9;
