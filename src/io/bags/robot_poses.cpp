@@ -34,10 +34,9 @@ void RobotPoses::add_odometry(const PoseMessage& pose, std::int64_t stamp_ns) {
   }
 }
 
-void RobotPoses::add_transforms(const TransformsMessage& message, bool is_fixed,
-                                std::int64_t stamp_offset_ns) {
+void RobotPoses::add_transforms(const TransformsMessage& message, bool is_fixed) {
   for (const PoseMessage& transform : message) {
-    note(frames_.add(transform, transform.header.stamp_ns + stamp_offset_ns, is_fixed));
+    note(frames_.add(transform, transform.header.stamp_ns, is_fixed));
   }
 }
 

@@ -17,8 +17,7 @@ class RobotPoses {
              const std::optional<Pose2>& mount);
 
   void add_odometry(const PoseMessage& pose, std::int64_t stamp_ns);
-  void add_transforms(const TransformsMessage& message, bool is_fixed,
-                      std::int64_t stamp_offset_ns);
+  void add_transforms(const TransformsMessage& message, bool is_fixed);
   /// All of a message at one time: stamps are not believed.
   void add_transforms_at(const TransformsMessage& message, bool is_fixed, std::int64_t time_ns);
 
