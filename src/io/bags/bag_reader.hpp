@@ -21,8 +21,8 @@ enum class BagEncoding { ros1, cdr, other };
 /// several publishers (ROS 1 connections, MCAP channels), are merged where name, type and encoding
 /// are the same.
 struct BagTopic {
-  std::string name;        ///< "/scan"
-  std::string type;        ///< "sensor_msgs/LaserScan": package and name, whatever the ROS release
+  std::string name;  ///< "/scan"
+  std::string type;  ///< "sensor_msgs/LaserScan": package and name, whatever the ROS release
   BagEncoding encoding = BagEncoding::other;
   std::string definition;  ///< text of the message definition; empty where the recording has none
   std::optional<std::int64_t> messages;  ///< where an index says so, before they are read
@@ -30,8 +30,8 @@ struct BagTopic {
 
 /// One message, as recorded.
 struct BagMessage {
-  std::size_t topic = 0;      ///< index into `topics()`
-  std::int64_t log_time_ns = 0;  ///< when the recorder received it
+  std::size_t topic = 0;             ///< index into `topics()`
+  std::int64_t log_time_ns = 0;      ///< when the recorder received it
   std::span<const std::byte> bytes;  ///< valid until the next call of `next`
 };
 
@@ -40,7 +40,8 @@ struct BagMessage {
 class BagReader {
  public:
   virtual ~BagReader() = default;
-  /// What the container is, for people: "ROS 1 bag 2.0 (lz4)", "rosbag2 (SQLite, zstd)", "MCAP (zstd)".
+  /// What the container is, for people: "ROS 1 bag 2.0 (lz4)", "rosbag2 (SQLite, zstd)", "MCAP
+  /// (zstd)".
   [[nodiscard]] virtual const std::string& format() const = 0;
   /// Known so far; grows, never reorders. Complete after opening where there is an index or
   /// summary, else a first pass over the records' headers makes it so.
@@ -57,8 +58,8 @@ class BagReader {
 };
 
 /// Opens a recording, told by its content, not its name: a file, or the folder of a rosbag2.
-/// Returns null when it is none of the known containers. Throws InputError naming the file, what was
-/// expected and the remedy when it is one and nothing in it can be read.
+/// Returns null when it is none of the known containers. Throws InputError naming the file, what
+/// was expected and the remedy when it is one and nothing in it can be read.
 [[nodiscard]] std::unique_ptr<BagReader> open_bag(const std::filesystem::path& path);
 
 }  // namespace roomatlas::io
