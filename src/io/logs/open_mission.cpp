@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bags/bag_source.hpp"
 #include "carmen_source.hpp"
 #include "small_logs.hpp"
 #include "text/line_reader.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 std::unique_ptr<MissionSource> open_log(const Path& file, const MissionOptions& options) {
   io::require_regular_file(file);
+  if (auto recording = io::open_recording(file, options)) return recording;
   if (const io::OpenLog open = io::find_small_log(file)) return open(file, options);
   return std::make_unique<io::CarmenSource>(file, options);
 }

@@ -44,6 +44,16 @@ std::string read_unpacked(const std::filesystem::path& file) {
   return bytes;
 }
 
+std::string read_beginning(const std::filesystem::path& file, std::size_t most_bytes) {
+  const std::unique_ptr<gzFile_s, GzClose> stream(gzopen(file.string().c_str(), "rb"));
+  std::string bytes(most_bytes, '\0');
+  const int count = stream == nullptr
+                        ? 0
+                        : gzread(stream.get(), bytes.data(), static_cast<unsigned>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(std::max(0, count)));
+  return bytes;
+}
+
 bool is_picture(const std::string& bytes) {
   return bytes.starts_with("P2") || bytes.starts_with("P5") || bytes.starts_with(kPngSignature);
 }

@@ -18,6 +18,8 @@ struct Picture {
 
 /// A file's bytes; those of a gzip file are unpacked. Throws InputError.
 [[nodiscard]] std::string read_unpacked(const std::filesystem::path& file);
+/// The first of these bytes, at most so many, without a look at the rest.
+[[nodiscard]] std::string read_beginning(const std::filesystem::path& file, std::size_t most_bytes);
 
 /// Whether a file's (unpacked) content begins like a picture that `parse_picture` knows.
 [[nodiscard]] bool is_picture(const std::string& bytes);
