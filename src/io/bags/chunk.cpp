@@ -8,6 +8,8 @@
 namespace roomatlas::io {
 namespace {
 
+constexpr std::size_t kMostConnections = 256;  // in a stretch of open messages
+
 std::uint32_t crc_of(ByteSpan bytes) {
   return static_cast<std::uint32_t>(
       crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
@@ -80,8 +82,9 @@ std::string ChunkLoader::load(const Chunk& chunk, Buffer& content) {
 void take_inventory(Chunk& chunk, const ChunkFormat& format, ChunkLoader& loader,
                     BagLayout& layout) {
   Buffer content;
-  // A fault is said when the chunk's messages are read.
-  static_cast<void>(loader.load(chunk, content));
+  // It is said once more when the chunk's messages are read.
+  const std::string fault = loader.load(chunk, content);
+  if (layout.first_fault.empty()) layout.first_fault = fault;
   Inventory inventory(chunk, layout.topics);
   try {
     format.visit(content.view(), inventory);
@@ -90,13 +93,25 @@ void take_inventory(Chunk& chunk, const ChunkFormat& format, ChunkLoader& loader
   inventory.finish();
 }
 
+void require_topics(const BagLayout& layout, const std::string& file) {
+  if (!layout.topics.topics().empty()) return;
+  std::string why =
+      layout.first_fault.empty() ? "" : "a chunk cannot be read: " + layout.first_fault;
+  for (const Issue& issue : layout.issues.list()) {
+    if (issue.severity != Severity::note) why += (why.empty() ? "" : "; ") + issue.message;
+  }
+  throw InputError(file + ": holds no topic that can be read, though it is " + layout.container +
+                   (why.empty() ? ": nothing was recorded in it" : ": " + why));
+}
+
 void add_open_message(BagLayout& layout, std::uint64_t begin, std::uint64_t end,
                       std::uint32_t connection, std::int64_t log_time_ns) {
   Chunk* last = layout.chunks.empty() ? nullptr : &layout.chunks.back();
   const bool is_large = end - begin > kOwnStretch_bytes;
   const bool continues = last != nullptr && last->header_offset == ~std::uint64_t{0} &&
                          last->offset + last->packed_bytes == begin && !is_large &&
-                         last->packed_bytes < kStretch_bytes;
+                         last->packed_bytes < kStretch_bytes &&
+                         last->messages.size() < kMostConnections;
   if (!continues) {
     Chunk stretch;
     stretch.header_offset = is_large ? 0 : ~std::uint64_t{0};  // a large one is not continued

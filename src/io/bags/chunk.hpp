@@ -70,7 +70,11 @@ struct BagLayout {
   TopicTable topics;
   std::vector<Chunk> chunks;  ///< in the file's order
   BagIssues issues;
+  std::string first_fault;  ///< of a chunk that had to be unpacked to learn what is in it
 };
+
+/// Throws InputError where no topic was found: nothing in the file can be read.
+void require_topics(const BagLayout& layout, const std::string& file);
 
 /// Unpacks chunks, and keeps what it needs for the next one.
 class ChunkLoader {

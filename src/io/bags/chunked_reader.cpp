@@ -17,7 +17,7 @@ std::string format_text(const BagLayout& layout) {
   std::string text;
   for (const Chunk& chunk : layout.chunks) {
     const std::string name = chunk.packing == "none" ? "" : chunk.packing;
-    if (name.empty() || !chunk.content_is_known) continue;
+    if (name.empty()) continue;
     if ((", " + text + ",").find(", " + name + ",") != std::string::npos) continue;
     text += (text.empty() ? "" : ", ") + name;
     if (text.size() > 60) break;
@@ -39,7 +39,7 @@ class ChunkedReader::Collector : public RecordVisitor {
   void message(std::uint32_t connection, std::int64_t log_time_ns, ByteSpan bytes) override {
     ++messages;
     const auto topic = topics_.topic_of(connection);
-    if (!topic) ++unknown;
+    if (!topic || *topic >= wanted_.size()) ++unknown;
     if (!topic || *topic >= wanted_.size() || wanted_[*topic] == 0) return;
     is_sorted = is_sorted && (entries_.empty() || entries_.back().log_time_ns <= log_time_ns);
     entries_.push_back({log_time_ns, *topic, bytes});

@@ -220,6 +220,7 @@ std::unique_ptr<BagReader> open_ros1_bag(std::unique_ptr<BagFile> file) {
                      "); expected #ROSBAG V2.0: convert it with `rosbag fix`");
   }
   BagLayout layout = layout_of(*file);
+  require_topics(layout, file->name());
   return std::make_unique<ChunkedReader>(std::move(file), std::make_unique<Ros1Format>(),
                                          std::move(layout));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "topic_table.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace roomatlas::io {
@@ -67,6 +68,18 @@ void TopicTable::count(std::uint32_t connection, std::int64_t messages) {
   if (!topic) return;
   std::optional<std::int64_t>& count = topics_[*topic].messages;
   count = count.value_or(0) + messages;
+}
+
+void TopicTable::recount(const std::map<std::uint16_t, std::uint64_t>& messages) {
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 53;  // a damaged number is no number
+  for (BagTopic& topic : topics_) topic.messages = 0;
+  for (const auto& [channel, number] : messages) {
+    count(channel, static_cast<std::int64_t>(std::min(number, kMost)));
+  }
+}
+
+void TopicTable::forget_counts() {
+  for (BagTopic& topic : topics_) topic.messages.reset();
 }
 
 }  // namespace roomatlas::io

@@ -4,6 +4,7 @@
 #include "bag_reader.hpp"
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -31,6 +32,9 @@ class TopicTable {
   [[nodiscard]] bool knows(std::uint32_t connection) const;
   /// Adds to what an index says about the number of messages.
   void count(std::uint32_t connection, std::int64_t messages);
+  /// Replaces all counts by these, of channels.
+  void recount(const std::map<std::uint16_t, std::uint64_t>& messages);
+  void forget_counts();
   [[nodiscard]] const std::vector<BagTopic>& topics() const { return topics_; }
   [[nodiscard]] std::int64_t left_out() const { return left_out_; }
 
