@@ -125,7 +125,12 @@ void map(const Settings& settings, const Path& log, const Path& store_file) {
 
 void info(const Settings& settings, const Path& log) {
   const auto mission = open_log(log, settings.mission);
-  while (mission->next()) {
+  try {
+    while (mission->next()) {
+    }
+  } catch (const std::runtime_error&) {
+    if (const auto& recording = mission->info().recording) print(*recording);  // may tell why
+    throw;
   }
   const MissionInfo& info = mission->info();
   if (settings.json) {

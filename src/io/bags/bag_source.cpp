@@ -153,10 +153,10 @@ bool BagSource::is_told(const Waiting& waiting, bool given_up) {
 std::optional<MissionEvent> BagSource::hand_out() {
   while (true) {
     if (!truths_.empty()) {
-      MissionEvent truth = std::move(truths_.front());
+      const TruePose truth = truths_.front();
       truths_.pop_front();
       ++info_.true_poses;
-      return truth;
+      return MissionEvent(truth);
     }
     if (waiting_.empty()) return std::nullopt;
     Waiting& front = waiting_.front();

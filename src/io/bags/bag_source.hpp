@@ -116,7 +116,7 @@ class BagSource : public MissionSource {
   std::shared_ptr<const RangeSensor> ring_sensor_;
 
   std::deque<Waiting> waiting_;
-  std::deque<MissionEvent> truths_;  ///< tf's, to be handed out next
+  std::deque<TruePose> truths_;  ///< tf's, to be handed out next
   std::optional<Pose2> last_pose_;
   std::int64_t newest_log_ns_ = 0;
   std::optional<std::int64_t> first_log_ns_;
