@@ -113,6 +113,7 @@ void map(const Settings& settings, const Path& log, const Path& store_file) {
   }
 
   const auto [summary, info] = record_in_place(settings, peeked, sha256_of_file(log), store_file);
+  if (info.recording) spdlog::info("{}: {}", log.filename().string(), info.recording->choice);
   show(info.issues, info.issues_not_listed);
   // of a mission that is corrected as a whole, `assemble` tells the count that holds
   if (summary.drives_reversed > 0 && !is_corrected_as_a_whole(info, settings)) {

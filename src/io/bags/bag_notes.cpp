@@ -111,9 +111,14 @@ void BagSource::note_poses() {
             " readings are left out: odometry tells nothing of their times (no pose within half a "
             "second)");
   }
-  warn_of(at_nearest_pose_, "odometry",
-          " readings are before the first or after the last pose of odometry, or were waited for "
-          "in vain: the nearest pose, at most half a second off, is theirs");
+  if (at_nearest_pose_ > 0) {
+    constexpr std::int64_t kFew = 100;  // less than one of so many is the rule at both ends
+    add_issue(kFew * at_nearest_pose_ < info_.readings ? Severity::note : Severity::warning,
+              "odometry",
+              std::to_string(at_nearest_pose_) +
+                  " readings are before the first or after the last pose of odometry, or were "
+                  "waited for in vain: the nearest pose, at most half a second off, is theirs");
+  }
   warn_of(poses_->clock_set_back(), "stamps",
           " times the clock of odometry or tf was set back by more than 10 s: what came before is "
           "forgotten then");

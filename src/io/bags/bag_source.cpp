@@ -139,6 +139,7 @@ bool BagSource::is_told(const Waiting& waiting, bool given_up) {
   const std::optional<TransformAt> mount = mount_of(waiting);
   if (!given_up) return is_known(mount) && is_known(poses_->odom_from_base(waiting.until_ns));
   if (mount) return true;
+  describe();  // with the frames that are there
   const auto* scan = std::get_if<LaserScanMessage>(&waiting.content);
   const std::string frame =
       scan != nullptr ? scan->header.frame : std::get<CloudMessage>(waiting.content).header.frame;
@@ -208,6 +209,7 @@ std::optional<RangeReading> BagSource::ring_reading(const Waiting& waiting) {
     for (const auto& [topic, frame] : ring_.sonars()) {
       const auto mount = poses_->base_from(frame, waiting.stamp_ns);
       if (!mount) {
+        describe();
         throw InputError(info_.file + ": " + reader_->topics()[topic].name +
                          ": where its sonar sits on the robot is not known: no tf joins the "
                          "robot's frame " +

@@ -26,6 +26,13 @@ void RobotPoses::note(TransformTrack::Added added) {
   if (added == TransformTrack::Added::out_of_order) ++out_of_order_;
 }
 
+/// Of tf the edge that is odometry alone counts: others may come from several clocks.
+void RobotPoses::note(const PoseMessage& transform, TransformTrack::Added added) {
+  const bool is_odometry = choice_.odometry == TopicChoice::Odometry::transforms &&
+                           transform.child_frame == choice_.odometry_child;
+  if (is_odometry) note(added);
+}
+
 void RobotPoses::add_odometry(const PoseMessage& pose, std::int64_t stamp_ns) {
   if (pose.frame_from_child) {
     note(odometry_.add(stamp_ns, *pose.frame_from_child));
@@ -36,13 +43,15 @@ void RobotPoses::add_odometry(const PoseMessage& pose, std::int64_t stamp_ns) {
 
 void RobotPoses::add_transforms(const TransformsMessage& message, bool is_fixed) {
   for (const PoseMessage& transform : message) {
-    note(frames_.add(transform, transform.header.stamp_ns, is_fixed));
+    note(transform, frames_.add(transform, transform.header.stamp_ns, is_fixed));
   }
 }
 
 void RobotPoses::add_transforms_at(const TransformsMessage& message, bool is_fixed,
                                    std::int64_t time_ns) {
-  for (const PoseMessage& transform : message) note(frames_.add(transform, time_ns, is_fixed));
+  for (const PoseMessage& transform : message) {
+    note(transform, frames_.add(transform, time_ns, is_fixed));
+  }
 }
 
 std::optional<TransformAt> RobotPoses::odom_from_base(std::int64_t stamp_ns) const {

@@ -38,6 +38,7 @@ class RobotPoses {
 
  private:
   void note(TransformTrack::Added added);
+  void note(const PoseMessage& transform, TransformTrack::Added added);
 
   const TopicChoice& choice_;
   FrameTree frames_;

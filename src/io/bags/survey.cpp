@@ -20,6 +20,10 @@ bool is_laser(MessageKind kind) {
   return kind == MessageKind::laser || kind == MessageKind::echoes;
 }
 
+bool is_range(MessageKind kind) {
+  return is_laser(kind) || kind == MessageKind::cloud || kind == MessageKind::range;
+}
+
 class Surveyor {
  public:
   explicit Surveyor(BagReader& reader) : reader_(reader) {}
@@ -72,7 +76,11 @@ class Surveyor {
     if (!evidence.first_log_ns) evidence.first_log_ns = message.log_time_ns;
     evidence.last_log_ns = message.log_time_ns;
     const MessageCursor in(message.bytes, result_.topics[message.topic].encoding);
-    if (!look_at(evidence, in, message)) ++evidence.unreadable;
+    if (!look_at(evidence, in, message)) {
+      ++evidence.unreadable;
+    } else if (is_range(*evidence.kind)) {
+      has_ranges_ = true;
+    }
   }
 
   bool look_at(TopicEvidence& evidence, const MessageCursor& in, const BagMessage& message) {
@@ -169,6 +177,7 @@ class Surveyor {
 
   [[nodiscard]] bool is_enough(const BagMessage& message) const {
     const std::int64_t span_ns = message.log_time_ns - *first_log_ns_;
+    if (!has_ranges_) return false;  // a laser that was switched on late
     return bytes_ > kMostBytes || span_ns > kMost_ns || (span_ns > kEnough_ns && something_moved_);
   }
 
@@ -192,6 +201,7 @@ class Surveyor {
   BagReader& reader_;
   Survey result_;
   bool has_laser_ = false;
+  bool has_ranges_ = false;
   bool something_moved_ = false;
   std::int64_t bytes_ = 0;
   std::optional<std::int64_t> first_log_ns_;
