@@ -20,7 +20,8 @@ constexpr std::uint64_t kFar_bytes = std::uint64_t{1} << 15;
 
 }  // namespace
 
-BagFile::BagFile(const std::filesystem::path& file) : name_(file.string()) {
+BagFile::BagFile(const std::filesystem::path& file, std::string shown_name)
+    : name_(std::move(shown_name)) {
   require_regular_file(file);
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) {

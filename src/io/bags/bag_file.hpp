@@ -14,7 +14,8 @@ namespace roomatlas::io {
 class BagFile {
  public:
   /// Throws InputError where the file is missing, a folder, no regular file, or unreadable.
-  explicit BagFile(const std::filesystem::path& file);
+  /// `shown_name` is its name in messages.
+  BagFile(const std::filesystem::path& file, std::string shown_name);
   ~BagFile();
   BagFile(const BagFile&) = delete;
   BagFile& operator=(const BagFile&) = delete;

@@ -15,11 +15,6 @@ bool is_text(std::string_view schema_encoding) {
          schema_encoding == "ros2idl" || schema_encoding == "omgidl";
 }
 
-BagEncoding encoding_of(std::string_view name) {
-  if (name == "cdr") return BagEncoding::cdr;
-  return name == "ros1" ? BagEncoding::ros1 : BagEncoding::other;
-}
-
 }  // namespace
 
 void read_mcap_schema(ByteSpan content, McapSchemas& schemas) {
@@ -63,7 +58,7 @@ Chunk read_mcap_chunk_head(ByteSpan head, std::uint64_t offset, std::uint64_t re
 BagTopic mcap_topic(const McapChannel& channel, const McapSchemas& schemas) {
   BagTopic topic;
   topic.name = channel.topic;
-  topic.encoding = encoding_of(channel.encoding);
+  topic.encoding = bag_encoding_of(channel.encoding);
   const auto schema = schemas.find(channel.schema);
   if (schema != schemas.end()) {
     topic.type = plain_type(schema->second->name);

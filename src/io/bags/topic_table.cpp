@@ -29,6 +29,11 @@ std::string plain_type(std::string_view type) {
   return parts.front() + "/" + parts.back();
 }
 
+BagEncoding bag_encoding_of(std::string_view name) {
+  if (name == "cdr") return BagEncoding::cdr;
+  return name == "ros1" ? BagEncoding::ros1 : BagEncoding::other;
+}
+
 std::optional<std::size_t> TopicTable::add(BagTopic topic) {
   std::string key = topic.name + '\0' + topic.type + '\0';
   key += std::to_string(static_cast<int>(topic.encoding));

@@ -16,6 +16,9 @@ namespace roomatlas::io {
 /// "sensor_msgs::msg::dds_::LaserScan_".
 [[nodiscard]] std::string plain_type(std::string_view type);
 
+/// By the name that a recording gives it: "cdr", "ros1".
+[[nodiscard]] BagEncoding bag_encoding_of(std::string_view name);
+
 /// The topics of a recording, and which connection or channel is which topic.
 class TopicTable {
  public:
@@ -34,6 +37,9 @@ class TopicTable {
   void count(std::uint32_t connection, std::int64_t messages);
   /// Replaces all counts by these, of channels.
   void recount(const std::map<std::uint16_t, std::uint64_t>& messages);
+  void set_count(std::size_t topic, std::optional<std::int64_t> messages) {
+    topics_.at(topic).messages = messages;
+  }
   void forget_counts();
   [[nodiscard]] const std::vector<BagTopic>& topics() const { return topics_; }
   [[nodiscard]] std::int64_t left_out() const { return left_out_; }
