@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bags/bag_source.hpp"
 
+#include "bags/recorded_poses.hpp"
 #include "text/numbers.hpp"
 
 #include "roomatlas/io/text/utf8.hpp"
@@ -256,11 +257,7 @@ void BagSource::add_truth(const Waiting& waiting) {
 
 std::unique_ptr<MissionSource> open_recording(const std::filesystem::path& path,
                                               const MissionOptions& options) {
-  std::error_code unknown;
-  const bool is_file =
-      std::filesystem::is_regular_file(path, unknown) && !std::filesystem::is_empty(path, unknown);
-  if (!is_file && !std::filesystem::is_directory(path, unknown)) return nullptr;
-  if (!open_bag(path)) return nullptr;
+  if (!is_recording(path)) return nullptr;
   const std::filesystem::path name =
       path.has_filename() ? path.filename() : path.parent_path().filename();
   return std::make_unique<BagSource>(

@@ -49,7 +49,10 @@ class Surveyor {
       const BagTopic& topic = topics[i];
       if (topic.encoding != BagEncoding::other) evidence.kind = kind_of_message(topic.type);
       if (evidence.kind) evidence.misfit = misfit_of(*evidence.kind, topic.type, topic.definition);
-      has_laser_ = has_laser_ || (evidence.kind && is_laser(*evidence.kind));
+      const bool is_empty = topic.messages == 0 || !evidence.misfit.empty();
+      has_laser_ = has_laser_ || (evidence.kind && is_laser(*evidence.kind) && !is_empty);
+      expects_ranges_ =
+          expects_ranges_ || (evidence.kind && is_range(*evidence.kind) && !is_empty);
       result_.evidence.push_back(std::move(evidence));
     }
     result_.topics = topics;
@@ -177,7 +180,7 @@ class Surveyor {
 
   [[nodiscard]] bool is_enough(const BagMessage& message) const {
     const std::int64_t span_ns = message.log_time_ns - *first_log_ns_;
-    if (!has_ranges_) return false;  // a laser that was switched on late
+    if (expects_ranges_ && !has_ranges_) return false;  // a laser that was switched on late
     return bytes_ > kMostBytes || span_ns > kMost_ns || (span_ns > kEnough_ns && something_moved_);
   }
 
@@ -201,6 +204,7 @@ class Surveyor {
   BagReader& reader_;
   Survey result_;
   bool has_laser_ = false;
+  bool expects_ranges_ = false;
   bool has_ranges_ = false;
   bool something_moved_ = false;
   std::int64_t bytes_ = 0;
