@@ -21,6 +21,9 @@ namespace roomatlas {
 [[nodiscard]] std::unique_ptr<MissionSource> open_mission_to_map(const Path& file,
                                                                  const MissionOptions& options);
 
+/// Whether it is a recording of topics, told by its content; false for what cannot be read.
+[[nodiscard]] bool is_recording(const Path& file);
+
 /// For a mission that was read to its end. Throws NotEnoughError when it has no range reading, or
 /// no odometry, because every line that should hold one was left out, which is an error among its
 /// issues: says how many there are and why the first of them was left out.
