@@ -164,6 +164,7 @@ std::vector<float> resampled(const std::vector<SweepRay>& rays, const RangeSenso
     resampler.set_typical(*middle);
   }
   for (std::size_t i = 1; i < seen.size(); ++i) resampler.fill_between(seen[i - 1], seen[i]);
+  resampler.fill_between(seen.back(), seen.front());  // of a full turn
   for (const SeenEnd& end : seen) resampler.fill_beside(end);
   return resampler.taken();
 }

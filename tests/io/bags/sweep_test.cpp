@@ -185,7 +185,7 @@ TEST(Sweep, ACloudGivesTheNearestPointOfEachBearingInItsBand) {
     out.add(std::uint8_t{0}).add(std::uint32_t{12}).add(std::uint32_t{48}).add(std::uint32_t{48});
     // a wall, a nearer thing at a robot's height, the floor before it, a lamp above
     for (const float value :
-         {5.0F, 0.1F, 0.0F, 3.0F, 0.05F, 0.4F, 1.0F, 0.02F, -0.5F, 2.0F, 0.03F, 1.5F}) {
+         {5.0F, 0.08F, 0.0F, 3.0F, 0.05F, 0.4F, 1.0F, 0.02F, -0.5F, 2.0F, 0.03F, 1.5F}) {
       out.add(value);
     }
     out.add(std::uint8_t{1});
