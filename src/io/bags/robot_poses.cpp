@@ -87,7 +87,7 @@ std::optional<TransformAt> RobotPoses::base_from(const std::string& frame,
 
 std::optional<TransformAt> RobotPoses::truth_from_base(std::int64_t stamp_ns) const {
   if (choice_.truth_frame.empty()) return std::nullopt;
-  return frames_.lookup(choice_.truth_frame, choice_.base_frame, stamp_ns, Constant::in_its_times);
+  return frames_.lookup(choice_.truth_frame, choice_.base_frame, stamp_ns, Constant::holds_always);
 }
 
 }  // namespace roomatlas::io

@@ -51,8 +51,7 @@ class Surveyor {
       if (evidence.kind) evidence.misfit = misfit_of(*evidence.kind, topic.type, topic.definition);
       const bool is_empty = topic.messages == 0 || !evidence.misfit.empty();
       has_laser_ = has_laser_ || (evidence.kind && is_laser(*evidence.kind) && !is_empty);
-      expects_ranges_ =
-          expects_ranges_ || (evidence.kind && is_range(*evidence.kind) && !is_empty);
+      expects_ranges_ = expects_ranges_ || (evidence.kind && is_range(*evidence.kind) && !is_empty);
       result_.evidence.push_back(std::move(evidence));
     }
     result_.topics = topics;

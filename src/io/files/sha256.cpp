@@ -73,6 +73,9 @@ std::vector<Path> parts_of_recording(const Path& folder) {
                          ending == ".zstd" || ending == ".bag";
     if (is_part && entry.is_regular_file()) parts.push_back(entry.path());
   }
+  if (parts.empty()) {
+    throw InputError(folder.string() + ": is a directory and no recording; name a file inside it");
+  }
   std::sort(parts.begin(), parts.end());
   return parts;
 }

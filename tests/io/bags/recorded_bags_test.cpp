@@ -62,7 +62,7 @@ TEST(RecordedBags, WithoutOdometryAreMissionsAtTheOrigin) {
   EXPECT_EQ(log.info.odometry, "none");
 }
 
-TEST(RecordedBags, AMCLsAnswerIsATrajectoryToCompareWith) {
+TEST(RecordedBags, PosesInTfsRootFrameAreATrajectoryToCompareWith) {
   const auto bag = shared_data("bags/zaki0929_mit/2018_feb13_col.bag");
   if (!bag) return;
   const TrajectoryFile truth = read_trajectory(*bag, {}, LogPoses::truth);
