@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sqlite_bag.hpp"
 
+#include "bag_file.hpp"
 #include "bag_issues.hpp"
 #include "rosbag2_metadata.hpp"
 #include "topic_table.hpp"
@@ -32,12 +33,30 @@ std::string immutable_uri(const std::filesystem::path& file) {
 
 bool has_table(SQLite::Database& database, const char* name) { return database.tableExists(name); }
 
+/// Whether a file is shorter than its header says (sqlite.org/fileformat2.html, 1.3).
+bool is_cut_short(const std::filesystem::path& file) {
+  BagFile bag_file(file, file.string());
+  const ByteSpan header = bag_file.view(0, 100);
+  if (header.size() < 100) return true;
+  const auto big_endian = [&](std::size_t at, std::size_t bytes) {
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < bytes; ++i) {
+      value = value << 8 | std::to_integer<std::uint64_t>(header[at + i]);
+    }
+    return value;
+  };
+  const std::uint64_t page_bytes = big_endian(16, 2) == 1 ? 65536 : big_endian(16, 2);
+  return page_bytes * big_endian(28, 4) > bag_file.size();
+}
+
 class SqliteBag final : public BagReader {
  public:
-  SqliteBag(std::unique_ptr<SQLite::Database> database, const std::string& name)
+  /// Of a file that was cut short the index is not used: its pages lie between those of the rows.
+  SqliteBag(std::unique_ptr<SQLite::Database> database, const std::string& name, bool is_cut)
       : database_(std::move(database)), issues_(name) {
     read_topics();
-    has_time_index_ = find_time_index();
+    has_time_index_ = !is_cut && find_time_index();
+    if (is_cut) warn(Severity::warning, "its database was cut short: it is read as far as it goes");
     wanted_.assign(topics().size(), 1);
   }
 
@@ -120,8 +139,12 @@ class SqliteBag final : public BagReader {
   /// Sorting without an index would hold all: rows then come as they lie.
   void start() {
     const std::string key = has_time_index_ ? "timestamp" : "rowid";
-    first_ = number("SELECT min(" + key + ") FROM messages");
-    last_ = number("SELECT max(" + key + ") FROM messages");
+    try {
+      first_ = number("SELECT min(" + key + ") FROM messages");
+      last_ = number("SELECT max(" + key + ") FROM messages");
+    } catch (const SQLite::Exception&) {  // met again where it matters; progress is not known then
+      first_ = last_ = 0;
+    }
     rows_ = std::make_unique<SQLite::Statement>(
         *database_, "SELECT topic_id, timestamp, rowid, data FROM messages" + condition() +
                         " ORDER BY " + (has_time_index_ ? "timestamp, rowid" : "rowid"));
@@ -209,8 +232,11 @@ std::unique_ptr<BagReader> open_sqlite_bag(const std::filesystem::path& file,
   try {
     auto database = std::make_unique<SQLite::Database>(immutable_uri(file),
                                                        SQLite::OPEN_READONLY | SQLite::OPEN_URI);
+    const bool is_cut = is_cut_short(file);
+    // Without it SQLite refuses a file that is too short. Nothing is written by it.
+    if (is_cut) database->exec("PRAGMA writable_schema = ON");
     if (!has_table(*database, "topics") || !has_table(*database, "messages")) return nullptr;
-    auto bag = std::make_unique<SqliteBag>(std::move(database), shown_name);
+    auto bag = std::make_unique<SqliteBag>(std::move(database), shown_name, is_cut);
     if (bag->topics().empty()) {
       throw InputError(shown_name + ": is a rosbag2 without topics: nothing was recorded in it");
     }
