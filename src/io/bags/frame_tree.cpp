@@ -2,6 +2,7 @@
 #include "bags/frame_tree.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace roomatlas::io {
 namespace {
@@ -97,6 +98,14 @@ std::optional<TransformAt> FrameTree::lookup(const std::string& target, const st
   const Transform3 top_from_source = climb(up);
   const Transform3 top_from_target = climb(down);
   return TransformAt{inverse(top_from_target) * top_from_source, beyond_ns};
+}
+
+std::optional<Transform3> FrameTree::newest(const std::string& target,
+                                            const std::string& source) const {
+  constexpr std::int64_t kEndOfTime_ns = std::numeric_limits<std::int64_t>::max();
+  const auto found = lookup(target, source, kEndOfTime_ns, Constant::holds_always);
+  if (!found) return std::nullopt;
+  return found->transform;
 }
 
 bool FrameTree::are_joined(const std::string& one, const std::string& other) const {

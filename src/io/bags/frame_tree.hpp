@@ -46,6 +46,10 @@ class FrameTree {
   [[nodiscard]] std::optional<TransformAt> lookup(const std::string& target,
                                                   const std::string& source, std::int64_t stamp_ns,
                                                   Constant constant) const;
+  /// The transform that was told last, whatever its stamp: frames of a localizer on another
+  /// computer may go by another clock.
+  [[nodiscard]] std::optional<Transform3> newest(const std::string& target,
+                                                 const std::string& source) const;
   [[nodiscard]] bool are_joined(const std::string& one, const std::string& other) const;
   [[nodiscard]] bool knows(const std::string& frame) const;
   /// From a frame up to the root: each edge's parent is the next one's child.

@@ -117,11 +117,11 @@ RecordedPoses read_tf(const Recording& recording, const std::string& root,
     for (const PoseMessage& transform : *transforms) {
       if (transform.child_frame != moving) continue;
       const std::int64_t stamp_ns = transform.header.stamp_ns;
-      // a frame above odometry's that never moves may be told by another clock
-      const auto pose = frames.lookup(root, base, stamp_ns, Constant::holds_always);
-      constexpr std::int64_t kNear_ns = 1'000'000'000;  // localizers answer late
-      if (!pose || pose->beyond_ns > kNear_ns) continue;
-      read.poses.push_back({seconds(stamp_ns), planar(pose->transform)});
+      const auto root_from_odom = frames.newest(root, transform.header.frame);
+      const auto pose =
+          frames.lookup(transform.header.frame, base, stamp_ns, Constant::holds_always);
+      if (!root_from_odom || !pose) continue;
+      read.poses.push_back({seconds(stamp_ns), planar(*root_from_odom * pose->transform)});
     }
   }
   read.issues = reader->issues();

@@ -87,7 +87,13 @@ std::optional<TransformAt> RobotPoses::base_from(const std::string& frame,
 
 std::optional<TransformAt> RobotPoses::truth_from_base(std::int64_t stamp_ns) const {
   if (choice_.truth_frame.empty()) return std::nullopt;
-  return frames_.lookup(choice_.truth_frame, choice_.base_frame, stamp_ns, Constant::holds_always);
+  const bool has_odometry = choice_.odometry != TopicChoice::Odometry::none;
+  const std::string& below = has_odometry ? choice_.odometry_frame : choice_.base_frame;
+  const auto truth_from_below = frames_.newest(choice_.truth_frame, below);
+  auto pose = odom_from_base(stamp_ns);
+  if (!truth_from_below || !pose) return std::nullopt;
+  pose->transform = *truth_from_below * pose->transform;
+  return pose;
 }
 
 }  // namespace roomatlas::io
