@@ -9,9 +9,12 @@ namespace roomatlas::io {
 namespace {
 
 constexpr double kLongestSweepS = 1.0;  // more is no time of a laser
-constexpr double kStillM = 0.003;       // moved less in a sweep, and ...
-constexpr double kStillSteps = 0.25;  // ... turned less than this share of a beam's step: it stood
-constexpr int kKnots = 16;            // poses of a sweep; between them straight
+// A robot that moves and turns less than this in a sweep is taken for standing: what the beams are
+// off by is less than the error of their ranges, and odometry of so short a time, which often lags,
+// is no better.
+constexpr double kStillM = 0.03;
+constexpr double kStillRad = radians(1.0);
+constexpr int kKnots = 16;  // poses of a sweep; between them straight
 
 RangeLimits limits_of(const LaserScanMessage& scan, double trusted_m) {
   const bool has_max = std::isfinite(scan.range_max_m) && scan.range_max_m > 0.0;
@@ -36,9 +39,9 @@ class SweepPath {
     }
   }
 
-  [[nodiscard]] bool moves(double step_rad) const {
-    return std::any_of(knots_.begin(), knots_.end(), [&](const Pose2& pose) {
-      return pose.position().norm() > kStillM || std::abs(pose.theta_rad) > kStillSteps * step_rad;
+  [[nodiscard]] bool moves() const {
+    return std::any_of(knots_.begin(), knots_.end(), [](const Pose2& pose) {
+      return pose.position().norm() > kStillM || std::abs(pose.theta_rad) > kStillRad;
     });
   }
 
@@ -124,7 +127,7 @@ RangeReading LaserReader::read(std::size_t topic, const LaserScanMessage& scan,
     reading.odom_from_robot = planar(pose->transform);
   }
   const SweepPath path(poses, stamp_ns, has_odometry ? sweep_time_s(scan) : 0.0, shape.beams);
-  const bool moves = path.moves(std::abs(scan.angle_increment_rad));
+  const bool moves = path.moves();
   if (moves) ++notes_.unrolled;
   reading.ranges_m =
       moves || found.sensor != shape.sensor
