@@ -113,6 +113,18 @@ bool BagSource::use_range(Topic& topic, const BagMessage& message, const Message
   return true;
 }
 
+/// Of the robot, where what was observed is another part of it that tf joins to it.
+TruePose BagSource::true_pose(const PoseMessage& pose, std::int64_t stamp_ns) {
+  const Transform3& world_from_child = *pose.frame_from_child;
+  const bool is_robot = pose.child_frame.empty() || pose.child_frame == choice_.base_frame;
+  if (is_robot) return {seconds(stamp_ns), planar(world_from_child)};
+  if (const auto child_from_base = poses_->base_in(pose.child_frame, stamp_ns)) {
+    return {seconds(stamp_ns), planar(world_from_child * *child_from_base)};
+  }
+  unjoined_truth_ = pose.child_frame;
+  return {seconds(stamp_ns), planar(world_from_child)};
+}
+
 bool BagSource::use_pose(Topic& topic, const BagMessage& message, const MessageCursor& in) {
   std::optional<PoseMessage> pose =
       topic.kind == MessageKind::pose ? read_pose(in) : read_odometry(in);
@@ -123,12 +135,12 @@ bool BagSource::use_pose(Topic& topic, const BagMessage& message, const MessageC
   } else if (pose->frame_from_child) {
     Waiting waiting;
     waiting.topic = message.topic;
-    waiting.content = TruePose{seconds(stamp_ns), planar(*pose->frame_from_child)};
+    waiting.content = true_pose(*pose, stamp_ns);
     waiting_.push_back(std::move(waiting));
   }
   const bool is_both = topic.use == Use::odometry && choice_.truth == message.topic;
   if (is_both && pose->frame_from_child) {
-    truths_.push_back(TruePose{seconds(stamp_ns), planar(*pose->frame_from_child)});
+    truths_.push_back(true_pose(*pose, stamp_ns));
   }
   return true;
 }

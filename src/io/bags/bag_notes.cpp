@@ -135,6 +135,11 @@ void BagSource::note_poses() {
     add_issue(Severity::note, "stamps",
               std::to_string(poses_->out_of_order()) + " poses came out of order and were sorted");
   }
+  if (!unjoined_truth_.empty()) {
+    add_issue(Severity::note, "truth",
+              "its poses are of " + unjoined_truth_ + ", which no tf joins to " +
+                  choice_.base_frame + ": taken for the robot's");
+  }
   if (poses_->took_base_frames_for_one()) {
     add_issue(Severity::note, "frames",
               "no tf joins base_link and base_footprint: taken for one, as they differ in height "

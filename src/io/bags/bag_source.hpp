@@ -81,6 +81,7 @@ class BagSource : public MissionSource {
   [[nodiscard]] bool use_pose(Topic& topic, const BagMessage& message, const MessageCursor& in);
   [[nodiscard]] bool use_transforms(const Topic& topic, const BagMessage& message,
                                     const MessageCursor& in);
+  [[nodiscard]] TruePose true_pose(const PoseMessage& pose, std::int64_t stamp_ns);
   void wait_for_round(std::size_t topic, std::int64_t log_ns, SonarRing::Round round);
   /// The message's time; counted where it has no stamp.
   [[nodiscard]] std::int64_t time_of(Topic& topic, const HeaderMessage& header,
@@ -120,6 +121,7 @@ class BagSource : public MissionSource {
   std::optional<Pose2> last_pose_;
   std::int64_t newest_log_ns_ = 0;
   std::optional<std::int64_t> first_log_ns_;
+  std::string unjoined_truth_;  ///< whose poses are taken for the robot's
   std::int64_t without_stamp_ = 0;
   std::int64_t without_pose_ = 0;
   std::int64_t at_nearest_pose_ = 0;

@@ -83,7 +83,7 @@ std::optional<TransformAt> FrameTree::lookup(const std::string& target, const st
   std::int64_t beyond_ns = 0;
   const auto climb = [&](const std::vector<const Node*>& nodes) {
     Transform3 top_from_frame;
-    for (const Node* at : nodes) {
+    for (const Node* at : nodes) {  // a single edge is told as it is, without a rounding
       Transform3 parent_from_child = at->fixed;
       if (!at->edge.is_fixed) {
         const TransformAt found = *at->track.at(stamp_ns);  // an edge has a sample
@@ -91,11 +91,12 @@ std::optional<TransformAt> FrameTree::lookup(const std::string& target, const st
         const bool is_mount = constant == Constant::holds_always && at->track.is_constant();
         if (!is_mount) beyond_ns = std::max(beyond_ns, found.beyond_ns);
       }
-      top_from_frame = parent_from_child * top_from_frame;
+      top_from_frame = at == nodes.front() ? parent_from_child : parent_from_child * top_from_frame;
     }
     return top_from_frame;
   };
   const Transform3 top_from_source = climb(up);
+  if (down.empty()) return TransformAt{top_from_source, beyond_ns};
   const Transform3 top_from_target = climb(down);
   return TransformAt{inverse(top_from_target) * top_from_source, beyond_ns};
 }

@@ -36,13 +36,24 @@ std::vector<float> first_echoes(MessageCursor& in) {
   return firsts;
 }
 
+/// An angle as it was before a float rounded it, where it was a whole number of ten-thousandths of
+/// a degree, as those of most lasers are: a quarter of a degree is then one, over the whole sweep.
+double angle(MessageCursor& in) {
+  constexpr double kPartsOfDegree = 1e4;
+  const float rounded_rad = in.number<float>();
+  const double parts = std::round(degrees(static_cast<double>(rounded_rad)) * kPartsOfDegree);
+  const double whole_rad = radians(parts / kPartsOfDegree);
+  return static_cast<float>(whole_rad) == rounded_rad ? whole_rad
+                                                      : static_cast<double>(rounded_rad);
+}
+
 /// All of a laser scan but its ranges, which MultiEchoLaserScan has in another shape.
 LaserScanMessage scan_without_ranges(MessageCursor& in) {
   LaserScanMessage scan;
   scan.header = header(in);
-  scan.angle_min_rad = static_cast<double>(in.number<float>());
+  scan.angle_min_rad = angle(in);
   (void)in.number<float>();  // angle_max: follows from the number of beams
-  scan.angle_increment_rad = static_cast<double>(in.number<float>());
+  scan.angle_increment_rad = angle(in);
   scan.time_increment_s = static_cast<double>(in.number<float>());
   scan.scan_time_s = static_cast<double>(in.number<float>());
   scan.range_min_m = static_cast<double>(in.number<float>());
@@ -141,7 +152,7 @@ std::optional<RangeMessage> read_range(MessageCursor in) {
   RangeMessage message;
   message.header = header(in);
   message.radiation = in.number<std::uint8_t>();
-  message.field_of_view_rad = static_cast<double>(in.number<float>());
+  message.field_of_view_rad = angle(in);
   message.min_range_m = static_cast<double>(in.number<float>());
   message.max_range_m = static_cast<double>(in.number<float>());
   message.range_m = in.number<float>();

@@ -72,6 +72,7 @@ std::vector<Candidate> topic_candidates(const TopicChoice& choice, const Survey&
     if (evidence.kind != MessageKind::odometry || !evidence.misfit.empty()) continue;
     if (!evidence.first_pose || evidence.frames.empty()) continue;
     if (is_of_a_map(evidence.frames.front())) continue;
+    if (is_named_for_truth(survey.topics[i].name)) continue;  // a simulator's, in frame "odom"
     Candidate candidate{TopicChoice::Odometry::topic,
                         i,
                         evidence.frames.front(),
@@ -152,10 +153,7 @@ void use(TopicChoice& choice, const Candidate& candidate) {
 Candidate named_topic(const Survey& survey, const std::string& name, const std::string& file) {
   const std::size_t index = topic_named(survey, name, "--odom-topic", file);
   const TopicEvidence& evidence = survey.evidence[index];
-  const bool has_poses = evidence.kind == MessageKind::odometry ||
-                         evidence.kind == MessageKind::pose ||
-                         evidence.kind == MessageKind::transform;
-  if (!has_poses || !evidence.misfit.empty()) {
+  if (!has_poses(evidence)) {
     throw UsageError(file + ": --odom-topic " + name + " (" + survey.topics[index].type +
                      "): expected nav_msgs/Odometry or a geometry_msgs pose" +
                      (evidence.misfit.empty() ? "" : "; " + evidence.misfit));

@@ -8,7 +8,6 @@
 #include "roomatlas/io/text/utf8.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace roomatlas::io {
@@ -23,19 +22,6 @@ struct Recording {
 
 Recording open(const std::filesystem::path& path) {
   return {path, as_utf8(path.filename().string()), survey(*open_bag(path))};
-}
-
-bool has_poses(const TopicEvidence& evidence) {
-  const bool is_kind = evidence.kind == MessageKind::odometry ||
-                       evidence.kind == MessageKind::pose ||
-                       evidence.kind == MessageKind::transform;
-  return is_kind && evidence.misfit.empty();
-}
-
-bool is_named_for_truth(const std::string& topic) {
-  static constexpr std::array kNames = {"truth", "mocap", "vicon", "optitrack", "leica"};
-  return std::any_of(kNames.begin(), kNames.end(),
-                     [&](const char* name) { return topic.find(name) != std::string::npos; });
 }
 
 /// The topic of poses with the most messages for which that holds.

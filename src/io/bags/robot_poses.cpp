@@ -85,6 +85,14 @@ std::optional<TransformAt> RobotPoses::base_from(const std::string& frame,
   return std::nullopt;
 }
 
+std::optional<Transform3> RobotPoses::base_in(const std::string& frame,
+                                              std::int64_t stamp_ns) const {
+  if (frame == choice_.base_frame) return Transform3{};
+  const auto known = frames_.lookup(frame, choice_.base_frame, stamp_ns, Constant::holds_always);
+  if (!known) return std::nullopt;
+  return known->transform;
+}
+
 std::optional<TransformAt> RobotPoses::truth_from_base(std::int64_t stamp_ns) const {
   if (choice_.truth_frame.empty()) return std::nullopt;
   const bool has_odometry = choice_.odometry != TopicChoice::Odometry::none;

@@ -27,6 +27,10 @@ class RobotPoses {
   /// `base_footprint`, which differ in height alone, count as one where nothing joins them.
   [[nodiscard]] std::optional<TransformAt> base_from(const std::string& frame,
                                                      std::int64_t stamp_ns) const;
+  /// What stands between a frame that moves with the robot and the robot's own; nothing where no
+  /// transform joins them.
+  [[nodiscard]] std::optional<Transform3> base_in(const std::string& frame,
+                                                  std::int64_t stamp_ns) const;
   /// As tf's root frame has it, where truth is asked of tf.
   [[nodiscard]] std::optional<TransformAt> truth_from_base(std::int64_t stamp_ns) const;
 

@@ -52,6 +52,8 @@ std::optional<SonarRing::Round> SonarRing::add(std::size_t topic, const RangeMes
   if (std::isfinite(message.max_range_m)) {
     max_range_m_ = std::max(max_range_m_, message.max_range_m);
   }
+  const bool is_whole = std::count(heard_.begin(), heard_.end(), false) == 0;
+  if (!ended && is_whole) ended = taken();
   return ended;
 }
 

@@ -14,7 +14,7 @@
 namespace roomatlas::io {
 
 /// Joins single sonars, which a recording has one message each, to a ring: a round of it is a
-/// reading. A sonar is told by its topic and frame. A round ends when one of them speaks again;
+/// reading. A sonar is told by its topic and frame. A round ends when all have spoken, or one of them again;
 /// those that kept silent are no reading then.
 class SonarRing {
  public:

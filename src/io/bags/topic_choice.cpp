@@ -89,17 +89,6 @@ std::string nearest_topics(const Survey& survey) {
   return "; it has " + std::to_string(survey.topics.size()) + " topics, such as " + text;
 }
 
-std::size_t usable_topic(const Survey& survey, const std::string& name, const char* option,
-                         const std::string& file) {
-  const std::size_t index = topic_named(survey, name, option, file);
-  const TopicEvidence& evidence = survey.evidence[index];
-  if (!evidence.misfit.empty()) {
-    throw InputError(file + ": " + name + ": its messages are not what their type says: " +
-                     evidence.misfit + "; name another topic by " + option);
-  }
-  return index;
-}
-
 void choose_scans(TopicChoice& choice, const Survey& survey, const RecordingOptions& options,
                   const std::string& file) {
   for (const std::string& name : names_in(options.scan_topics)) {
@@ -156,30 +145,6 @@ void note_misfits(TopicChoice& choice, const Survey& survey) {
                              "is not used: its definition of " + survey.topics[i].type +
                                  " is another: " + evidence.misfit});
   }
-}
-
-void choose_truth(TopicChoice& choice, const Survey& survey, const RecordingOptions& options,
-                  const std::string& file) {
-  if (options.truth_topic.empty()) return;
-  if (options.truth_topic == "tf" || options.truth_topic == "/tf") {
-    const std::vector<FrameEdge> above = survey.frames.edges_above(choice.base_frame);
-    if (above.empty()) {
-      throw UsageError(file + ": --truth-topic tf: nothing is above the frame " +
-                       choice.base_frame + " in tf");
-    }
-    choice.truth_frame = above.back().parent;
-    return;
-  }
-  const std::size_t index = usable_topic(survey, options.truth_topic, "--truth-topic", file);
-  const auto kind = survey.evidence[index].kind;
-  const bool has_poses =
-      kind == MessageKind::odometry || kind == MessageKind::pose || kind == MessageKind::transform;
-  if (!has_poses) {
-    throw UsageError(file + ": --truth-topic " + shown(survey.topics[index]) +
-                     ": expected nav_msgs/Odometry, geometry_msgs/PoseStamped, "
-                     "PoseWithCovarianceStamped or TransformStamped, or tf");
-  }
-  choice.truth = index;
 }
 
 std::optional<std::int64_t> median(std::vector<std::int64_t> values) {

@@ -43,8 +43,23 @@ struct TopicChoice {
 void choose_odometry(TopicChoice& choice, const Survey& survey, const RecordingOptions& options,
                      const std::string& file);
 
+/// The part that chooses truth; `choice` has its frames. What is named for it is truth unasked.
+void choose_truth(TopicChoice& choice, const Survey& survey, const RecordingOptions& options,
+                  const std::string& file);
+
+/// As `topic_named`; throws InputError where its messages are not what their type says.
+[[nodiscard]] std::size_t usable_topic(const Survey& survey, const std::string& name,
+                                       const char* option, const std::string& file);
+
 /// The index of a topic. Throws UsageError naming what is there instead.
 [[nodiscard]] std::size_t topic_named(const Survey& survey, const std::string& name,
                                       const char* option, const std::string& file);
+
+/// Whether it tells poses that were measured from outside, by its name: "/ground_truth",
+/// "/vicon/robot".
+[[nodiscard]] bool is_named_for_truth(const std::string& topic);
+
+/// Whether its messages are poses that can be read.
+[[nodiscard]] bool has_poses(const TopicEvidence& evidence);
 
 }  // namespace roomatlas::io

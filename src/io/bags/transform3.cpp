@@ -26,7 +26,12 @@ Transform3 interpolate(const Transform3& from, const Transform3& to, double frac
 }
 
 Pose2 planar(const Transform3& a_from_b) {
-  const Eigen::Vector3d ahead = a_from_b.rotation * Eigen::Vector3d::UnitX();
+  const Eigen::Quaterniond& rotation = a_from_b.rotation;
+  if (rotation.x() == 0.0 && rotation.y() == 0.0) {  // about the vertical: to the last digit
+    return {a_from_b.translation.x(), a_from_b.translation.y(),
+            wrap_angle(2.0 * std::atan2(rotation.z(), rotation.w()))};
+  }
+  const Eigen::Vector3d ahead = rotation * Eigen::Vector3d::UnitX();
   return {a_from_b.translation.x(), a_from_b.translation.y(),
           wrap_angle(std::atan2(ahead.y(), ahead.x()))};
 }
