@@ -14,8 +14,8 @@
 namespace roomatlas::io {
 
 /// Joins single sonars, which a recording has one message each, to a ring: a round of it is a
-/// reading. A sonar is told by its topic and frame. A round ends when all have spoken, or one of them again;
-/// those that kept silent are no reading then.
+/// reading. A sonar is told by its topic and frame. A round ends when all have spoken, or one of
+/// them again; those that kept silent are no reading then.
 class SonarRing {
  public:
   using Name = std::pair<std::size_t, std::string>;  ///< topic, frame

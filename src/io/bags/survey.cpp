@@ -44,6 +44,7 @@ class Surveyor {
  private:
   void meet_topics() {
     const std::vector<BagTopic>& topics = reader_.topics();
+    if (topics.size() == result_.topics.size()) return;  // which it is after nearly all messages
     for (std::size_t i = result_.topics.size(); i < topics.size(); ++i) {
       TopicEvidence evidence;
       const BagTopic& topic = topics[i];
@@ -185,6 +186,7 @@ class Surveyor {
 
   Survey finished(bool is_whole) {
     result_.is_whole = is_whole;
+    result_.topics = reader_.topics();  // with what is known of their counts by now
     std::int64_t from_ns = 0;
     std::int64_t to_ns = 0;
     for (const TopicEvidence& evidence : result_.evidence) {

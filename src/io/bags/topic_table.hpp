@@ -23,7 +23,7 @@ namespace roomatlas::io {
 class TopicTable {
  public:
   /// More are left out: a robot has hundreds, a damaged file any number.
-  static constexpr std::size_t kMostTopics = 65536;
+  static constexpr std::size_t kMostTopics = std::size_t{1} << 18;  // some 80 MB
 
   /// The topic's index: a known one where name, type and encoding are the same. Nothing when there
   /// are too many.

@@ -2,11 +2,8 @@
 #include "bags/mission_bag.hpp"
 
 #include "bags/ros1_md5.hpp"
-#include "io/bags/read_bag.hpp"
+#include "io/bags/small_mission.hpp"
 #include "io/mission_log.hpp"
-#include "simulate/simulated.hpp"
-
-#include "roomatlas/io/maps/read_world.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,22 +15,6 @@ namespace roomatlas::test {
 namespace {
 
 constexpr const char* kRecordings[] = {"m.bag", "m.mcap", "m.db3", "m"};
-
-/// Forwards, and a turn on the spot, with everything that is random.
-std::vector<SimulatedStep> mission_of(SensorKind sensor) {
-  SimulationOptions options;
-  options.sensor = sensor;
-  options.start_timestamp_s = 1700000000.123;
-  const Path world = Path(ROOMATLAS_SOURCE_DIR) / "data/worlds/two_rooms.geojson";
-  return testing_simulate::run(read_world(world, {}), {{1.5, 2.0}, {3.0, 2.4}, {2.0, 3.4}},
-                               options);
-}
-
-void write(const Path& file, const std::vector<SimulatedStep>& steps) {
-  const auto writer = create_mission(file, *steps[0].reading.sensor, {});
-  for (const SimulatedStep& step : steps) writer->write(step);
-  writer->finish();
-}
 
 /// As a CARMEN log and a recording hold it: nothing within range, and no measurement.
 void expect_range(float read_m, float simulated_m, double max_range_m) {
