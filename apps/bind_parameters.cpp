@@ -50,6 +50,11 @@ CLI::Option* bind(CLI::App& app, const Parameter& parameter, const ChoiceParamet
       ->default_str(choice.now)
       ->check(CLI::IsMember(choice.names));
 }
+CLI::Option* bind(CLI::App& app, const Parameter& parameter, const TextParameter& text) {
+  return app.add_option("--" + parameter.name, *text.value, parameter.meaning)
+      ->join(',')
+      ->capture_default_str();
+}
 CLI::Option* bind(CLI::App& app, const Parameter& parameter, const FileParameter& file) {
   return app.add_option("--" + parameter.name, *file.value, parameter.meaning)
       ->configurable(false);  // no path gets into the store

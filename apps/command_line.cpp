@@ -127,6 +127,11 @@ void add_simulate(CLI::App* command, SimulateArguments& a) {
       ->add_option("--furnish", a.furnish,
                    "seed of furniture and open door leaves that are put into the rooms first")
       ->configurable(false);
+  command
+      ->add_option("--format", a.format,
+                   "of the mission: clf (CARMEN), or a recording with topics: bag, mcap, db3")
+      ->check(CLI::IsMember({"clf", "bag", "mcap", "db3"}))
+      ->configurable(false);
   output(command, a.out, "folder for mission.clf, truth.tum and truth.geojson");
 }
 
@@ -260,6 +265,12 @@ class Commands {
     add_simulate(command("simulate", "a robot in a known world: log with ground truth",
                          [this] { apps::simulate(settings_, a_.simulate); }),
                  a_.simulate);
+
+    CLI::App* convert =
+        command("convert", "log -> another format: what would be mapped, and nothing else",
+                [this] { apps::convert(settings_, a_.log, a_.out); });
+    positional(convert, "LOG", a_.log, "mission log, or recording of topics");
+    output(convert, a_.out, "file to write: .mcap, .bag, .db3 or .clf; or a folder for a rosbag2");
 
     add_optimize(command("optimize", "the solver alone, on a planar pose graph",
                          [this] { apps::optimize(settings_, a_.optimize); }),

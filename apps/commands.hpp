@@ -28,6 +28,7 @@ struct SimulateArguments {
   std::vector<double> start;                 ///< x and y in metres, heading in degrees; or empty
   std::optional<std::uint64_t> furnish;      ///< seed of the furniture that is put in
   std::optional<std::int64_t> random_rooms;  ///< instead of a world
+  std::string format = "clf";                ///< of the mission: the end of its file's name
   Path out;
 };
 
@@ -47,6 +48,8 @@ struct BuildArguments {
 void info(const Settings& settings, const Path& log);
 void build(const Settings& settings, const BuildArguments& arguments);
 void map(const Settings& settings, const Path& log, const Path& store);
+/// Writes what would be mapped as another log.
+void convert(const Settings& settings, const Path& log, const Path& out);
 /// Completes the store. @returns how many rooms the plan has
 std::size_t assemble(const Settings& settings, const Path& store);
 /// The same with what the store was mapped with, where this run was given nothing else.

@@ -10,6 +10,7 @@
 #include "plan_report.hpp"
 #include "roomatlas/correct/place.hpp"
 #include "roomatlas/io/files/path.hpp"
+#include "roomatlas/io/logs/open_mission.hpp"
 #include "roomatlas/io/results/comparison_text.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
@@ -82,7 +83,7 @@ void add_plan(const Settings& settings, const Path& file, const std::string& nam
 
 void add_run(const Settings& settings, const Path& file, const std::string& name,
              const Truth& truth, const Preparation& prepare, Judged& judged) {
-  if (is_sqlite(file)) return add_store(file, name, truth, prepare, judged);
+  if (is_sqlite(file) && !is_recording(file)) return add_store(file, name, truth, prepare, judged);
   if (is_plan(file)) return add_plan(settings, file, name, truth, judged);
   TrajectoryFile read = read_trajectory(file, settings.mission, LogPoses::recorded);
   show(read.issues);

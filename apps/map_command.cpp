@@ -7,12 +7,14 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "former_store.hpp"
+#include "log_report.hpp"
 #include "new_store.hpp"
 #include "output_places.hpp"
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/logs/open_mission.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
+#include "roomatlas/match/scan_odometry.hpp"
 #include "roomatlas/pipeline/map_mission.hpp"
 #include "store_metadata.hpp"
 
@@ -34,6 +36,14 @@ class PeekedMission : public MissionSource {
   MissionSource& mission_;
   std::optional<MissionEvent> first_;
 };
+
+/// The log's mission; one of a recording without odometry by scan matching alone.
+std::unique_ptr<MissionSource> open_log(const Path& log, const MissionOptions& options) {
+  auto mission = open_mission_to_map(log, options);
+  const MissionInfo& info = mission->info();
+  if (!info.recording || info.odometry != "none") return mission;
+  return scan_odometry(std::move(mission));
+}
 
 /// What a mapped mission leaves to tell.
 struct Recorded {
@@ -88,7 +98,7 @@ bool is_corrected_as_a_whole(const MissionInfo& info, const Settings& settings) 
 
 void map(const Settings& settings, const Path& log, const Path& store_file) {
   require_output_store(store_file, {log});
-  const auto mission = open_mission_to_map(log, settings.mission);
+  const auto mission = open_log(log, settings.mission);
   PeekedMission peeked(*mission);
   struct NoSink : AsrSink {
     void put(const Asr&) override {}
@@ -103,6 +113,7 @@ void map(const Settings& settings, const Path& log, const Path& store_file) {
   }
 
   const auto [summary, info] = record_in_place(settings, peeked, sha256_of_file(log), store_file);
+  if (info.recording) spdlog::info("{}: {}", log.filename().string(), info.recording->choice);
   show(info.issues, info.issues_not_listed);
   // of a mission that is corrected as a whole, `assemble` tells the count that holds
   if (summary.drives_reversed > 0 && !is_corrected_as_a_whole(info, settings)) {
@@ -114,16 +125,24 @@ void map(const Settings& settings, const Path& log, const Path& store_file) {
 }
 
 void info(const Settings& settings, const Path& log) {
-  const auto mission = open_mission_to_map(log, settings.mission);
-  while (mission->next()) {
+  const auto mission = open_log(log, settings.mission);
+  try {
+    while (mission->next()) {
+    }
+  } catch (const std::runtime_error&) {
+    if (const auto& recording = mission->info().recording) print(*recording);  // may tell why
+    throw;
   }
   const MissionInfo& info = mission->info();
   if (settings.json) {
     fmt::print("{}", to_json(info));
     return;
   }
-  fmt::print("{}: {} log\n", log.string(), info.format);
-  for (const auto& [tag, count] : info.line_counts) fmt::print("  {:<14}{:>8}\n", tag, count);
+  fmt::print("{}: {}{}\n", log.string(), info.format, info.recording ? "" : " log");
+  if (info.recording) print(*info.recording);
+  for (const auto& [tag, count] : info.line_counts) {
+    if (!info.recording) fmt::print("  {:<14}{:>8}\n", tag, count);
+  }
   for (const auto& [tag, count] : info.ignored_line_counts) {
     fmt::print("  {:<14}{:>8}  (not used)\n", tag, count);
   }

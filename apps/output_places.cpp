@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "roomatlas/core/issue.hpp"
+#include "roomatlas/io/logs/open_mission.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -76,7 +77,8 @@ void require_output_store(const fs::path& file, const std::vector<fs::path>& inp
   require_place_of_a_file(file);
   require_no_input(file, inputs, {"", ".tmp", ".new", ".new.tmp"});
   std::error_code missing;
-  if (!fs::exists(file, missing) || fs::is_empty(file, missing) || is_sqlite(file)) return;
+  if (!fs::exists(file, missing) || fs::is_empty(file, missing)) return;
+  if (is_sqlite(file) && !is_recording(file)) return;
   refuse(file,
          "is there already and is no store, so it is not replaced: give another name with -o");
 }

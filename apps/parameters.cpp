@@ -27,6 +27,9 @@ class List {
   void flag(const std::string& name, bool& value, const std::string& meaning) {
     all_.push_back({stage_, name, meaning, FlagParameter{&value}});
   }
+  void text(const std::string& name, std::string& value, const std::string& meaning) {
+    all_.push_back({stage_, name, meaning, TextParameter{&value}});
+  }
   void file(const std::string& name, std::string& value, const std::string& meaning) {
     all_.push_back({stage_, name, meaning, FileParameter{&value}});
   }
@@ -79,6 +82,27 @@ void add_mission(Parameters& all, MissionOptions& mission) {
             kLargestSeed);
   stage.add("robot-length", mission.footprint.length_m, "m; marks the robot's path", 0.05, 5.0);
   stage.add("robot-width", mission.footprint.width_m, "m; marks the robot's path", 0.05, 5.0);
+}
+
+/// What of a recording of topics is taken.
+void add_recording(Parameters& all, RecordingOptions& recording) {
+  List stage(all, Stage::mission);
+  stage.text("scan-topic", recording.scan_topics,
+             "of a bag: the laser's or point cloud's topic; again for several. Empty: the widest "
+             "view");
+  stage.text("odom-topic", recording.odometry_topic,
+             "of a bag: odometry's topic, or tf, or none. Empty: by rate, coverage and motion");
+  stage.text("odom-frame", recording.odometry_frame, "of a bag: tf's frame of odometry");
+  stage.text("base-frame", recording.base_frame, "of a bag: the robot's frame");
+  stage.text("range-topics", recording.range_topics,
+             "of a bag: single sonars that are one ring, separated by commas");
+  stage.text("truth-topic", recording.truth_topic,
+             "of a bag: the robot's true poses, or tf: those in its root frame (AMCL's)");
+  stage.text("laser-mount", recording.laser_mount,
+             "of a bag: x,y,deg (m, deg) of the laser on the robot, in the place of tf's");
+  stage.add("cloud-low", recording.cloud_low_m,
+            "m above the robot's frame; points of a 3-D cloud from here ...", -100.0, 100.0);
+  stage.add("cloud-high", recording.cloud_high_m, "m; ... to here are walls", -100.0, 100.0);
 }
 
 void add_map(Parameters& all, MapOptions& options) {
@@ -315,6 +339,7 @@ const char* heading_of(Stage stage) {
 Parameters parameters_of(Settings& settings) {
   Parameters all;
   add_mission(all, settings.mission);
+  add_recording(all, settings.mission.recording);
   add_map(all, settings.map);
   add_correction(all, settings);
   add_plan(all, settings);

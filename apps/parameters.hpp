@@ -46,6 +46,10 @@ struct ChoiceParameter {
   std::string now;
   std::function<void(const std::string&)> choose;
 };
+/// A text, which may be empty. Given several times, its texts are joined by commas.
+struct TextParameter {
+  std::string* value = nullptr;
+};
 /// The name of a file: never kept in a store.
 struct FileParameter {
   std::string* value = nullptr;
@@ -55,7 +59,8 @@ struct Parameter {
   Stage stage = Stage::mission;
   std::string name;
   std::string meaning;
-  std::variant<NumberParameter, DegreesParameter, FlagParameter, ChoiceParameter, FileParameter>
+  std::variant<NumberParameter, DegreesParameter, FlagParameter, ChoiceParameter, TextParameter,
+               FileParameter>
       kind;
 };
 using Parameters = std::vector<Parameter>;

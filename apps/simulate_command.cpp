@@ -8,8 +8,8 @@
 #include "console.hpp"
 #include "output_places.hpp"
 #include "roomatlas/io/files/files.hpp"
-#include "roomatlas/io/logs/carmen_writer.hpp"
 #include "roomatlas/io/logs/drive.hpp"
+#include "roomatlas/io/logs/mission_writer.hpp"
 #include "roomatlas/io/maps/read_world.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/io/results/summary.hpp"
@@ -35,27 +35,30 @@ FloorPlan sound_world(const SimulateArguments& arguments) {
 /// Takes the steps of a mission into its files.
 class MissionFiles {
  public:
-  MissionFiles(const Settings& settings, const Path& out)
+  MissionFiles(const Settings& settings, const Path& out, const std::string& log)
       : out_(out),
-        log_(out / "mission.clf", range_sensor(settings.simulation), settings.simulation.footprint),
+        log_file_(out / log),
+        log_(create_mission(log_file_, range_sensor(settings.simulation),
+                            settings.simulation.footprint)),
         progress_(console_progress(settings)) {}
 
   void write(const SimulatedStep& step) {
-    log_.write(step);
+    log_->write(step);
     truth_.push_back({step.truth.timestamp_s, step.truth.world_from_robot});
     if (!progress_("simulating", -1.0)) throw Interrupted("interrupted: no mission was written");
   }
 
   void finish(const FloorPlan& world) {
-    log_.finish();
+    log_->finish();
     write_tum(out_ / "truth.tum", truth_);
     write_file(out_ / "truth.geojson", to_geojson(world));
-    spdlog::info("{} readings in {}", truth_.size(), (out_ / "mission.clf").string());
+    spdlog::info("{} readings in {}", truth_.size(), log_file_.string());
   }
 
  private:
   Path out_;
-  CarmenWriter log_;
+  Path log_file_;
+  std::unique_ptr<MissionWriter> log_;
   Progress progress_;
   Trajectory truth_;
 };
@@ -133,10 +136,11 @@ void simulate(const Settings& settings, const SimulateArguments& arguments) {
                       {settings.simulation.footprint, TourOptions{}.view_m});
   }
   make_folder(arguments.out);
-  for (const char* name : {"mission.clf", "truth.tum", "truth.geojson"}) {
+  const std::string log = "mission." + arguments.format;
+  for (const std::string& name : {log, std::string("truth.tum"), std::string("truth.geojson")}) {
     require_output_file(arguments.out / name, {arguments.world, arguments.drive});
   }
-  MissionFiles files(settings, arguments.out);
+  MissionFiles files(settings, arguments.out, log);
   const auto write = [&](const SimulatedStep& step) { files.write(step); };
   if (task.drive.empty() && arguments.drive.empty()) {
     report(explore(world, settings.simulation, task.explore, write), world, settings.json);

@@ -169,6 +169,33 @@ TEST(Simulate, AWorldThatCannotBeDrivenThroughGetsOneLine) {
   expect_refusal(world_of(""), "--start 40,2,0", 3, "outside of all rooms");
 }
 
+/// The bytes but the name of the mission's file, which drawings show.
+std::string without_name(std::string text) {
+  for (const std::string name : {"mission.clf", "mission.bag", "mission.mcap", "mission.db3"}) {
+    for (std::size_t at; (at = text.find(name)) != std::string::npos;) text.erase(at, name.size());
+  }
+  return text;
+}
+
+TEST(Simulate, RecordingsMapToTheSameBytesAsTheCarmenLog) {
+  for (const std::string sensor : {"laser", "sonar"}) {
+    const Folder folder;
+    for (const std::string format : {"clf", "bag", "mcap", "db3"}) {
+      const auto out = folder / format;
+      simulated(kWorlds + "two_rooms.geojson --sensor " + sensor + " --format " + format, out);
+      const Outcome built = run("-q build " + (out / ("mission." + format)).string() + " -o " +
+                                (out / "plan").string());
+      ASSERT_EQ(built.exit_code, 0) << built.err;
+      for (const char* name : {"plan.local.geojson", "plan.svg", "trajectory_corrected.tum",
+                               "graph.g2o", "rooms.csv", "map.pgm"}) {
+        EXPECT_TRUE(without_name(content_of(out / "plan" / name)) ==
+                    without_name(content_of(folder / "clf" / "plan" / name)))
+            << sensor << " " << format << " " << name;
+      }
+    }
+  }
+}
+
 TEST(Simulate, ARandomBuildingIsAStoreThatAssembleTakes) {
   const Folder folder;
   simulated("--random-rooms 12 --seed 5", folder / "a");

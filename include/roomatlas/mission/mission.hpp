@@ -54,6 +54,20 @@ struct AsSonarOptions {
   std::uint64_t seed = 1;            ///< decides noise and losses
 };
 
+/// Of a recording of topics (a bag), what is taken from it. Empty: chosen by what the recording
+/// shows. Lists are names of topics, separated by commas.
+struct RecordingOptions {
+  std::string scan_topics;     ///< lasers or point clouds; several are mapped together
+  std::string odometry_topic;  ///< a topic, "tf", or "none": mapped by scan matching alone
+  std::string odometry_frame;  ///< in which odometry's poses are; "odom" in most recordings
+  std::string base_frame;      ///< the robot; sensors' mounts are told from it
+  std::string range_topics;    ///< single sonars, mapped as one ring
+  std::string truth_topic;     ///< poses of the robot to compare with; or "tf": its root frame
+  std::string laser_mount;     ///< "x,y,deg": where the laser sits, instead of what tf says
+  double cloud_low_m = 0.1;   ///< of a 3-D cloud, points above the base frame's plane from here ...
+  double cloud_high_m = 1.5;  ///< ... to here are walls. Wider takes floor and lamps for walls
+};
+
 /// What the log does not say. Where it does, the log wins.
 struct MissionOptions {
   double laser_max_range_m = 50.0;  ///< at or beyond: no echo. Lower drops far walls
@@ -61,6 +75,34 @@ struct MissionOptions {
   double sonar_cone_deg = 30.0;     ///< full opening angle; wider trusts bearings less
   RobotFootprint footprint;         ///< cells under it are marked as robot path
   AsSonarOptions as_sonar;          ///< thins lasers to what a sonar robot would have heard
+  RecordingOptions recording;       ///< which topics of a bag, and how they are read
+};
+
+/// A topic of a recording.
+struct RecordedTopic {
+  std::string name;
+  std::string type;
+  std::optional<std::int64_t> messages;  ///< none: the recording has no index that says so
+  double rate_hz = 0.0;                  ///< 0: not known
+  std::vector<std::string> frames;       ///< of its headers, where they were looked at
+  std::string use;                       ///< "laser", "odometry" ...; empty: not used
+};
+
+/// An edge of a recording's tree of coordinate frames.
+struct RecordedFrame {
+  std::string parent;
+  std::string child;
+  bool is_fixed = false;
+  std::int64_t transforms = 0;
+};
+
+/// What is in a recording of topics.
+struct RecordingInfo {
+  std::vector<RecordedTopic> topics;  ///< by name
+  std::vector<RecordedFrame> frames;  ///< by the child's name
+  std::string choice;                 ///< what is mapped, in one line
+  std::string base_frame;
+  std::string odometry_frame;  ///< empty without odometry
 };
 
 /// Summary of what has been read so far.
@@ -82,6 +124,7 @@ struct MissionInfo {
   std::vector<std::shared_ptr<const RangeSensor>> sensors;  ///< in order of appearance
   Issues issues;                                            ///< the first hundred, then counted
   std::int64_t issues_not_listed = 0;
+  std::optional<RecordingInfo> recording;  ///< of a bag
 };
 
 /// A mission as a stream, in file order. Memory does not grow with its length.

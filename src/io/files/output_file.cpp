@@ -39,6 +39,13 @@ void OutputFile::write(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stream_.get()) != text.size()) fail(errno);
 }
 
+void OutputFile::overwrite(std::uint64_t offset, std::string_view bytes) {
+  errno = 0;
+  if (::fseeko(stream_.get(), static_cast<::off_t>(offset), SEEK_SET) != 0) fail(errno);
+  write(bytes);
+  if (::fseeko(stream_.get(), 0, SEEK_END) != 0) fail(errno);
+}
+
 void OutputFile::commit() {
   errno = 0;
   if (std::fflush(stream_.get()) != 0) fail(errno);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -21,6 +22,8 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   void write(std::string_view text);
+  /// Replaces bytes that have been written, from `offset` on. What is written next goes to the end.
+  void overwrite(std::uint64_t offset, std::string_view bytes);
   /// Renames the temporary file to the final name, replacing what was there.
   void commit();
 

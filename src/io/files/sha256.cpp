@@ -4,8 +4,10 @@
 
 #include <openssl/evp.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
+#include <memory>
 #include <stdexcept>
 #include <vector>
 
@@ -30,26 +32,68 @@ void require(int openssl_result) {
   if (openssl_result != 1) throw std::runtime_error("SHA-256 is not available");
 }
 
+/// SHA-256 of what is added.
+class Digest {
+ public:
+  Digest() { require(EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr)); }
+
+  void add(std::string_view bytes) {
+    require(EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()));
+  }
+  void add_content(const Path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || std::filesystem::is_directory(file)) {
+      throw InputError(file.string() + ": cannot be read; check the path");
+    }
+    std::vector<char> block(std::size_t{1} << 16);
+    while (stream) {
+      stream.read(block.data(), static_cast<std::streamsize>(block.size()));
+      add({block.data(), static_cast<std::size_t>(stream.gcount())});
+    }
+    if (stream.bad()) throw InputError(file.string() + ": cannot be read to its end");
+  }
+  [[nodiscard]] std::string taken() {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> hash{};
+    unsigned length = 0;
+    require(EVP_DigestFinal_ex(context_.get(), hash.data(), &length));
+    return hexadecimal(hash.data(), length);
+  }
+
+ private:
+  std::unique_ptr<EVP_MD_CTX, FreeDigest> context_{EVP_MD_CTX_new()};
+};
+
+/// The files that a recording's folder is made of, by name: what else lies there, such as the plan
+/// that was made of it, does not count.
+std::vector<Path> parts_of_recording(const Path& folder) {
+  std::vector<Path> parts;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string ending = entry.path().extension().string();
+    const bool is_part = ending == ".yaml" || ending == ".db3" || ending == ".mcap" ||
+                         ending == ".zstd" || ending == ".bag";
+    if (is_part && entry.is_regular_file()) parts.push_back(entry.path());
+  }
+  if (parts.empty()) {
+    throw InputError(folder.string() + ": is a directory and no recording; name a file inside it");
+  }
+  std::sort(parts.begin(), parts.end());
+  return parts;
+}
+
 }  // namespace
 
 std::string sha256_of_file(const Path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw InputError(file.string() + ": cannot be read; check the path");
+  Digest digest;
+  if (std::filesystem::is_directory(file)) {
+    for (const Path& part : parts_of_recording(file)) {
+      digest.add(part.filename().string() + '\0');
+      digest.add(std::to_string(std::filesystem::file_size(part)) + '\0');
+      digest.add_content(part);
+    }
+  } else {
+    digest.add_content(file);
   }
-  const std::unique_ptr<EVP_MD_CTX, FreeDigest> digest(EVP_MD_CTX_new());
-  require(EVP_DigestInit_ex(digest.get(), EVP_sha256(), nullptr));
-  std::vector<char> block(std::size_t{1} << 16);
-  while (stream) {
-    stream.read(block.data(), static_cast<std::streamsize>(block.size()));
-    require(
-        EVP_DigestUpdate(digest.get(), block.data(), static_cast<std::size_t>(stream.gcount())));
-  }
-  if (stream.bad()) throw InputError(file.string() + ": cannot be read to its end");
-  std::array<unsigned char, EVP_MAX_MD_SIZE> hash{};
-  unsigned length = 0;
-  require(EVP_DigestFinal_ex(digest.get(), hash.data(), &length));
-  return hexadecimal(hash.data(), length);
+  return digest.taken();
 }
 
 }  // namespace roomatlas

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "files/output_file.hpp"
+#include "logs/beam_fan.hpp"
 #include "text/numbers.hpp"
 
 #include "roomatlas/io/logs/carmen_writer.hpp"
@@ -43,13 +44,10 @@ std::string parameter_line(const char* name, double value) {
 }
 
 /// FLASER lines carry no bearings: readers take 181 beams as one a degree from -90 to 90.
-void require_front_laser(const RangeSensor& sensor) {
-  if (sensor.kind != SensorKind::laser) return;
+bool is_front_laser(const RangeSensor& sensor) {
   const std::vector<Pose2>& beams = sensor.robot_from_beam;
-  if (beams.size() != 181 || beams.front().theta_rad != radians(-90.0) ||
-      beams.back().theta_rad != radians(90.0)) {
-    throw std::invalid_argument("FLASER: expected 181 beams from -90 to 90 degrees");
-  }
+  return sensor.kind == SensorKind::laser && beams.size() == 181 &&
+         beams.front().theta_rad == radians(-90.0) && beams.back().theta_rad == radians(90.0);
 }
 
 std::string sonar_line(const RangeReading& reading, const RangeSensor& ring) {
@@ -70,11 +68,25 @@ std::string flaser_line(const RangeReading& reading, const RangeSensor& laser) {
   return line;
 }
 
+/// Type and accuracy are not known; nothing is of remission, motion or the turn's axis.
+std::string robot_laser_line(const RangeReading& reading, const RangeSensor& laser) {
+  const io::BeamFan fan = io::fan_of(laser).value();
+  const std::size_t beams = reading.ranges_m.size();
+  std::string line = "ROBOTLASER1 0";
+  append_numbers(line, {fan.first_rad, fan.step_rad * static_cast<double>(beams - 1), fan.step_rad,
+                        laser.max_range_m, 0.0, 0.0});
+  line += " " + std::to_string(beams);
+  for (const float range_m : reading.ranges_m) append_range(line, range_m, laser.max_range_m);
+  line += " 0";  // remissions
+  append_pose(line, reading.odom_from_robot * Pose2{fan.origin.x(), fan.origin.y(), 0.0});
+  append_pose(line, reading.odom_from_robot);
+  return line + " 0 0 0 0 0";
+}
+
 }  // namespace
 
 struct CarmenWriter::State {
-  State(const Path& file, RangeSensor range_sensor)
-      : output(file), sensor(std::move(range_sensor)) {}
+  explicit State(const Path& file) : output(file) {}
 
   void write_line(std::string& line, double timestamp_s) {
     if (!start_s) start_s = timestamp_s;
@@ -85,14 +97,13 @@ struct CarmenWriter::State {
   }
 
   io::OutputFile output;
-  RangeSensor sensor;
+  Pose2 odom_from_robot;          ///< the latest
   std::optional<double> start_s;  ///< the logger's clock counts from here
 };
 
 CarmenWriter::CarmenWriter(const Path& file, const RangeSensor& sensor,
                            const RobotFootprint& footprint)
-    : state_(std::make_unique<State>(file, sensor)) {
-  require_front_laser(sensor);
+    : state_(std::make_unique<State>(file)) {
   state_->output.write(
       "# CARMEN Logfile\n"
       "# file format is one message per line\n"
@@ -104,34 +115,42 @@ CarmenWriter::CarmenWriter(const Path& file, const RangeSensor& sensor,
       "# TRUEPOS true_x true_y true_theta odom_x odom_y odom_theta\n");
   state_->output.write(parameter_line("robot_length", footprint.length_m));
   state_->output.write(parameter_line("robot_width", footprint.width_m));
-  const bool is_laser = sensor.kind == SensorKind::laser;
-  state_->output.write(
-      parameter_line(is_laser ? "robot_front_laser_max" : "robot_max_sonar", sensor.max_range_m));
+  if (sensor.kind == SensorKind::sonar) {
+    state_->output.write(parameter_line("robot_max_sonar", sensor.max_range_m));
+  } else if (is_front_laser(sensor)) {  // lines of others tell it
+    state_->output.write(parameter_line("robot_front_laser_max", sensor.max_range_m));
+  }
 }
 
 CarmenWriter::~CarmenWriter() = default;
 
-void CarmenWriter::write(const SimulatedStep& step) {
-  const OdometryStep& odometry = step.odometry;
-  const RangeSensor& sensor = state_->sensor;
-  if (step.reading.ranges_m.size() != sensor.robot_from_beam.size()) {
-    throw std::invalid_argument("a step has " + std::to_string(step.reading.ranges_m.size()) +
-                                " ranges but the sensor has " +
-                                std::to_string(sensor.robot_from_beam.size()) + " beams");
-  }
+void CarmenWriter::write(const OdometryStep& odometry) {
   std::string line = "ODOM";
   append_pose(line, odometry.odom_from_robot);
   append_numbers(line, {odometry.speed_m_per_s, odometry.turn_rate_rad_per_s, 0.0});
   state_->write_line(line, odometry.timestamp_s);
+  state_->odom_from_robot = odometry.odom_from_robot;
+}
 
-  line = sensor.kind == SensorKind::laser ? flaser_line(step.reading, sensor)
-                                          : sonar_line(step.reading, sensor);
-  state_->write_line(line, step.reading.timestamp_s);
+void CarmenWriter::write(const RangeReading& reading) {
+  io::require_a_range_a_beam(reading);
+  std::string line;
+  if (reading.sensor->kind == SensorKind::sonar) {
+    line = sonar_line(reading, *reading.sensor);
+  } else if (is_front_laser(*reading.sensor)) {
+    line = flaser_line(reading, *reading.sensor);
+  } else {
+    const RangeReading even = io::as_fan(reading);
+    line = robot_laser_line(even, *even.sensor);
+  }
+  state_->write_line(line, reading.timestamp_s);
+}
 
-  line = "TRUEPOS";
-  append_pose(line, step.truth.world_from_robot);
-  append_pose(line, odometry.odom_from_robot);
-  state_->write_line(line, step.truth.timestamp_s);
+void CarmenWriter::write(const TruePose& truth) {
+  std::string line = "TRUEPOS";
+  append_pose(line, truth.world_from_robot);
+  append_pose(line, state_->odom_from_robot);
+  state_->write_line(line, truth.timestamp_s);
 }
 
 void CarmenWriter::finish() { state_->output.commit(); }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bags/bag_source.hpp"
+#include "bags/recorded_poses.hpp"
 #include "carmen_source.hpp"
 #include "small_logs.hpp"
 #include "text/line_reader.hpp"
@@ -15,6 +17,7 @@ namespace {
 
 std::unique_ptr<MissionSource> open_log(const Path& file, const MissionOptions& options) {
   io::require_regular_file(file);
+  if (auto recording = io::open_recording(file, options)) return recording;
   if (const io::OpenLog open = io::find_small_log(file)) return open(file, options);
   return std::make_unique<io::CarmenSource>(file, options);
 }
@@ -27,6 +30,14 @@ std::unique_ptr<MissionSource> open_mission(const Path& file, const MissionOptio
     mission = as_sonar(std::move(mission), options.as_sonar, options.sonar_max_range_m);
   }
   return mission;
+}
+
+bool is_recording(const Path& file) {
+  try {
+    return io::is_recording(file);
+  } catch (const InputError&) {
+    return false;  // whoever reads it says what is wrong
+  }
 }
 
 std::unique_ptr<MissionSource> open_mission_to_map(const Path& file,

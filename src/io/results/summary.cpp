@@ -134,6 +134,30 @@ Json json_of(const Correction& correction) {
           {"factors", factors}};
 }
 
+Json json_of(const RecordingInfo& recording) {
+  Json topics = Json::array();
+  for (const RecordedTopic& topic : recording.topics) {
+    topics.push_back({{"name", topic.name},
+                      {"type", topic.type},
+                      {"messages", topic.messages ? Json(*topic.messages) : Json(nullptr)},
+                      {"rate_hz", topic.rate_hz > 0.0 ? Json(topic.rate_hz) : Json(nullptr)},
+                      {"frames", topic.frames},
+                      {"use", topic.use.empty() ? Json(nullptr) : Json(topic.use)}});
+  }
+  Json frames = Json::array();
+  for (const RecordedFrame& frame : recording.frames) {
+    frames.push_back({{"parent", frame.parent},
+                      {"child", frame.child},
+                      {"fixed", frame.is_fixed},
+                      {"transforms", frame.transforms}});
+  }
+  return {{"topics", topics},
+          {"frames", frames},
+          {"mapped", recording.choice},
+          {"base_frame", recording.base_frame},
+          {"odometry_frame", recording.odometry_frame}};
+}
+
 Json json_of(const MissionInfo& info) {
   const auto optional = [](const std::optional<double>& value) {
     return value ? Json(*value) : Json(nullptr);
@@ -173,6 +197,7 @@ std::string text_of(const Json& json) {
 
 std::string to_json(const MissionInfo& info) {
   Json json = json_of(info);
+  if (info.recording) json["recording"] = json_of(*info.recording);
   json["issues"] = json_of(info.issues);
   return text_of(json);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/io/trajectories/trajectory_file.hpp"
 
+#include "bags/recorded_poses.hpp"
 #include "logs/carmen_message.hpp"
 #include "pose_rows.hpp"
 #include "text/line_reader.hpp"
@@ -60,6 +61,16 @@ TrajectoryFile read_log(const Path& file, const MissionOptions& options, LogPose
   return read;
 }
 
+/// A recording of topics. One with ranges gives, as what is judged, a pose for each reading.
+TrajectoryFile read_recording(const Path& path, const MissionOptions& options, LogPoses log_poses) {
+  const bool is_truth = log_poses == LogPoses::truth;
+  if (!is_truth && io::has_ranges(path)) return read_log(path, options, log_poses);
+  io::RecordedPoses read = is_truth ? io::read_recorded_truth(path, options.recording)
+                                    : io::read_recorded_poses(path, options.recording);
+  return {std::move(read.source), PoseClock::timestamps, std::move(read.poses),
+          std::move(read.issues)};
+}
+
 /// The last three fields, where the last and the third last are numbers.
 std::optional<ClockReading> clocks_on(io::Tokens fields) {
   std::string_view last[3];
@@ -79,6 +90,7 @@ std::optional<ClockReading> clocks_on(io::Tokens fields) {
 TrajectoryFile read_trajectory(const Path& file, const MissionOptions& options,
                                LogPoses log_poses) {
   io::require_regular_file(file);
+  if (io::is_recording(file)) return read_recording(file, options, log_poses);
   switch (kind_of(file)) {
     case Kind::tum:
       return {"TUM", PoseClock::timestamps, read_tum(file), {}};

@@ -3,24 +3,24 @@
 
 #include <memory>
 
-#include "roomatlas/io/files/path.hpp"
-#include "roomatlas/mission/mission.hpp"
-#include "roomatlas/simulate/simulate.hpp"
+#include "roomatlas/io/logs/mission_writer.hpp"
 
 namespace roomatlas {
 
-/// Writes a CARMEN log with PARAM, ODOM, SONAR or FLASER, and TRUEPOS lines, step by step. A laser
-/// must have 181 beams from -90 to 90 degrees, since FLASER lines carry no bearings
-/// (std::invalid_argument).
-class CarmenWriter {
+/// Writes a CARMEN log with PARAM, ODOM, SONAR or laser, and TRUEPOS lines. A laser with 181 beams
+/// from -90 to 90 degrees gets FLASER lines, which carry no bearings; another ROBOTLASER1 lines.
+class CarmenWriter : public MissionWriter {
  public:
+  /// @param sensor the first that will be written
   CarmenWriter(const Path& file, const RangeSensor& sensor, const RobotFootprint& footprint);
-  ~CarmenWriter();
+  ~CarmenWriter() override;
   CarmenWriter(const CarmenWriter&) = delete;
   CarmenWriter& operator=(const CarmenWriter&) = delete;
-  void write(const SimulatedStep& step);
-  /// Renames the temporary file to its final name. Without it nothing is left behind.
-  void finish();
+  using MissionWriter::write;
+  void write(const OdometryStep& odometry) override;
+  void write(const RangeReading& reading) override;
+  void write(const TruePose& truth) override;
+  void finish() override;
 
  private:
   struct State;

@@ -33,7 +33,9 @@ enum class LogPoses {
 
 /// Reads a trajectory, told by content, plain or gzip: TUM; `timestamp x y theta` or `x y theta` a
 /// line; vertices of g2o and TORO graphs (a vertex followed by a ROBOTLASER1 line has that line's
-/// timestamp, where all have one, else its id); any mission log. A mission log gives robot poses.
+/// timestamp, where all have one, else its id); any mission log. A mission log gives robot poses. A
+/// recording of topics gives, as truth, the poses of a topic or of tf (MissionOptions::recording
+/// says which); else odometry at its readings, or the poses of a topic where it has no ranges.
 /// Throws InputError naming file and line; also where headings look like degrees.
 [[nodiscard]] TrajectoryFile read_trajectory(const std::filesystem::path& file,
                                              const MissionOptions& options, LogPoses log_poses);

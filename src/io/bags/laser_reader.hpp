@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bags/laser_shapes.hpp"
+#include "bags/robot_poses.hpp"
+
+#include <map>
+
+namespace roomatlas::io {
+
+/// What was odd about the lasers of a mission.
+struct LaserNotes {
+  EchoCounts echoes;
+  std::int64_t sweeps = 0;
+  std::int64_t unrolled = 0;  ///< sweeps of which each beam was put to its own pose
+  double most_tilt_rad = 0.0;
+  bool is_upside_down = false;
+  bool keeps_changing = false;
+};
+
+/// How long a sweep takes, from its first beam to its last: by `time_increment`; where that is zero
+/// by `scan_time`, which is that of a turn; 0 where neither can be meant.
+[[nodiscard]] double sweep_time_s(const LaserScanMessage& scan);
+
+/// Makes readings of laser scans. A reading stands where the robot was at its stamp, the time of
+/// the first beam. Where the robot moved on in the sweep, each beam is seen from where it was then,
+/// and the sweep is resampled onto the beams of the sensor: the sensors of a mission stay few.
+class LaserReader {
+ public:
+  explicit LaserReader(double trusted_m) : trusted_m_(trusted_m) {}
+
+  /// @param scan without a problem
+  /// @param stamp_ns of its first beam
+  [[nodiscard]] RangeReading read(std::size_t topic, const LaserScanMessage& scan,
+                                  std::int64_t stamp_ns, const Transform3& base_from_laser,
+                                  const RobotPoses& poses, bool has_odometry);
+  [[nodiscard]] const LaserNotes& notes() const { return notes_; }
+
+ private:
+  void note(const LaserScanMessage& scan, const LaserShape& shape, const RangeLimits& limits);
+
+  double trusted_m_;
+  std::map<std::size_t, LaserShapes> shapes_;  ///< by topic
+  LaserNotes notes_;
+};
+
+}  // namespace roomatlas::io

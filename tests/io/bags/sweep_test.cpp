@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bags/sweep.hpp"
+
+#include "io/bags/memory_bag.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace roomatlas::test {
+namespace {
+
+constexpr double kHalfRoomM = 4.0;  // a square room around the origin
+
+/// From a pose inside the room to its wall.
+double range_in_room(const Pose2& world_from_beam) {
+  const Point2 ray = direction(world_from_beam.theta_rad);
+  double range_m = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 2; ++axis) {
+    for (const double wall : {-kHalfRoomM, kHalfRoomM}) {
+      const double at_m = (wall - world_from_beam.position()[axis]) / ray[axis];
+      if (at_m > 0.0) range_m = std::min(range_m, at_m);
+    }
+  }
+  return range_m;
+}
+
+RangeSensor ring(int beams, const Point2& place) {
+  RangeSensor sensor;
+  sensor.max_range_m = 10.0;
+  const double step_rad = 2.0 * kPi / beams;
+  for (int i = 0; i < beams; ++i) {
+    sensor.robot_from_beam.push_back({place.x(), place.y(), wrap_angle(-kPi + i * step_rad)});
+  }
+  return sensor;
+}
+
+TEST(Sweep, AResampledSweepMeetsTheWallsWhereTheyAre) {
+  const Point2 place(0.3, -0.2);
+  const RangeSensor onto = ring(360, place);
+  std::vector<io::SweepRay> rays;  // from another place, with other and uneven bearings
+  for (int i = 0; i < 500; ++i) {
+    const double bearing = -kPi + 2.0 * kPi * (i + 0.3 * std::sin(i)) / 500.0;
+    const Pose2 beam{0.32, -0.17, wrap_angle(bearing)};
+    rays.push_back({beam.position(), beam * Point2(range_in_room(beam), 0.0), io::Echo::surface});
+  }
+  const std::vector<float> ranges_m = io::resampled(rays, onto);
+  int known = 0;
+  int exact = 0;
+  for (std::size_t i = 0; i < ranges_m.size(); ++i) {
+    if (std::isnan(ranges_m[i])) continue;
+    ++known;
+    const double error_m = std::abs(ranges_m[i] - range_in_room(onto.robot_from_beam[i]));
+    EXPECT_LT(error_m, 0.05) << i;
+    if (error_m < 1e-4) ++exact;
+  }
+  EXPECT_EQ(known, 360);
+  EXPECT_GE(exact, 352);  // all but those beside a corner
+}
+
+TEST(Sweep, WhatMetNothingAndWhatIsUnknownStaysSo) {
+  const RangeSensor onto = ring(360, {0.0, 0.0});
+  std::vector<io::SweepRay> rays;
+  for (int i = 0; i < 360; ++i) {
+    const Pose2 beam{0.0, 0.0, wrap_angle(-kPi + 2.0 * kPi * (i + 0.2) / 360.0)};
+    const io::Echo echo = i < 100   ? io::Echo::nothing
+                          : i < 200 ? io::Echo::unknown
+                                    : io::Echo::surface;
+    rays.push_back({{0.0, 0.0}, beam * Point2(echo == io::Echo::surface ? 3.0 : 10.0, 0.0), echo});
+  }
+  const std::vector<float> ranges_m = io::resampled(rays, onto);
+  EXPECT_EQ(ranges_m[50], 10.0F);
+  EXPECT_TRUE(std::isnan(ranges_m[150]));
+  EXPECT_NEAR(ranges_m[300], 3.0F, 1e-3);
+}
+
+TEST(Sweep, AnEdgeIsNoSurfaceFromNearToFar) {
+  const RangeSensor onto = ring(720, {0.0, 0.0});
+  std::vector<io::SweepRay> rays;
+  for (int i = 0; i < 360; ++i) {
+    const Pose2 beam{0.0, 0.0, wrap_angle(-kPi + 2.0 * kPi * (i + 0.1) / 360.0)};
+    rays.push_back({{0.0, 0.0}, beam * Point2(i < 180 ? 1.0 : 5.0, 0.0), io::Echo::surface});
+  }
+  for (const float range_m : io::resampled(rays, onto)) {
+    EXPECT_TRUE(std::abs(range_m - 1.0F) < 0.01F || std::abs(range_m - 5.0F) < 0.01F) << range_m;
+  }
+}
+
+/// A rotating laser, ten turns a second, on a robot that turns and drives; its scans as it would
+/// have taken them beam by beam.
+ReadLog turning_robot(float time_increment, float scan_time) {
+  constexpr int kBeams = 360;
+  constexpr double kSweepS = 0.1;
+  const Pose2 robot_from_laser{0.15, 0.05, kPi / 2.0};
+  const auto robot_at = [](double time_s) {
+    return Pose2{0.6 * std::cos(time_s), 0.6 * std::sin(time_s), wrap_angle(1.3 * time_s)};
+  };
+  MemoryBag bag(Layout::cdr_little);
+  bag.tf(0.5, {{"base_link", "laser", robot_from_laser}}, "/tf_static");
+  for (int i = 0; i <= 400; ++i) bag.odometry(1.0 + i / 100.0, robot_at(1.0 + i / 100.0));
+  for (int sweep = 0; sweep < 36; ++sweep) {
+    const double start_s = 1.0 + sweep * kSweepS;
+    ScanFields scan;
+    scan.stamp_s = start_s;
+    scan.angle_min = static_cast<float>(-kPi);
+    scan.angle_increment = static_cast<float>(2.0 * kPi / kBeams);
+    scan.time_increment = time_increment;
+    scan.scan_time = scan_time;
+    scan.range_max = 12.0F;
+    scan.ranges.clear();
+    for (int i = 0; i < kBeams; ++i) {
+      const Pose2 laser = robot_at(start_s + i * kSweepS / kBeams) * robot_from_laser;
+      const Pose2 beam = laser * Pose2{0.0, 0.0, wrap_angle(-kPi + 2.0 * kPi * i / kBeams)};
+      scan.ranges.push_back(static_cast<float>(range_in_room(beam)));
+    }
+    bag.scan(start_s + kSweepS, scan);
+  }
+  return read_bag(bag);
+}
+
+/// How far the ends of all beams are from the room's walls, on average.
+double mean_miss_m(const ReadLog& log) {
+  double sum_m = 0.0;
+  int ends = 0;
+  for (const RangeReading& reading : log.readings) {
+    for (std::size_t i = 0; i < reading.ranges_m.size(); ++i) {
+      if (!(reading.ranges_m[i] < reading.sensor->max_range_m)) continue;
+      const Pose2 beam = reading.odom_from_robot * reading.sensor->robot_from_beam[i];
+      sum_m += std::abs(range_in_room(beam) - static_cast<double>(reading.ranges_m[i]));
+      ++ends;
+    }
+  }
+  return sum_m / ends;
+}
+
+TEST(Sweep, EachBeamOfATurningRobotIsPutToItsOwnPose) {
+  const double rigid_m = mean_miss_m(turning_robot(0.0F, 0.0F));
+  const ReadLog by_increment = turning_robot(0.1F / 360.0F, 0.1F);
+  const ReadLog by_turn = turning_robot(0.0F, 0.1F);
+  EXPECT_GT(rigid_m, 0.05);  // the test could fail
+  EXPECT_LT(mean_miss_m(by_increment), 0.004);
+  EXPECT_LT(mean_miss_m(by_turn), 0.004);
+  ASSERT_EQ(by_increment.readings.size(), 36U);
+  EXPECT_EQ(by_increment.info.sensors.size(), 1U);
+  EXPECT_TRUE(is_told(by_increment, "each beam is put to its own pose"));
+}
+
+TEST(Sweep, ALaserWhoseBeamsKeepChangingHasFewSensors) {
+  MemoryBag bag;
+  bag.tf(0.5, {{"base_link", "laser", {}}}, "/tf_static");
+  for (int i = 0; i <= 100; ++i) bag.odometry(1.0 + i / 20.0, {0.0, 0.0, 0.0});
+  for (int sweep = 0; sweep < 40; ++sweep) {
+    const int beams = 340 + sweep;
+    ScanFields scan;
+    scan.angle_min = static_cast<float>(-kPi);
+    scan.angle_increment = static_cast<float>(2.0 * kPi / beams);
+    scan.ranges.clear();
+    for (int i = 0; i < beams; ++i) {
+      scan.ranges.push_back(
+          static_cast<float>(range_in_room({0.0, 0.0, wrap_angle(-kPi + 2.0 * kPi * i / beams)})));
+    }
+    bag.scan(1.0 + sweep / 10.0, scan);
+  }
+  const ReadLog log = read_bag(bag);
+  ASSERT_EQ(log.readings.size(), 40U);
+  EXPECT_LE(log.info.sensors.size(), 8U);
+  EXPECT_LT(mean_miss_m(log), 0.002);
+  EXPECT_TRUE(is_told(log, "keep changing"));
+}
+
+TEST(Sweep, ACloudGivesTheNearestPointOfEachBearingInItsBand) {
+  MemoryBag bag;
+  bag.tf(0.5, {{"base_link", "lidar", {0.2, 0.0, 0.0}, 0.0, 0.5}}, "/tf_static");
+  for (int i = 0; i <= 40; ++i) bag.odometry(1.0 + i / 20.0, {i / 20.0, 0.0, 0.0});
+  for (int i = 0; i < 15; ++i) {
+    MessageBytes out(Layout::ros1);
+    const double time_s = 1.0 + i / 10.0;
+    out.header(time_s, "lidar").add(std::uint32_t{1}).add(std::uint32_t{4}).add(std::uint32_t{3});
+    std::uint32_t offset = 0;
+    for (const char* name : {"x", "y", "z"}) {
+      out.text(name).add(offset).add(std::uint8_t{7}).add(std::uint32_t{1});
+      offset += 4;
+    }
+    out.add(std::uint8_t{0}).add(std::uint32_t{12}).add(std::uint32_t{48}).add(std::uint32_t{48});
+    // a wall, a nearer thing at a robot's height, the floor before it, a lamp above
+    for (const float value :
+         {5.0F, 0.08F, 0.0F, 3.0F, 0.05F, 0.4F, 1.0F, 0.02F, -0.5F, 2.0F, 0.03F, 1.5F}) {
+      out.add(value);
+    }
+    out.add(std::uint8_t{1});
+    bag.add("/points", "sensor_msgs/PointCloud2", time_s, out.bytes);
+  }
+  const ReadLog log = read_bag(bag);
+  ASSERT_EQ(log.readings.size(), 15U);
+  std::vector<float> seen;
+  for (const float range_m : log.readings[3].ranges_m) {
+    if (!std::isnan(range_m)) seen.push_back(range_m);
+  }
+  ASSERT_EQ(seen.size(), 1U);
+  EXPECT_NEAR(seen[0], std::hypot(3.0, 0.05), 1e-5);
+  EXPECT_TRUE(is_told(log, "m above the plane of base_link"));
+}
+
+}  // namespace
+}  // namespace roomatlas::test
