@@ -97,7 +97,8 @@ void add_recording(Parameters& all, RecordingOptions& recording) {
   stage.text("range-topics", recording.range_topics,
              "of a bag: single sonars that are one ring, separated by commas");
   stage.text("truth-topic", recording.truth_topic,
-             "of a bag: the robot's true poses, or tf: those in its root frame (AMCL's)");
+             "of a bag: the robot's true poses, or tf: those in its root frame (AMCL's), or none. "
+             "Empty: the topic that is named for truth");
   stage.text("laser-mount", recording.laser_mount,
              "of a bag: x,y,deg (m, deg) of the laser on the robot, in the place of tf's");
   stage.add("cloud-low", recording.cloud_low_m,

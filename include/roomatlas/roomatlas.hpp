@@ -16,6 +16,7 @@
 // Logs, and simulated robots that write some.
 #include "roomatlas/io/logs/carmen_writer.hpp"
 #include "roomatlas/io/logs/drive.hpp"
+#include "roomatlas/io/logs/mission_writer.hpp"
 #include "roomatlas/io/logs/open_mission.hpp"
 #include "roomatlas/io/maps/read_world.hpp"
 #include "roomatlas/simulate/explore.hpp"

@@ -41,8 +41,7 @@ TEST(Convert, ThereAndBackIsTheSameLog) {
       const Outcome to = run("-q convert " + log.string() + " -o " + there);
       ASSERT_EQ(to.exit_code, 0) << to.err;
       const auto back = folder / "back.clf";
-      const Outcome from =
-          run("-q convert " + there + " -o " + back.string());
+      const Outcome from = run("-q convert " + there + " -o " + back.string());
       ASSERT_EQ(from.exit_code, 0) << from.err;
       EXPECT_TRUE(readings_of(back) == readings_of(log)) << sensor << " " << name;
     }

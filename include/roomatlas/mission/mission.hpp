@@ -62,7 +62,7 @@ struct RecordingOptions {
   std::string odometry_frame;  ///< in which odometry's poses are; "odom" in most recordings
   std::string base_frame;      ///< the robot; sensors' mounts are told from it
   std::string range_topics;    ///< single sonars, mapped as one ring
-  std::string truth_topic;     ///< poses of the robot to compare with; or "tf": its root frame
+  std::string truth_topic;     ///< poses of the robot to compare with; "tf": its root frame; "none"
   std::string laser_mount;     ///< "x,y,deg": where the laser sits, instead of what tf says
   double cloud_low_m = 0.1;   ///< of a 3-D cloud, points above the base frame's plane from here ...
   double cloud_high_m = 1.5;  ///< ... to here are walls. Wider takes floor and lamps for walls

@@ -62,4 +62,8 @@ class BagReader {
 /// was expected and the remedy when it is one and nothing in it can be read.
 [[nodiscard]] std::unique_ptr<BagReader> open_bag(const std::filesystem::path& path);
 
+/// Whether a file's first bytes say that it is a ROS 1 bag or MCAP; of others they say too little.
+/// Throws InputError where it cannot be read.
+[[nodiscard]] bool is_bag_by_magic(const std::filesystem::path& file);
+
 }  // namespace roomatlas::io

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kBeginning_bytes = 16;
 
-bool is_recording(std::string_view beginning) {
+bool begins_recording(std::string_view beginning) {
   return is_ros1_bag(beginning) || beginning.starts_with(kMcapMagic) ||
          beginning.starts_with(kSqliteMagic);
 }
@@ -37,7 +37,7 @@ std::unique_ptr<BagReader> open_unpacked(const std::filesystem::path& file,
 std::unique_ptr<BagReader> open_packed(BagFile& packed) {
   TemporaryFile unpacked;
   std::string fault;
-  if (!unpack_file(packed, unpacked, is_recording, fault)) return nullptr;
+  if (!unpack_file(packed, unpacked, begins_recording, fault)) return nullptr;
   auto bag = open_unpacked(unpacked.path(), packed.name());
   if (!bag) return nullptr;
   std::string format = bag->format();
@@ -54,12 +54,18 @@ std::unique_ptr<BagReader> open_packed(BagFile& packed) {
 std::unique_ptr<BagReader> open_bag_file(const std::filesystem::path& file) {
   BagFile bag_file(file, file.string());
   const std::string beginning(as_text(bag_file.view(0, kBeginning_bytes)));
-  if (is_recording(beginning)) return open_unpacked(file, file.string());
+  if (begins_recording(beginning)) return open_unpacked(file, file.string());
   const ByteSpan first = std::as_bytes(std::span(beginning));
   return is_zstd(first) ? open_packed(bag_file) : nullptr;
 }
 
 }  // namespace
+
+bool is_bag_by_magic(const std::filesystem::path& file) {
+  BagFile bag_file(file, file.string());
+  const std::string beginning(as_text(bag_file.view(0, kBeginning_bytes)));
+  return is_ros1_bag(beginning) || beginning.starts_with(kMcapMagic);
+}
 
 std::unique_ptr<BagReader> open_bag(const std::filesystem::path& path) {
   std::error_code error;

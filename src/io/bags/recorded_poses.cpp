@@ -185,6 +185,7 @@ bool is_recording(const std::filesystem::path& path) {
   const bool is_file =
       std::filesystem::is_regular_file(path, unknown) && !std::filesystem::is_empty(path, unknown);
   if (!is_file && !std::filesystem::is_directory(path, unknown)) return false;
+  if (is_file && is_bag_by_magic(path)) return true;  // opening reads what has no index whole
   return open_bag(path) != nullptr;
 }
 

@@ -10,13 +10,15 @@ namespace roomatlas::io {
 namespace {
 
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
-// Many drivers report their maximum, as a float, for nothing: so near to it, it is meant.
-constexpr double kSameShare = 1e-3;
+// Drivers report their maximum for nothing: so near to it, by a float's rounding below and by their
+// own above, it is meant.
+constexpr double kRoundingShare = 1.2e-7;
+constexpr double kAboveShare = 1e-3;
 
 bool is_invalid(float range_m) { return std::isnan(range_m) || range_m <= 0.0F; }
 
 bool is_beyond(float range_m, const RangeLimits& limits) {
-  return std::isfinite(range_m) && range_m > limits.max_m * (1.0 + kSameShare);
+  return std::isfinite(range_m) && range_m > limits.max_m * (1.0 + kAboveShare);
 }
 
 /// A ray's end as the other sensor sees it.
@@ -129,7 +131,7 @@ class Resampler {
 Echo echo_of(float range_m, const RangeLimits& limits) {
   if (is_invalid(range_m) || is_beyond(range_m, limits)) return Echo::unknown;
   if (range_m < limits.min_m) return Echo::unknown;
-  const double most_m = std::min(limits.max_m * (1.0 - kSameShare), limits.trusted_m);
+  const double most_m = std::min(limits.max_m * (1.0 - kRoundingShare), limits.trusted_m);
   return range_m >= most_m ? Echo::nothing : Echo::surface;  // +Inf as well
 }
 

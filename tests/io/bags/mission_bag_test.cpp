@@ -76,24 +76,48 @@ TEST(MissionBag, OfARingOfSonarsReadsBackToTheSameBitsFromEveryContainer) {
   }
 }
 
-TEST(MissionBag, ReadsBackAsTheCarmenLogOfTheSameMission) {
-  const TemporaryFolder folder;
-  for (const SensorKind kind : {SensorKind::laser, SensorKind::sonar}) {
-    const std::vector<SimulatedStep> steps = mission_of(kind);
-    write(folder / "m.clf", steps);
-    write(folder / "m.mcap", steps);
-    const ReadLog text = read_log(folder / "m.clf");
-    const ReadLog bag = read_log(folder / "m.mcap");
-    ASSERT_EQ(text.readings.size(), bag.readings.size());
-    EXPECT_EQ(text.info.sensors.at(0)->robot_from_beam, bag.info.sensors.at(0)->robot_from_beam);
-    EXPECT_EQ(text.info.sensors.at(0)->half_cone_rad, bag.info.sensors.at(0)->half_cone_rad);
-    EXPECT_EQ(text.info.sensors.at(0)->max_range_m, bag.info.sensors.at(0)->max_range_m);
-    EXPECT_EQ(text.info.path_length_m, bag.info.path_length_m);
-    for (std::size_t i = 0; i < text.readings.size(); ++i) {
-      EXPECT_EQ(text.readings[i].timestamp_s, bag.readings[i].timestamp_s);
-      EXPECT_EQ(text.readings[i].odom_from_robot, bag.readings[i].odom_from_robot);
+/// The same bits, but that a text has 0 for no measurement.
+void expect_same_logs(const ReadLog& text, const ReadLog& bag) {
+  ASSERT_EQ(text.readings.size(), bag.readings.size());
+  ASSERT_EQ(text.true_poses.size(), bag.true_poses.size());
+  EXPECT_EQ(text.info.sensors.at(0)->robot_from_beam, bag.info.sensors.at(0)->robot_from_beam);
+  EXPECT_EQ(text.info.sensors.at(0)->half_cone_rad, bag.info.sensors.at(0)->half_cone_rad);
+  EXPECT_EQ(text.info.sensors.at(0)->max_range_m, bag.info.sensors.at(0)->max_range_m);
+  EXPECT_EQ(text.info.path_length_m, bag.info.path_length_m);
+  int ranges_that_differ = 0;
+  for (std::size_t i = 0; i < text.readings.size(); ++i) {
+    EXPECT_EQ(text.readings[i].timestamp_s, bag.readings[i].timestamp_s);
+    EXPECT_EQ(text.readings[i].odom_from_robot, bag.readings[i].odom_from_robot);
+    EXPECT_EQ(text.true_poses[i].world_from_robot, bag.true_poses[i].world_from_robot);
+    for (std::size_t beam = 0; beam < text.readings[i].ranges_m.size(); ++beam) {
+      const float of_text = text.readings[i].ranges_m[beam];
+      const float of_bag = bag.readings[i].ranges_m[beam];
+      const bool is_same = of_text == 0.0F ? std::isnan(of_bag) : of_text == of_bag;
+      if (!is_same) ++ranges_that_differ;
     }
   }
+  EXPECT_EQ(ranges_that_differ, 0);
+}
+
+TEST(MissionBag, OfEveryShippedWorldReadsBackAsItsCarmenLog) {
+  int worlds = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(Path(ROOMATLAS_SOURCE_DIR) / "data/worlds")) {
+    if (entry.path().extension() != ".geojson") continue;
+    SCOPED_TRACE(entry.path().filename().string());
+    ++worlds;
+    for (const SensorKind kind : {SensorKind::laser, SensorKind::sonar}) {
+      const TemporaryFolder folder;
+      const std::vector<SimulatedStep> steps = explored(read_world(entry.path(), {}), kind);
+      write(folder / "m.clf", steps);
+      write(folder / "m.mcap", steps);
+      write(folder / "m.bag", steps);
+      const ReadLog text = read_log(folder / "m.clf");
+      expect_same_logs(text, read_log(folder / "m.mcap"));
+      expect_same_logs(text, read_log(folder / "m.bag"));
+    }
+  }
+  EXPECT_GE(worlds, 7);
 }
 
 TEST(MissionBag, IsTheSameBytesTwice) {
