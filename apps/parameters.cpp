@@ -233,14 +233,12 @@ void add_plan(Parameters& all, Settings& settings) {
   stage.add("occupied-share", draft.occupancy.occupied_share,
             "share of beams that a cell reflects from which it is an obstacle; higher loses glass",
             0.01, 1.0);
+  stage.add("sonar-occupied-share", draft.sonar_rooms.grid.sonar_occupied_share,
+            "the same where sonars' rooms are decided", 0.01, 1.0);
+  stage.add("room-door-max-width", draft.sonar_rooms.doors.max_width_m,
+            "m; widest door of sonars' rooms; larger takes corridors for doors", 0.3, 5.0);
   stage.add("min-room", draft.partition.min_driven_room_m2,
             "m2; smaller rooms join the one next door", 0.0, 100.0);
-  stage.add("sonar-occupied-share", draft.sonar_rooms.grid.sonar_occupied_share,
-            "share of beams from which a cell is an obstacle where sonars' rooms are decided", 0.01,
-            1.0);
-  stage.add("room-door-max-width", draft.sonar_rooms.doors.max_width_m,
-            "m; widest door between sonars' rooms; larger takes narrow corridors for doors", 0.3,
-            5.0);
   stage.add("door-probability", draft.partition.min_door_probability,
             "openings less likely to be doors join rooms; larger joins more", 0.0, 1.0);
   stage.add("thickest-wall", draft.walls.thickest_m,
