@@ -16,16 +16,17 @@ constexpr double kNextFace_m = 4.0;      // posts and jambs stand between two fa
                                          // are no farther apart ...
 constexpr double kBuildingLine_m = 5.0;  // ... or, with this much wall on the line ...
 constexpr double kNextOnBuildingLine_m = 8.0;  // ... than this
-constexpr double kThickest_m = 0.4;            // piers between doors are not thicker; tables are
-constexpr int kExtentDirections = 12;          // of half a turn
+constexpr double kLongestIsland_m = 3.2;  // more on one line is a wall, though behind it there is
+                                          // something to see: it has windows
+constexpr double kThickest_m = 0.4;       // piers between doors are not thicker; tables are
+constexpr int kExtentDirections = 12;     // of half a turn
 
 /// Of each face, whether it is a wall's for certain.
 std::vector<bool> are_walls(const Walls& walls, const BareFloorOptions& options) {
   std::vector<bool> is_wall;
   for (const WallFace& face : walls.faces) {
     const double line_m = line_support_m(face, walls.faces);
-    // Through windows there is something to see behind walls, too; but these are long.
-    const bool is_closed = face.is_closed_behind || line_m >= kBuildingLine_m;
+    const bool is_closed = face.is_closed_behind || line_m >= kLongestIsland_m;
     const bool is_prominent =
         face.support_m() >= options.min_face_m && line_m >= options.min_prominence_m;
     const bool goes_on_behind = !face.hidden.empty() && line_m >= options.min_hidden_m;
