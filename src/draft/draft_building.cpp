@@ -60,7 +60,7 @@ RoomPartition segmented(const Occupancy& occupancy, const BuildingEvidence& evid
   });
   for (const Door& door : rooms.openings) {
     if (!door.is_between_rooms() || door.room_a == door.room_b) continue;
-    Opening& opening = partition.openings.emplace_back(door, 1.0);
+    Opening& opening = partition.openings.emplace_back(Opening{door, 1.0});
     static_cast<Doorway&>(opening) = with_jambs_at_peaks(door, evidence.coarse);
   }
   return partition;
