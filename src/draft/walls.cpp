@@ -31,6 +31,7 @@ constexpr double kNested_m = 0.5;  // support of a thinner wall that hides a thi
 std::vector<double> places_on(const Interval& stretch) {
   const int count = std::max(2, static_cast<int>(stretch.length_m() / kStep_m));
   std::vector<double> places;
+  places.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     places.push_back(stretch.low_m + stretch.length_m() * i / (count - 1));
   }
