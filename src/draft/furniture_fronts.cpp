@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "wall_lines.hpp"
+
 namespace roomatlas {
 namespace {
 
@@ -26,9 +28,10 @@ struct Piece {
 
 class Fronts {
  public:
-  Fronts(const Occupancy& occupancy, const FrontOptions& options, std::vector<WallFace>& faces)
+  Fronts(const Occupancy& occupancy, const WallOptions& options, std::vector<WallFace>& faces)
       : occupancy_(occupancy),
-        options_(options),
+        walls_(options),
+        options_(options.fronts),
         faces_(faces),
         near_obstacle_(dilated(occupancy.obstacle, 1)) {
     for (const WallFace& face : faces) is_front_.emplace_back(face.seen.size(), false);
@@ -77,7 +80,7 @@ class Fronts {
   void look(const Flags* no_walls = nullptr) {
     for (std::size_t wall = 0; wall < faces_.size(); ++wall) {
       if (!faces_[wall].is_regular || faces_[wall].is_furniture) continue;
-      const double line_m = seen_on_line_m(faces_[wall], faces_, options_.same_line_m);
+      const double line_m = seen_on_line_m(faces_[wall], faces_, walls_.same_line_m);
       if (line_m < options_.least_wall_m) continue;
       const std::vector<Interval> seen = faces_[wall].seen;
       for (std::size_t k = 0; k < seen.size(); ++k) {
@@ -127,9 +130,9 @@ class Fronts {
         const Interval lost =
             sign > 0.0 ? Interval{end_m, reach.high_m} : Interval{reach.low_m, end_m};
         if (free_share(behind, lost, -kBehindFace_m, occupancy_, near_obstacle_) >
-                options_.free_share ||
+                walls_.hidden_free_share ||
             free_share(behind, lost, depth_m / 2.0, occupancy_, near_obstacle_) >
-                options_.free_share ||
+                walls_.hidden_free_share ||
             has_other_side(face, face.seen[k], depth_m)) {
           continue;
         }
@@ -151,7 +154,7 @@ class Fronts {
     double other_m = 0.0;
     double open_m = 0.0;
     for (const Interval& stretch : face.seen) {
-      other_m += other_side_m(face, stretch, options_.thickest_m);
+      other_m += other_side_m(face, stretch, walls_.thickest_m);
       double open = 0.0;
       for (const double behind_m : kBehind_m) {
         open = std::max(open, free_share(face, stretch, -behind_m, occupancy_, near_obstacle_));
@@ -180,6 +183,7 @@ class Fronts {
   }
 
   const Occupancy& occupancy_;
+  const WallOptions& walls_;
   const FrontOptions& options_;
   std::vector<WallFace>& faces_;
   CellMask near_obstacle_;
@@ -187,17 +191,6 @@ class Fronts {
 };
 
 }  // namespace
-
-double seen_on_line_m(const WallFace& face, const std::vector<WallFace>& faces, double within_m) {
-  double sum_m = 0.0;
-  for (const WallFace& other : faces) {
-    if (other.is_furniture) continue;
-    if (std::abs(std::sin(other.normal_rad - face.normal_rad)) >= kParallelSine) continue;
-    const Point2 middle = other.at((other.low_m() + other.high_m()) / 2.0);
-    if (std::abs(middle.dot(face.normal()) - face.offset_m) < within_m) sum_m += other.support_m();
-  }
-  return sum_m;
-}
 
 double free_share(const WallFace& face, const Interval& stretch, double off_m,
                   const Occupancy& occupancy, const CellMask& near_obstacle) {
@@ -211,7 +204,7 @@ double free_share(const WallFace& face, const Interval& stretch, double off_m,
   return static_cast<double>(free) / count;
 }
 
-void set_fronts_apart(const Occupancy& occupancy, const FrontOptions& options,
+void set_fronts_apart(const Occupancy& occupancy, const WallOptions& options,
                       std::vector<WallFace>& faces) {
   Fronts fronts(occupancy, options, faces);
   fronts.find();

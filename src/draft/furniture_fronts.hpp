@@ -12,12 +12,8 @@ namespace roomatlas {
 /// wall goes on behind them (`hidden`). What is behind a front was never seen: that it is a row of
 /// cupboards and no step in the wall is a guess, by its depth.
 /// @param faces confirmed; those that follow no direction of the building stay as they are
-void set_fronts_apart(const Occupancy& occupancy, const FrontOptions& options,
+void set_fronts_apart(const Occupancy& occupancy, const WallOptions& options,
                       std::vector<WallFace>& faces);
-
-/// How much wall was seen on the line of a face, by all faces of its direction and its opposite.
-[[nodiscard]] double seen_on_line_m(const WallFace& face, const std::vector<WallFace>& faces,
-                                    double within_m);
 
 /// The share of a stretch along a face, `off_m` off it, on which nothing stands and beams went
 /// through.

@@ -50,4 +50,15 @@ double line_support_m(const WallFace& face, const std::vector<WallFace>& faces) 
   return is_own ? std::max(support_m, group_m) : support_m;
 }
 
+double seen_on_line_m(const WallFace& face, const std::vector<WallFace>& faces, double within_m) {
+  double sum_m = 0.0;
+  for (const WallFace& other : faces) {
+    if (other.is_furniture) continue;
+    if (std::abs(std::sin(other.normal_rad - face.normal_rad)) >= kParallelSine) continue;
+    const Point2 middle = other.at((other.low_m() + other.high_m()) / 2.0);
+    if (std::abs(middle.dot(face.normal()) - face.offset_m) < within_m) sum_m += other.support_m();
+  }
+  return sum_m;
+}
+
 }  // namespace roomatlas

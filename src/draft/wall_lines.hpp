@@ -16,4 +16,8 @@ namespace roomatlas {
 /// How much wall was seen on a face's line, up to gaps of 4 m: what is farther is another wall's.
 [[nodiscard]] double line_support_m(const WallFace& face, const std::vector<WallFace>& faces);
 
+/// The same however far apart, which lie within a distance of the line.
+[[nodiscard]] double seen_on_line_m(const WallFace& face, const std::vector<WallFace>& faces,
+                                    double within_m);
+
 }  // namespace roomatlas

@@ -8,6 +8,7 @@
 
 #include "furniture_fronts.hpp"
 #include "straight_runs.hpp"
+#include "wall_lines.hpp"
 
 namespace roomatlas {
 namespace {
@@ -260,7 +261,7 @@ std::vector<WallFace> confirmed_faces(std::vector<WallFace> faces, const Buildin
 
 Walls build_walls(std::vector<WallFace> faces, const Occupancy& occupancy, SensorKind kind,
                   const WallOptions& options) {
-  if (kind == SensorKind::laser) set_fronts_apart(occupancy, options.fronts, faces);
+  if (kind == SensorKind::laser) set_fronts_apart(occupancy, options, faces);
   Walls walls{std::move(faces), {}};
   for (WallFace& face : walls.faces) {
     face.prominence_m =

@@ -27,7 +27,7 @@ struct WallFace {
   bool is_furniture = false;     ///< the front of what hides a wall
   bool is_regular = false;       ///< follows a direction of the building
   double prominence_m = 0.0;  ///< metres of wall seen on its line, both faces of a wall together;
-                              ///< see `measure_prominence`
+                              ///< `build_walls` tells
 
   [[nodiscard]] Point2 normal() const { return direction(normal_rad); }
   [[nodiscard]] Point2 along() const { return direction(normal_rad + kPi / 2.0); }

@@ -16,10 +16,7 @@ struct FrontOptions {
   double beside_m = 1.0;      ///< from where the wall is lost to where the front begins
   double least_wall_m = 0.6;  ///< of wall that was seen on the line behind ...
   double least_share = 0.25;  ///< ... and of the front's length: less may be a niche
-  double free_share = 0.1;    ///< of what is behind the front; more was seen to be open
   double open_share = 0.3;    ///< of what is behind a wall; behind furniture there is floor again
-  double thickest_m = 0.45;   ///< a wall whose other side was seen
-  double same_line_m = 0.08;
 };
 
 struct WallOptions {
