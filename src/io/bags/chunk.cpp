@@ -104,6 +104,19 @@ void require_topics(const BagLayout& layout, const std::string& file) {
                    (why.empty() ? ": nothing was recorded in it" : ": " + why));
 }
 
+void count_indexed(Chunk& chunk, const ChunkFormat& format, ChunkLoader& loader,
+                   BagLayout& layout) {
+  const bool is_clear =
+      !chunk.messages.empty() &&
+      std::all_of(chunk.messages.begin(), chunk.messages.end(),
+                  [&](const auto& of) { return layout.topics.knows(of.connection); });
+  if (!is_clear) return take_inventory(chunk, format, loader, layout);
+  chunk.messages_are_known = true;
+  for (const ConnectionCount& of : chunk.messages) {
+    layout.topics.count(of.connection, of.messages);
+  }
+}
+
 void add_open_message(BagLayout& layout, std::uint64_t begin, std::uint64_t end,
                       std::uint32_t connection, std::int64_t log_time_ns) {
   Chunk* last = layout.chunks.empty() ? nullptr : &layout.chunks.back();

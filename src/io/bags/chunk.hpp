@@ -95,6 +95,10 @@ class ChunkLoader {
 void take_inventory(Chunk& chunk, const ChunkFormat& format, ChunkLoader& loader,
                     BagLayout& layout);
 
+/// Counts a chunk's messages as its index has them. One without an index, or with connections that
+/// are described in it alone, is unpacked.
+void count_indexed(Chunk& chunk, const ChunkFormat& format, ChunkLoader& loader, BagLayout& layout);
+
 /// Puts a message that lies openly in the file, from `begin` to `end`, into the last stretch or a
 /// new one.
 void add_open_message(BagLayout& layout, std::uint64_t begin, std::uint64_t end,

@@ -161,20 +161,9 @@ class Pass {
     layout_.chunks.back().messages.push_back({channel, cursor.u32() / kEntry_bytes});
   }
 
-  /// A chunk that has no message index, or one with channels that are described in it alone, is
-  /// unpacked.
   void finish_chunk() {
     if (!std::exchange(chunk_is_open_, false)) return;
-    Chunk& chunk = layout_.chunks.back();
-    const bool is_clear =
-        !chunk.messages.empty() &&
-        std::all_of(chunk.messages.begin(), chunk.messages.end(),
-                    [&](const auto& of) { return layout_.topics.knows(of.connection); });
-    if (!is_clear) return take_inventory(chunk, format_, loader_, layout_);
-    chunk.messages_are_known = true;
-    for (const ConnectionCount& of : chunk.messages) {
-      layout_.topics.count(of.connection, of.messages);
-    }
+    count_indexed(layout_.chunks.back(), format_, loader_, layout_);
   }
 
   void check_data() {

@@ -152,20 +152,9 @@ class Pass {
     chunk.messages.push_back({connection, messages});
   }
 
-  /// A chunk whose index is missing, or names connections that are described in it alone, is
-  /// unpacked.
   void finish_chunk() {
     if (!std::exchange(chunk_is_open_, false)) return;
-    Chunk& chunk = layout_.chunks.back();
-    const bool is_clear =
-        !chunk.messages.empty() &&
-        std::all_of(chunk.messages.begin(), chunk.messages.end(),
-                    [&](const auto& of) { return layout_.topics.knows(of.connection); });
-    if (!is_clear) return take_inventory(chunk, format_, loader_, layout_);
-    chunk.messages_are_known = true;
-    for (const ConnectionCount& of : chunk.messages) {
-      layout_.topics.count(of.connection, of.messages);
-    }
+    count_indexed(layout_.chunks.back(), format_, loader_, layout_);
   }
 
   BagFile& file_;
