@@ -66,6 +66,20 @@ RoomPartition segmented(const Occupancy& occupancy, const BuildingEvidence& evid
   return partition;
 }
 
+/// Columns are walls: holes in their rooms' floor.
+void stand_columns(const BuildingEvidence& evidence, const DraftBuildingOptions& options,
+                   DraftedBuilding& drafted) {
+  const auto pieces = find_furniture(drafted.rooms, drafted.occupancy, options.furniture);
+  for (const Ring& column : find_columns(pieces, evidence.surfaces, options.columns)) {
+    for (DraftedRoom& room : drafted.rooms) {
+      if (!contains(room.outline, column.front())) continue;
+      room.outline.holes.emplace_back(column.rbegin(), column.rend());
+      drafted.wall_bodies.push_back({column, {}});
+      break;
+    }
+  }
+}
+
 /// The share of a room's edge along which an obstacle was seen.
 double measured_share(RoomId room, const std::vector<PlanEdge>& edges) {
   double measured_m = 0.0;
@@ -120,6 +134,7 @@ DraftedBuilding draft_building(const BuildingEvidence& evidence,
   Draft draft = draft_plan(drafted.walls, drafted.occupancy, seeds, on_lines);
   drafted.rooms = std::move(draft.rooms);
   drafted.wall_bodies = std::move(draft.wall_bodies);
+  stand_columns(evidence, options, drafted);
   drafted.edges = edges_of(drafted.rooms, drafted.walls, evidence, drafted.occupancy);
   drafted.doors = placed_doors(seeds.openings, drafted.walls, evidence, options.doors);
   hang_leaves(leaves, drafted.doors);

@@ -16,20 +16,21 @@
 
 namespace roomatlas::test {
 
+inline const std::filesystem::path kWorlds =
+    std::filesystem::path(ROOMATLAS_SOURCE_DIR) / "data" / "worlds";
+
 struct KnownMission {
   FloorPlan world;
   BuildingEvidence evidence;
 };
 
-/// `eight_rooms`, driven through all its doors.
+/// A world of `data/worlds`, driven through.
 /// @param building_from_world how the building's frame lies
 /// @param furnish_seed of what stands in the rooms; 0: nothing
-inline KnownMission eight_rooms(SensorKind sensor, const Pose2& building_from_world,
-                                std::uint64_t furnish_seed = 0) {
-  const std::filesystem::path worlds =
-      std::filesystem::path(ROOMATLAS_SOURCE_DIR) / "data" / "worlds";
-  KnownMission mission{read_plan(worlds / "eight_rooms.geojson"), {}};
-  const Drive drive = read_drive(worlds / "eight_rooms.drive");
+inline KnownMission known_mission(const std::string& world, const Drive& drive, SensorKind sensor,
+                                  const Pose2& building_from_world,
+                                  std::uint64_t furnish_seed = 0) {
+  KnownMission mission{read_plan((kWorlds / world).replace_extension("geojson")), {}};
   SimulationOptions robot;
   robot.sensor = sensor;
   if (furnish_seed > 0) {
@@ -48,6 +49,13 @@ inline KnownMission eight_rooms(SensorKind sensor, const Pose2& building_from_wo
   store.put(asr);
   mission.evidence = gather_evidence(store, {{1, Pose2{}}}, robot.footprint, {}, {});
   return mission;
+}
+
+/// `eight_rooms`, driven through all its doors.
+inline KnownMission eight_rooms(SensorKind sensor, const Pose2& building_from_world,
+                                std::uint64_t furnish_seed = 0) {
+  return known_mission("eight_rooms", read_drive(kWorlds / "eight_rooms.drive"), sensor,
+                       building_from_world, furnish_seed);
 }
 
 }  // namespace roomatlas::test

@@ -3,6 +3,7 @@
 
 #include "roomatlas/asr/map_room.hpp"
 #include "roomatlas/draft/bare_floor.hpp"
+#include "roomatlas/draft/columns.hpp"
 #include "roomatlas/draft/door_leaves.hpp"
 #include "roomatlas/draft/doors.hpp"
 #include "roomatlas/draft/draft_plan.hpp"
@@ -28,6 +29,7 @@ struct DraftBuildingOptions {
   SegmentOptions sonar_rooms;  ///< of what sonars heard; the smallest room is `partition`'s
   JoinRoomsOptions join;
   DraftOptions draft;
+  ColumnOptions columns;
   DoorOptions doors;
   FurnitureOptions furniture;
   double min_unentered_m2 = 4.0;      ///< rooms that the robot did not enter are larger ...
