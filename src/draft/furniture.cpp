@@ -28,6 +28,18 @@ CellMask inside(const Polygon& room, const Occupancy& occupancy, double off_wall
   return eroded(dilated(mask, 1), 1);
 }
 
+/// Whether something was seen to stand along enough of a piece's edge. Else nobody looked there.
+bool was_seen(const Ring& edge, const Occupancy& occupancy, double least_share) {
+  const auto seen = std::count_if(edge.begin(), edge.end(), [&](const Point2& at) {
+    const Cell cell = occupancy.frame.cell_of(at);
+    bool is_near = false;
+    for_each_cell({{cell.x - 1, cell.y - 1}, {cell.x + 2, cell.y + 2}},
+                  [&](const Cell& near) { is_near = is_near || occupancy.obstacle.at(near); });
+    return is_near;
+  });
+  return static_cast<double>(seen) >= least_share * static_cast<double>(edge.size());
+}
+
 /// Whether an outline comes near the room's edge.
 bool stands_at_wall(const Ring& outline, const Polygon& room, double within_m) {
   return std::any_of(outline.begin(), outline.end(),
@@ -44,6 +56,7 @@ std::vector<PlanFurniture> find_furniture(const std::vector<DraftedRoom>& rooms,
     const CellMask mask = inside(room.outline, occupancy, options.off_wall_m);
     for (const CellBoundary& boundary : trace_boundaries(mask, occupancy.frame)) {
       if (signed_area(boundary.edge_midpoints) < options.min_area_m2) continue;  // or a hole
+      if (!was_seen(boundary.edge_midpoints, occupancy, options.seen_share)) continue;
       PlanFurniture piece;
       piece.outline.outer = planar::simplified(boundary.edge_midpoints, options.simplify_m);
       if (piece.outline.outer.size() < 3) continue;

@@ -106,13 +106,41 @@ TEST(Columns, WhatIsNoRowOfThreeAlikeIsFurniture) {
   EXPECT_TRUE(unlike.columns().empty());
 }
 
-TEST(Columns, OneSeenFromThreeSidesMayGoOnAtTheFourth) {
-  Scene scene = row_of_boxes({0.0, 4.0, 8.0});
+/// Without the surfaces that look along y, of pieces from one on.
+Scene seen_in_part(Scene scene, std::size_t first) {
   const Point2 away = direction(kTurned.theta_rad + kPi / 2.0);
   std::erase_if(scene.surfaces, [&](const SurfacePoint& surface) {
-    return direction(surface.normal_rad).dot(away) > 0.9;
+    if (direction(surface.normal_rad).dot(away) < 0.9) return false;
+    for (std::size_t i = first; i < scene.pieces.size(); ++i) {
+      if (distance_to_boundary(scene.pieces[i].outline.outer, surface.at) < 0.1) return true;
+    }
+    return false;
   });
-  EXPECT_TRUE(scene.columns().empty());
+  return scene;
+}
+
+TEST(Columns, ASideThatNobodySawIsWhereItIsOnAnother) {
+  const Scene whole = row_of_boxes({0.0, 4.0, 8.0, 12.0});
+  const std::vector<Ring> columns = seen_in_part(whole, 1).columns();
+  ASSERT_EQ(columns.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (const Point2& corner : columns[i]) {
+      EXPECT_LT(distance_to_boundary(whole.pieces[i].outline.outer, corner), 1e-6);
+    }
+  }
+  EXPECT_TRUE(seen_in_part(whole, 0).columns().empty()) << "may go on to any depth";
+}
+
+TEST(Columns, ARowWithAGapIsOneBesideAnother) {
+  Scene scene = row_of_boxes({0.0, 4.0, 8.0, 12.0});
+  for (const double x_m : {0.0, 4.0, 12.0}) {
+    scene.add_box(kTurned * Pose2{x_m, 6.0, 0.0}, 0.5, 0.5);
+  }
+  EXPECT_EQ(scene.columns().size(), 7u);
+  Scene alone = row_of_boxes({0.0, 4.0, 8.0, 12.0});
+  alone.add_box(kTurned * Pose2{4.0, 6.0, 0.0}, 0.5, 0.5);
+  alone.add_box(kTurned * Pose2{9.0, 6.0, 0.0}, 0.5, 0.5);
+  EXPECT_EQ(alone.columns().size(), 4u);
 }
 
 TEST(Columns, PillarsOfAHallAreWallsOfIt) {

@@ -18,12 +18,13 @@ struct ColumnOptions {
   double spacing_m = 0.12;   ///< ... and less evenly: the middle one of three is this near to where
                              ///< it belongs
   double in_line_deg = 6.0;  ///< of the row, from a side of each
-  double side_share = 0.3;   ///< of a side's length that was seen, for each
-  double round_share = 0.4;  ///< of surfaces that follow two directions; less is round
+  double least_side_m = 0.1;  ///< of a side that was seen; less says nothing about it
+  double round_share = 0.4;   ///< of surfaces that follow two directions; less is round
 };
 
-/// Outlines of what stands free, is as thick as columns are, was seen from all sides and stands in
-/// a row of at least three alike at even distances. One alone may be anything.
+/// Outlines of what stands free, is as thick as columns are, and stands in a row of at least three
+/// alike at even distances; one alone may be anything. A side that nobody saw is where it is on
+/// one of those that were seen from all sides.
 /// @param pieces that stand in rooms
 /// @param surfaces what lasers saw
 [[nodiscard]] std::vector<Ring> find_columns(const std::vector<PlanFurniture>& pieces,

@@ -11,6 +11,7 @@ struct FurnitureOptions {
   double off_wall_m = 0.09;     ///< obstacles nearer to the room's edge are the wall's
   double min_area_m2 = 0.03;    ///< smaller are noise
   double against_wall_m = 0.2;  ///< pieces this near to the room's edge stand against it
+  double seen_share = 0.4;      ///< of a piece's edge where something was seen to stand
   double simplify_m = 0.06;
 };
 
