@@ -127,8 +127,10 @@ DraftedBuilding draft_building(const BuildingEvidence& evidence,
   drafted.partition = evidence.kind == SensorKind::sonar
                           ? segmented(drafted.occupancy, evidence, options)
                           : partitioned(drafted, evidence, options);
-  const auto& openings = drafted.partition.openings;
-  const RoomSeeds seeds{drafted.partition.room_of_cell, {openings.begin(), openings.end()}};
+  RoomSeeds seeds{drafted.partition.room_of_cell, {}};
+  for (const Opening& opening : drafted.partition.openings) {
+    seeds.openings.push_back(straightened(opening, drafted.walls, options.straight_openings));
+  }
   DraftOptions on_lines = options.draft;
   if (evidence.building_from_robot.empty()) on_lines.hidden_cost = 0.0;  // rooms hold furniture too
   Draft draft = draft_plan(drafted.walls, drafted.occupancy, seeds, on_lines);

@@ -66,18 +66,10 @@ class Gatherer {
   }
 
   void add_echoes(const RangeReading& reading, const Pose2& building_from_robot) {
-    const RangeSensor& sensor = *reading.sensor;
-    evidence_.sonar_half_cone_rad = std::max(evidence_.sonar_half_cone_rad, sensor.half_cone_rad);
-    for (std::size_t i = 0; i < reading.ranges_m.size(); ++i) {
-      const double range_m = reading.ranges_m[i];
-      if (!std::isfinite(range_m) || range_m <= 0.0) continue;
-      const bool is_hit = range_m < sensor.max_range_m;
-      const bool is_near = is_hit && range_m <= options_.sonar_range_m;
-      const double free_m =
-          is_near ? range_m : std::min({range_m, options_.sonar_range_m, options_.sonar_no_echo_m});
-      evidence_.echoes.push_back(
-          {building_from_robot * sensor.robot_from_beam[i], range_m, is_hit, free_m});
-    }
+    evidence_.sonar_half_cone_rad =
+        std::max(evidence_.sonar_half_cone_rad, reading.sensor->half_cone_rad);
+    const std::vector<Echo> heard = echoes_of(reading, building_from_robot, options_);
+    evidence_.echoes.insert(evidence_.echoes.end(), heard.begin(), heard.end());
   }
 
   GatherOptions options_;
@@ -87,6 +79,22 @@ class Gatherer {
 };
 
 }  // namespace
+
+std::vector<Echo> echoes_of(const RangeReading& reading, const Pose2& building_from_robot,
+                            const GatherOptions& options) {
+  const RangeSensor& sensor = *reading.sensor;
+  std::vector<Echo> echoes;
+  for (std::size_t i = 0; i < reading.ranges_m.size(); ++i) {
+    const double range_m = reading.ranges_m[i];
+    if (!std::isfinite(range_m) || range_m <= 0.0) continue;
+    const bool is_hit = range_m < sensor.max_range_m;
+    const bool is_near = is_hit && range_m <= options.sonar_range_m;
+    const double free_m =
+        is_near ? range_m : std::min({range_m, options.sonar_range_m, options.sonar_no_echo_m});
+    echoes.push_back({building_from_robot * sensor.robot_from_beam[i], range_m, is_hit, free_m});
+  }
+  return echoes;
+}
 
 BuildingEvidence gather_evidence(const AsrSource& source, const Placement& placement,
                                  const RobotFootprint& footprint, const GatherOptions& options,

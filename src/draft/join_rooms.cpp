@@ -43,6 +43,7 @@ bool parts(const Occupancy& bare, const Opening& opening, const JoinRoomsOptions
   const Segment2& jambs = opening.jambs;
   const double width_m = (jambs.b - jambs.a).norm();
   if (width_m <= options.widest_sure_m) return true;
+  if (opening.probability >= options.sure_probability) return true;
   const Point2 along = (jambs.b - jambs.a) / width_m;
   const Point2 across(-along.y(), along.x());
   const bool left = widens(bare.free, bare.frame, jambs, across, options.widening_m);

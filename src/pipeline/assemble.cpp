@@ -8,6 +8,7 @@
 #include "draw_up.hpp"
 #include "roomatlas/asr/load.hpp"
 #include "roomatlas/asr/with_paths.hpp"
+#include "roomatlas/draft/building_axes.hpp"
 #include "roomatlas/rooms/outline_rooms.hpp"
 #include "strategies.hpp"
 
@@ -75,10 +76,13 @@ MappedBuilding building_of(MissionKind kind, const AsrSource& source, const Asse
   const RoomMapOptions& map = options.map.record.map;
   const Placement placement = placement_of(corrected.correction);
   if (kind != MissionKind::paper && assemble.plan == PlanStyle::drafted) {
+    const GatherOptions& gather = assemble.draft.evidence;
+    const Pose2 axes = axes_from_building(source, placement, gather);
     const BuildingEvidence evidence =
-        gather_evidence(source, placement, footprint, assemble.draft.evidence, progress);
+        gather_evidence(source, moved(placement, axes), footprint, gather, progress);
     report(progress, "draft", 0.0);
-    return mapped_building_of(draft_building(evidence, assemble.draft), evidence, map);
+    return moved(mapped_building_of(draft_building(evidence, assemble.draft), evidence, map),
+                 inverse(axes));
   }
   return rooms_by_outlines(source, corrected.graph, placement, footprint,
                            {assemble.rooms, map, assemble.map_again}, progress);

@@ -6,6 +6,7 @@
 
 #include "draw_up.hpp"
 #include "put_assembly.hpp"
+#include "roomatlas/draft/building_axes.hpp"
 
 namespace roomatlas {
 namespace {

@@ -21,6 +21,7 @@ inline const std::filesystem::path kWorlds =
 
 struct KnownMission {
   FloorPlan world;
+  MemoryStore store;  ///< of one ASR in the building's frame
   BuildingEvidence evidence;
 };
 
@@ -30,7 +31,7 @@ struct KnownMission {
 inline KnownMission known_mission(const std::string& world, const Drive& drive, SensorKind sensor,
                                   const Pose2& building_from_world,
                                   std::uint64_t furnish_seed = 0) {
-  KnownMission mission{read_plan((kWorlds / world).replace_extension("geojson")), {}};
+  KnownMission mission{read_plan((kWorlds / world).replace_extension("geojson")), {}, {}};
   SimulationOptions robot;
   robot.sensor = sensor;
   if (furnish_seed > 0) {
@@ -45,9 +46,8 @@ inline KnownMission known_mission(const std::string& world, const Drive& drive, 
                         step.odometry.odom_from_robot});
     asr.readings.push_back(step.reading);
   });
-  MemoryStore store;
-  store.put(asr);
-  mission.evidence = gather_evidence(store, {{1, Pose2{}}}, robot.footprint, {}, {});
+  mission.store.put(asr);
+  mission.evidence = gather_evidence(mission.store, {{1, Pose2{}}}, robot.footprint, {}, {});
   return mission;
 }
 

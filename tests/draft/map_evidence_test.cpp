@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/draft/map_evidence.hpp"
+#include "roomatlas/draft/building_axes.hpp"
 
 #include <gtest/gtest.h>
 

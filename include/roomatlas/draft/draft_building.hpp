@@ -9,6 +9,7 @@
 #include "roomatlas/draft/draft_plan.hpp"
 #include "roomatlas/draft/furniture.hpp"
 #include "roomatlas/draft/join_rooms.hpp"
+#include "roomatlas/draft/straight_openings.hpp"
 #include "roomatlas/draft/wall_gaps.hpp"
 #include "roomatlas/rooms/mapped_building.hpp"
 #include "roomatlas/rooms/partition_rooms.hpp"
@@ -28,6 +29,7 @@ struct DraftBuildingOptions {
   PartitionOptions partition;  ///< of what lasers saw
   SegmentOptions sonar_rooms;  ///< of what sonars heard; the smallest room is `partition`'s
   JoinRoomsOptions join;
+  StraightOpeningOptions straight_openings;
   DraftOptions draft;
   ColumnOptions columns;
   DoorOptions doors;

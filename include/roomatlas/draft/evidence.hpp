@@ -60,6 +60,11 @@ struct BuildingEvidence {
                                                const GatherOptions& options,
                                                const Progress& progress);
 
+/// What one reading of sonars heard; beams without a range are left out.
+[[nodiscard]] std::vector<Echo> echoes_of(const RangeReading& reading,
+                                          const Pose2& building_from_robot,
+                                          const GatherOptions& options);
+
 /// The surfaces that one sweep of a laser saw: a normal for each beam whose neighbours lie on a
 /// straight piece of up to 0.8 m, by principal components of as few of them as span 0.35 m.
 /// @param reading of a laser whose beams are in the order of their angles

@@ -7,9 +7,10 @@
 namespace roomatlas {
 
 struct JoinRoomsOptions {
-  double widest_sure_m = 1.3;  ///< openings up to this may be doors wherever they are
-  double widening_m = 0.3;     ///< a wider one is narrower by this than the floor on both sides ...
-  double wall_share = 0.7;     ///< ... or has this much wall beyond each of its jambs
+  double sure_probability = 0.6;  ///< likelier openings part, and so do narrower ones than ...
+  double widest_sure_m = 1.3;     ///< openings up to this may be doors wherever they are
+  double widening_m = 0.3;  ///< a wider one is narrower by this than the floor on both sides ...
+  double wall_share = 0.7;  ///< ... or has this much wall beyond each of its jambs
 };
 
 /// Joins rooms that a wide opening does not part: around a corridor's corner the floor is as wide

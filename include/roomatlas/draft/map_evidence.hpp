@@ -3,7 +3,6 @@
 
 #include "roomatlas/draft/evidence.hpp"
 #include "roomatlas/grid/map_cells.hpp"
-#include "roomatlas/rooms/mapped_building.hpp"
 
 namespace roomatlas {
 
@@ -32,8 +31,5 @@ struct MapEvidenceOptions {
 
 /// The pieces of surface alone, along all floor; in the map's frame, not thinned.
 [[nodiscard]] std::vector<SurfacePoint> surfaces_of(const MapCells& map);
-
-/// The same building in another frame.
-[[nodiscard]] MappedBuilding moved(MappedBuilding building, const Pose2& to_from_here);
 
 }  // namespace roomatlas

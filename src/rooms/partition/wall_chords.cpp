@@ -21,6 +21,7 @@ constexpr double kShortSum = 0.8;     // ... or of both together, farther off
 constexpr double kLongSum = 1.0;      // wider openings need walls ...
 constexpr double kLongLeast = 0.3;    // ... on both sides
 constexpr double kSameM = 0.4;        // chords whose ends lie this near are one
+constexpr double kAlongM = 0.3;       // from a chord to a gap beside it: posts stand out so far
 constexpr double kEndShare = 0.05;    // crossings this near to an end are touches
 constexpr double kBeyondM = 0.1;      // a cut reaches this far into the walls
 
@@ -68,6 +69,12 @@ bool crosses(const Segment2& a, const Segment2& b) {
   return crossing_fraction(shortened(a), shortened(b)).has_value();
 }
 
+/// Whether a chord runs along a wall with a gap that is known: from what stands out of the wall on
+/// one side of the gap to the like on the other.
+bool runs_along(const Segment2& chord, const Segment2& gap) {
+  return distance(chord, gap.a) < kAlongM && distance(chord, gap.b) < kAlongM;
+}
+
 }  // namespace
 
 std::vector<WallChord> find_wall_chords(const OpenFloor& floor, const std::vector<FloorSide>& faces,
@@ -91,7 +98,12 @@ std::vector<WallChord> find_wall_chords(const OpenFloor& floor, const std::vecto
     all.push_back(
         {gap, wall_support(floor, gap.a, -along), wall_support(floor, gap.b, along), true});
   }
-  all.insert(all.end(), found.begin(), found.end());
+  for (const WallChord& chord : found) {
+    if (std::none_of(known.begin(), known.end(),
+                     [&](const Segment2& gap) { return runs_along(chord.line, gap); })) {
+      all.push_back(chord);
+    }
+  }
   std::vector<WallChord> chords;
   for (const WallChord& chord : all) {
     if (std::none_of(chords.begin(), chords.end(), [&](const WallChord& stronger) {
