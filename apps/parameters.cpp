@@ -88,10 +88,11 @@ void add_mission(Parameters& all, MissionOptions& mission) {
 void add_recording(Parameters& all, RecordingOptions& recording) {
   List stage(all, Stage::mission);
   stage.text("scan-topic", recording.scan_topics,
-             "of a bag: the laser's or point cloud's topic; again for several. Empty: the widest "
-             "view");
+             "of a bag: the laser's or cloud's topic; again for several. Empty: by their views");
   stage.text("odom-topic", recording.odometry_topic,
              "of a bag: odometry's topic, or tf, or none. Empty: by rate, coverage and motion");
+  stage.text("imu-topic", recording.imu_topic,
+             "of a bag: whose gyro tells turns, or none. Empty: one clearly better than odometry");
   stage.text("odom-frame", recording.odometry_frame, "of a bag: tf's frame of odometry");
   stage.text("base-frame", recording.base_frame, "of a bag: the robot's frame");
   stage.text("range-topics", recording.range_topics,
@@ -101,8 +102,8 @@ void add_recording(Parameters& all, RecordingOptions& recording) {
              "Empty: the topic that is named for truth");
   stage.text("laser-mount", recording.laser_mount,
              "of a bag: x,y,deg (m, deg) of the laser on the robot, in the place of tf's");
-  stage.add("cloud-low", recording.cloud_low_m,
-            "m above the robot's frame; points of a 3-D cloud from here ...", -100.0, 100.0);
+  stage.add("cloud-low", recording.cloud_low_m, "m above the robot; a cloud's points from here ...",
+            -100.0, 100.0);
   stage.add("cloud-high", recording.cloud_high_m, "m; ... to here are walls", -100.0, 100.0);
 }
 

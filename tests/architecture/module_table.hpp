@@ -36,8 +36,8 @@ inline const std::map<std::string, std::set<std::string>> kMayInclude = {
      {"core", "mission", "odometry", "match", "asr", "graph", "sonar", "correct", "loops", "rooms",
       "draft", "merge", "assembly", "evaluate"}},
     {"io",
-     {"core", "plan", "mission", "grid", "odometry", "asr", "graph", "solve", "correct", "loops",
-      "merge", "evaluate", "draw", "simulate", "assembly"}},
+     {"core", "plan", "mission", "grid", "odometry", "match", "asr", "graph", "solve", "correct",
+      "loops", "merge", "evaluate", "draw", "simulate", "assembly"}},
 };
 
 /// The header of the whole library. It belongs to no module and may include any; for programs, not

@@ -61,6 +61,7 @@ struct RecordingOptions {
   std::string odometry_topic;  ///< a topic, "tf", or "none": mapped by scan matching alone
   std::string odometry_frame;  ///< in which odometry's poses are; "odom" in most recordings
   std::string base_frame;      ///< the robot; sensors' mounts are told from it
+  std::string imu_topic;       ///< whose gyro tells the turns; "none"
   std::string range_topics;    ///< single sonars, mapped as one ring
   std::string truth_topic;     ///< poses of the robot to compare with; "tf": its root frame; "none"
   std::string laser_mount;     ///< "x,y,deg": where the laser sits, instead of what tf says

@@ -39,6 +39,8 @@ bool BagSource::use(Topic& topic, const BagMessage& message) {
     case Use::odometry:
     case Use::truth:
       return use_pose(topic, message, in);
+    case Use::gyro:
+      return use_gyro(topic, message, in);
     case Use::transforms:
       return use_transforms(topic, message, in);
     case Use::none:
@@ -141,6 +143,21 @@ bool BagSource::use_pose(Topic& topic, const BagMessage& message, const MessageC
   const bool is_both = topic.use == Use::odometry && choice_.truth == message.topic;
   if (is_both && pose->frame_from_child) {
     truths_.push_back(true_pose(*pose, stamp_ns));
+  }
+  return true;
+}
+
+bool BagSource::use_gyro(Topic& topic, const BagMessage& message, const MessageCursor& in) {
+  const std::optional<ImuMessage> imu = read_imu(in);
+  if (!imu || !imu->has_gyro) {
+    if (imu && topic.why.empty()) topic.why = "it says that it has no gyro";
+    return false;
+  }
+  const std::int64_t stamp_ns = time_of(topic, imu->header, message.log_time_ns);
+  if (choice_.gyro) {
+    poses_->add_turn(*imu, stamp_ns);
+  } else {
+    gyros_[message.topic].add(stamp_ns, imu->turn_rad_per_s);
   }
   return true;
 }

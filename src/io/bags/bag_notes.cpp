@@ -33,8 +33,8 @@ void BagSource::add_issue(Severity severity, std::string field, std::string mess
 }
 
 void BagSource::describe() {
-  static constexpr std::array kUses = {"",      "laser",    "laser",      "cloud",
-                                       "range", "odometry", "transforms", "truth"};
+  static constexpr std::array kUses = {"",         "laser",      "laser", "cloud", "range",
+                                       "odometry", "transforms", "truth", "gyro"};
   RecordingInfo recording;
   const double span_s = first_log_ns_ ? seconds(newest_log_ns_ - *first_log_ns_) : 0.0;
   const std::vector<BagTopic>& topics = reader_->topics();
@@ -122,6 +122,8 @@ void BagSource::note_poses() {
   warn_of(poses_->clock_set_back(), "stamps",
           " times the clock of odometry or tf was set back by more than 10 s: what came before is "
           "forgotten then");
+  warn_of(poses_->steps_without_gyro(), "gyro",
+          " steps of odometry keep its own turn: the gyro tells nothing of their times");
   warn_of(without_stamp_, "stamps",
           " messages have a stamp of zero: their time is told from when they were recorded");
   warn_of(poses_->unsound(), "transforms",

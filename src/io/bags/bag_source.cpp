@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bags/bag_source.hpp"
 
+#include "bags/gyro_trial.hpp"
 #include "bags/recorded_poses.hpp"
 #include "text/numbers.hpp"
 
@@ -40,17 +41,30 @@ std::optional<Pose2> mount_in(const std::string& text) {
 
 BagSource::BagSource(std::string name, const OpenRecording& open, const MissionOptions& options)
     : options_(options), lasers_(options.laser_max_range_m) {
-  const std::optional<Pose2> mount = mount_in(options.recording.laser_mount);
   Survey beginning = survey(*open());
-  choice_ = choose_topics(beginning, options.recording, name);
-  reader_ = open();
+  TopicChoice choice = choose_topics(beginning, options.recording, name);
+  choose_gyro(choice, beginning, open, options, name);
+  start(std::move(name), open(), std::move(choice), beginning);
+}
+
+BagSource::BagSource(std::string name, std::unique_ptr<BagReader> reader,
+                     const MissionOptions& options, TopicChoice choice, const Survey& beginning)
+    : options_(options), lasers_(options.laser_max_range_m) {
+  start(std::move(name), std::move(reader), std::move(choice), beginning);
+}
+
+void BagSource::start(std::string name, std::unique_ptr<BagReader> reader, TopicChoice choice,
+                      const Survey& beginning) {
+  const std::optional<Pose2> mount = mount_in(options_.recording.laser_mount);
+  reader_ = std::move(reader);
+  choice_ = std::move(choice);
   poses_ = std::make_unique<RobotPoses>(choice_, beginning.frames, mount);
   ring_ = make_ring(beginning);
   meet_topics(beginning);
-  evidence_ = std::move(beginning.evidence);
+  evidence_ = beginning.evidence;
   info_.file = std::move(name);
   info_.format = reader_->format();
-  info_.footprint = options.footprint;
+  info_.footprint = options_.footprint;
   switch (choice_.odometry) {
     case TopicChoice::Odometry::none:
       info_.odometry = "none";
@@ -100,6 +114,9 @@ void BagSource::meet_topics(const Survey& beginning) {
       topic.use = Use::transforms;
     } else if (choice_.truth == i) {
       topic.use = Use::truth;
+    } else if (has(choice_.gyros, i) || (choice_.gyro && choice_.gyro->topic == i)) {
+      topic.use = Use::gyro;
+      if (!choice_.gyro) gyros_[i] = {};
     }
     if (topic.use != Use::none) wanted.push_back(i);
   }
@@ -131,6 +148,15 @@ std::optional<TransformAt> BagSource::mount_of(const Waiting& waiting) const {
     return poses_->base_from(cloud->header.frame, waiting.stamp_ns);
   }
   return TransformAt{};
+}
+
+std::optional<Transform3> BagSource::mount_of_gyro(std::size_t topic) const {
+  const std::vector<std::string>& frames = evidence_[topic].frames;
+  constexpr std::int64_t kEndOfTime_ns = std::numeric_limits<std::int64_t>::max();
+  if (frames.empty()) return std::nullopt;
+  const auto mount = poses_->base_from_frame(frames.front(), kEndOfTime_ns);
+  if (!mount) return std::nullopt;
+  return mount->transform;
 }
 
 bool BagSource::is_told(const Waiting& waiting, bool given_up) {

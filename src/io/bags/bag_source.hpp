@@ -13,6 +13,7 @@
 
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -39,6 +40,10 @@ class BagSource : public MissionSource {
   /// @param name of the file, for messages
   /// Throws NotEnoughError, UsageError and InputError as `choose_topics` does.
   BagSource(std::string name, const OpenRecording& open, const MissionOptions& options);
+  /// Of what has been chosen already.
+  /// @param beginning whose evidence is of `reader`'s topics
+  BagSource(std::string name, std::unique_ptr<BagReader> reader, const MissionOptions& options,
+            TopicChoice choice, const Survey& beginning);
   BagSource(const BagSource&) = delete;  // poses refer to this object's choice
   BagSource& operator=(const BagSource&) = delete;
 
@@ -46,6 +51,10 @@ class BagSource : public MissionSource {
   [[nodiscard]] std::optional<MissionEvent> next() override;
   [[nodiscard]] const MissionInfo& info() const override { return info_; }
   [[nodiscard]] double progress() const override { return reader_->progress(); }
+
+  /// As far as it was read: the turns of a gyro that is not judged yet, and how it is mounted.
+  [[nodiscard]] const GyroTrack& gyro(std::size_t topic) const { return gyros_.at(topic); }
+  [[nodiscard]] std::optional<Transform3> mount_of_gyro(std::size_t topic) const;
 
  private:
   /// A reading, or a true pose, on its way.
@@ -57,7 +66,7 @@ class BagSource : public MissionSource {
     std::variant<LaserScanMessage, CloudMessage, SonarRing::Round, TruePose> content;
   };
   /// What a topic is used for.
-  enum class Use { none, laser, echoes, cloud, range, odometry, transforms, truth };
+  enum class Use { none, laser, echoes, cloud, range, odometry, transforms, truth, gyro };
   struct Topic {
     Use use = Use::none;
     MessageKind kind = MessageKind::imu;
@@ -69,6 +78,8 @@ class BagSource : public MissionSource {
     std::set<std::string> frames;
   };
 
+  void start(std::string name, std::unique_ptr<BagReader> reader, TopicChoice choice,
+             const Survey& beginning);
   void meet_topics(const Survey& beginning);
   [[nodiscard]] SonarRing make_ring(const Survey& beginning) const;
 
@@ -79,6 +90,7 @@ class BagSource : public MissionSource {
   [[nodiscard]] bool use_cloud(Topic& topic, const BagMessage& message, const MessageCursor& in);
   [[nodiscard]] bool use_range(Topic& topic, const BagMessage& message, const MessageCursor& in);
   [[nodiscard]] bool use_pose(Topic& topic, const BagMessage& message, const MessageCursor& in);
+  [[nodiscard]] bool use_gyro(Topic& topic, const BagMessage& message, const MessageCursor& in);
   [[nodiscard]] bool use_transforms(const Topic& topic, const BagMessage& message,
                                     const MessageCursor& in);
   [[nodiscard]] TruePose true_pose(const PoseMessage& pose, std::int64_t stamp_ns);
@@ -111,6 +123,7 @@ class BagSource : public MissionSource {
   std::unique_ptr<BagReader> reader_;
   std::unique_ptr<RobotPoses> poses_;
   std::vector<Topic> topics_;
+  std::map<std::size_t, GyroTrack> gyros_;  ///< by topic, those that are not judged yet
   LaserReader lasers_;
   CloudRing clouds_;
   SonarRing ring_{{}};

@@ -50,7 +50,8 @@ Fields expected_fields(MessageKind kind, const std::string& type) {
       return {{"Header", "header"},
               {"Quaternion", "orientation"},
               {"float64[9]", "orientation_covariance"},
-              {"Vector3", "angular_velocity"}};
+              {"Vector3", "angular_velocity"},
+              {"float64[9]", "angular_velocity_covariance"}};
   }
   return {};
 }

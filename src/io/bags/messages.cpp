@@ -187,6 +187,7 @@ std::optional<ImuMessage> read_imu(MessageCursor in) {
   (void)quaternion(in);
   for (int i = 0; i < kCovariance; ++i) (void)in.number<double>();
   message.turn_rad_per_s = vector(in);
+  message.has_gyro = in.number<double>() != -1.0;  // so its covariance says by the definition
   return if_whole(in, std::move(message));
 }
 

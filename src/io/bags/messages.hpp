@@ -66,6 +66,7 @@ using TransformsMessage = std::vector<PoseMessage>;
 struct ImuMessage {
   HeaderMessage header;
   Eigen::Vector3d turn_rad_per_s = Eigen::Vector3d::Zero();
+  bool has_gyro = true;
 };
 
 /// What can be done with a message.

@@ -101,8 +101,12 @@ class Surveyor {
         return look_at_pose(evidence, read_pose(in), message);
       case MessageKind::transforms:
         return look_at_transforms(evidence, read_transforms(in), message);
+      case MessageKind::imu: {
+        const auto imu = read_imu(in);
+        if (imu && imu->has_gyro) note(evidence, imu->header, message);
+        return imu && imu->has_gyro;
+      }
       case MessageKind::range:
-      case MessageKind::imu:
         break;
     }
     const auto header = read_header(in);

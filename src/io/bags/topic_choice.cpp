@@ -249,6 +249,7 @@ TopicChoice choose_topics(const Survey& survey, const RecordingOptions& options,
   choose_scans(choice, survey, options, file);
   name_others(choice, survey);
   choose_odometry(choice, survey, options, file);
+  find_gyros(choice, survey, options, file);
   choose_truth(choice, survey, options, file);
   choose_times(choice, survey);
   choice.said = line_of(choice, survey);

@@ -5,12 +5,21 @@
 
 #include "roomatlas/mission/mission.hpp"
 
+#include <Eigen/Core>
+
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace roomatlas::io {
+
+/// A gyro whose turns are taken for odometry's.
+struct GyroChoice {
+  std::size_t topic = 0;
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< the robot's vertical, in the gyro's axes
+  double drift_rad_per_s = 0.0;                   ///< about it, in the recording's beginning
+};
 
 /// Which topics of a recording are the mission, and what their frames are.
 struct TopicChoice {
@@ -22,6 +31,8 @@ struct TopicChoice {
   std::string odometry_frame;
   std::string odometry_child;  ///< whose poses odometry tells: the base frame, or joined to it
   std::string base_frame;
+  std::vector<std::size_t> gyros;  ///< not judged yet
+  std::optional<GyroChoice> gyro;
   std::optional<std::size_t> truth;     ///< a topic of poses
   std::string truth_frame;              ///< tf's root frame, where truth is tf; else empty
   bool use_log_times = false;           ///< stamps are missing, or of clocks that disagree
@@ -42,6 +53,11 @@ struct TopicChoice {
 /// The part that chooses odometry and frames; `choice` has its scans and ranges.
 void choose_odometry(TopicChoice& choice, const Survey& survey, const RecordingOptions& options,
                      const std::string& file);
+
+/// The part that finds gyros that may turn better than odometry; which is taken, sweeps tell
+/// (gyro_trial.hpp). None without odometry. Throws as `choose_topics` does.
+void find_gyros(TopicChoice& choice, const Survey& survey, const RecordingOptions& options,
+                const std::string& file);
 
 /// The part that chooses truth; `choice` has its frames. What is named for it is truth unasked.
 void choose_truth(TopicChoice& choice, const Survey& survey, const RecordingOptions& options,
