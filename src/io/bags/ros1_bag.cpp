@@ -89,6 +89,36 @@ void read_index(BagFile& file, const BagHeader& header, BagLayout& layout) {
   }
 }
 
+/// Whether a message lies between two places of the file, outside of the chunks.
+bool has_message(BagFile& file, std::uint64_t from, std::uint64_t to) {
+  while (from < to) {
+    const Ros1Record record = read_ros1_record(file, from);
+    if (record.fields.op() == Ros1Op::message) return true;
+    from = record.end();
+  }
+  return false;
+}
+
+/// Whether there are messages of which the index does not tell, since no chunk holds them. A bag
+/// that has such has them all along: of one with many chunks some gaps between these are looked at.
+bool has_open_messages(BagFile& file, const BagHeader& header, const BagLayout& layout) {
+  constexpr std::size_t kMostGaps = 1024;
+  std::vector<std::uint64_t> places;
+  for (const Chunk& chunk : layout.chunks) places.push_back(chunk.header_offset);
+  std::sort(places.begin(), places.end());
+  places.push_back(header.index_offset);
+  try {
+    if (has_message(file, header.end, places.front())) return true;
+    const std::size_t step = 1 + (places.size() - 2) / kMostGaps;
+    for (std::size_t i = 0; i + 1 < places.size(); i += step) {
+      const std::uint64_t chunk_end = read_ros1_record(file, places[i]).end();
+      if (has_message(file, chunk_end, places[i + 1])) return true;
+    }
+  } catch (const DamagedData&) {  // it is met again, and said, where it is read
+  }
+  return false;
+}
+
 /// Finds what is where in a file without an index, record by record.
 class Pass {
  public:
@@ -174,12 +204,14 @@ BagLayout layout_of(BagFile& file) {
   const BagHeader header = read_bag_header(file);
   BagLayout layout = empty_layout(file);
   std::string why;
+  bool has_open = false;
   if (header.index_offset != 0 && header.chunks > 0) {
     try {
       read_index(file, header, layout);
       // Its packing is what people are told; the others are looked up when it is their turn.
       Ros1Format().find_content(file, layout.chunks.front());
-      return layout;
+      has_open = has_open_messages(file, header, layout);
+      if (!has_open) return layout;
     } catch (const DamagedData& damage) {
       why = damage.what();
     }
@@ -188,6 +220,10 @@ BagLayout layout_of(BagFile& file) {
   Pass(file, layout).run(header.end);
   if (!why.empty()) {
     layout.issues.add(Severity::warning, "its index is damaged (" + why + "): it was read without");
+  } else if (has_open) {
+    layout.issues.add(Severity::note,
+                      "it has messages outside of its chunks, of which its index does not tell: it "
+                      "was read without");
   } else if (header.index_offset == 0) {
     layout.issues.add(Severity::note,
                       "it has no index, since its recording was not closed: it was read without");

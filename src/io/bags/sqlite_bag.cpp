@@ -15,8 +15,14 @@
 namespace roomatlas::io {
 namespace {
 
+/// A recording that was not closed has its last messages there.
+bool has_write_ahead_log(const std::filesystem::path& file) {
+  std::error_code error;
+  return std::filesystem::file_size(file.string() + "-wal", error) > 0 && !error;
+}
+
 /// As SQLite's URIs want it: RFC 3986, without "?", "#" and "%" in the path.
-std::string immutable_uri(const std::filesystem::path& file) {
+std::string uri_of(const std::filesystem::path& file, const char* parameters) {
   constexpr const char* kHex = "0123456789ABCDEF";
   std::string uri = "file:";
   for (const char c : std::filesystem::absolute(file).string()) {
@@ -28,7 +34,17 @@ std::string immutable_uri(const std::filesystem::path& file) {
       uri += {'%', kHex[byte >> 4], kHex[byte & 15]};
     }
   }
-  return uri + "?immutable=1";
+  return uri + parameters;
+}
+
+/// Opened so that nothing is written beside the file, in folders that are read only as well. A
+/// write-ahead log is read without the index of it that other processes would share: SQLite keeps
+/// that in memory where the database is its own, and is told that nobody else locks it.
+std::unique_ptr<SQLite::Database> open_database(const std::filesystem::path& file, bool has_log) {
+  const std::string uri = uri_of(file, has_log ? "?mode=ro&vfs=unix-none" : "?immutable=1");
+  auto database = std::make_unique<SQLite::Database>(uri, SQLite::OPEN_READONLY | SQLite::OPEN_URI);
+  if (has_log) database->exec("PRAGMA locking_mode = EXCLUSIVE");
+  return database;
 }
 
 bool has_table(SQLite::Database& database, const char* name) { return database.tableExists(name); }
@@ -230,8 +246,8 @@ class SqliteBag final : public BagReader {
 std::unique_ptr<BagReader> open_sqlite_bag(const std::filesystem::path& file,
                                            const std::string& shown_name) {
   try {
-    auto database = std::make_unique<SQLite::Database>(immutable_uri(file),
-                                                       SQLite::OPEN_READONLY | SQLite::OPEN_URI);
+    const bool has_log = has_write_ahead_log(file);
+    auto database = open_database(file, has_log);
     const bool is_cut = is_cut_short(file);
     // Without it SQLite refuses a file that is too short. Nothing is written by it.
     if (is_cut) database->exec("PRAGMA writable_schema = ON");
@@ -240,13 +256,10 @@ std::unique_ptr<BagReader> open_sqlite_bag(const std::filesystem::path& file,
     if (bag->topics().empty()) {
       throw InputError(shown_name + ": is a rosbag2 without topics: nothing was recorded in it");
     }
-    std::error_code error;
-    if (std::filesystem::file_size(file.string() + "-wal", error) > 0 && !error) {
-      bag->warn(
-          Severity::warning,
-          "its recording was not closed: its last messages are still in the file that ends in "
-          "-wal beside it, and were not read. Take them over with `sqlite3 FILE 'PRAGMA "
-          "wal_checkpoint(TRUNCATE)'` on a copy of both");
+    if (has_log) {
+      bag->warn(Severity::note,
+                "its recording was not closed: its last messages are in the file that ends in -wal "
+                "beside it, and were read from there. Keep both together");
     }
     return bag;
   } catch (const SQLite::Exception& error) {

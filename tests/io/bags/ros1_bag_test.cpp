@@ -98,6 +98,28 @@ TEST_F(Ros1Bag, CutInsideAPlainChunkItHasTheMessagesThatAreWhole) {
   EXPECT_THAT(text_of(reader->issues()), HasSubstr("the file ends inside it"));
 }
 
+TEST_F(Ros1Bag, MessagesOutsideOfChunksAreReadThoughTheIndexDoesNotTellOfThem) {
+  const std::string chunk = ros1_chunk("none", ros1_connection(5, "/a", "std_msgs/String") +
+                                                   ros1_message(5, 200, "in the chunk")) +
+                            ros1_index(5, {200});
+  const std::string open_ones = ros1_connection(5, "/a", "std_msgs/String") +
+                                ros1_message(5, 100, "before") + ros1_message(5, 300, "behind");
+  for (const bool is_before : {true, false}) {
+    const std::string body = is_before ? open_ones + chunk : chunk + open_ones;
+    const std::size_t begin = ros1_beginning(0, 0, 0).size();
+    const std::string bag =
+        ros1_beginning(begin + body.size(), 1, 1) + body +
+        ros1_connection(5, "/a", "std_msgs/String") +
+        ros1_chunk_info(begin + (is_before ? open_ones.size() : 0), 200, 200, {{5, 1}});
+    const auto reader = open(bag);
+    EXPECT_EQ(reader->topics().at(0).messages, 3);
+    EXPECT_EQ(rest_of(*reader),
+              (std::vector<Message>{
+                  {"/a", 100, "before"}, {"/a", 200, "in the chunk"}, {"/a", 300, "behind"}}));
+    EXPECT_THAT(text_of(reader->issues()), HasSubstr("outside of its chunks"));
+  }
+}
+
 TEST_F(Ros1Bag, OneDamagedChunkCostsItsMessagesAlone) {
   SmallBag bag = small_ros1_bag("lz4");
   for (std::size_t i = bag.chunks[1] + 80; i < bag.chunks[1] + 120; ++i) bag.bytes[i] = '\x55';

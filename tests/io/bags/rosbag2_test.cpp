@@ -51,6 +51,24 @@ std::vector<Message> recorded() {
   return all;
 }
 
+/// As a recorder leaves it that is stopped by force: all but the first messages are in the log.
+void leave_unclosed(const TemporaryFolder& folder, const std::string& name) {
+  const std::vector<Message> all = recorded();
+  const std::filesystem::path live = folder / "live.db3";
+  make_database(live, {all.begin(), all.begin() + 5});
+  SQLite::Database db(live.string(), SQLite::OPEN_READWRITE);
+  db.exec("PRAGMA journal_mode = WAL");
+  for (std::size_t i = 5; i < all.size(); ++i) {
+    SQLite::Statement insert(db, "INSERT INTO messages(topic_id, timestamp, data) VALUES (?,?,?)");
+    insert.bind(1, all[i].topic == "/a" ? 4 : 7);
+    insert.bind(2, all[i].time_ns);
+    insert.bind(3, all[i].bytes.data(), static_cast<int>(all[i].bytes.size()));
+    insert.exec();
+  }
+  std::filesystem::copy(live, folder / name);
+  std::filesystem::copy(live.string() + "-wal", (folder / name).string() + "-wal");
+}
+
 std::string metadata(const std::vector<std::string>& files, const std::string& compression = "") {
   std::string text =
       "rosbag2_bagfile_information:\n  version: 5\n  storage_identifier: sqlite3\n"
@@ -65,6 +83,38 @@ std::string metadata(const std::vector<std::string>& files, const std::string& c
   text += "  compression_format: \"" + compression + "\"\n  relative_file_paths:\n";
   for (const std::string& file : files) text += "    - " + file + "\n";
   return text + "  files:\n    - path: other.db3\n";
+}
+
+TEST(Rosbag2, ThatWasNotClosedIsReadWithItsLogAndLeftAsItIs) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "bag");
+  leave_unclosed(folder, "bag/a b?.db3");
+  const std::filesystem::path file = folder / "bag" / "a b?.db3";
+  const std::string before = bytes_of(file) + bytes_of(file.string() + "-wal");
+  using std::filesystem::perms;
+  std::filesystem::permissions(folder / "bag", perms::owner_read | perms::owner_exec);
+  {
+    const auto reader = io::open_bag(file);
+    EXPECT_EQ(rest_of(*reader), in_time_order(small_chunks()));
+    EXPECT_THAT(text_of(reader->issues()), HasSubstr("-wal"));
+  }
+  std::filesystem::permissions(folder / "bag", perms::owner_all);
+  EXPECT_EQ(bytes_of(file) + bytes_of(file.string() + "-wal"), before);
+  const auto files = std::distance(std::filesystem::directory_iterator(folder / "bag"), {});
+  EXPECT_EQ(files, 2);  // nothing beside
+}
+
+TEST(Rosbag2, ThatWasNotClosedAndLostItsLogSaysWhatIsThere) {
+  const TemporaryFolder folder;
+  leave_unclosed(folder, "a.db3");
+  const std::string log = bytes_of(folder / "a.db3-wal");
+  folder.write("a.db3-wal", log.substr(0, log.size() / 2));
+  const auto cut = io::open_bag(folder / "a.db3");
+  const auto some = rest_of(*cut);
+  EXPECT_GT(some.size(), 5U);
+  EXPECT_LT(some.size(), 30U);
+  std::filesystem::remove(folder / "a.db3-wal");
+  EXPECT_EQ(rest_of(*io::open_bag(folder / "a.db3")).size(), 5U);
 }
 
 TEST(Rosbag2, ReadsFilesOfAllLayouts) {
