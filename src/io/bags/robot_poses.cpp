@@ -9,11 +9,11 @@ namespace {
 
 constexpr std::array kBaseFrames = {"base_link", "base_footprint", "base"};
 
+}  // namespace
+
 bool is_usual_base(const std::string& frame) {
   return std::count(kBaseFrames.begin(), kBaseFrames.end(), frame) > 0;
 }
-
-}  // namespace
 
 RobotPoses::RobotPoses(const TopicChoice& choice, const FrameTree& known_before,
                        const std::optional<Pose2>& mount)

@@ -10,6 +10,9 @@
 
 namespace roomatlas::io {
 
+/// Frames that are the robot by custom, and differ in height alone.
+[[nodiscard]] bool is_usual_base(const std::string& frame);
+
 /// Where the robot was and where its sensors sit, as far as the recording has told by now.
 class RobotPoses {
  public:
