@@ -20,6 +20,7 @@ constexpr double kStraight_m = 0.025;                // largest root mean square
 constexpr double kGap_m = 0.06;
 constexpr double kFlatness = 6.0;      // ... plus this many times the beams' distance there ...
 constexpr double kLargestGap_m = 0.5;  // ... and never farther apart than this
+constexpr double kSamePlace_m = 1e-6;  // beams that start nearer to each other are one laser's
 constexpr double kVoxel_m = 0.02;      // walls are known to a centimetre or two
 constexpr int kSectors = 36;           // of normals, 10 degrees each
 
@@ -63,9 +64,11 @@ std::vector<Sums> sums_of(const std::vector<Hit>& hits, const RangeSensor& senso
   for (std::size_t i = 0; i < hits.size(); ++i) {
     Sums& next = sums[i + 1] = sums[i];
     if (i > 0) {
-      const double step_rad = std::abs(wrap_angle(sensor.robot_from_beam[i].theta_rad -
-                                                  sensor.robot_from_beam[i - 1].theta_rad));
-      if (is_break(hits[i - 1], hits[i], step_rad)) ++next.breaks;
+      const Pose2& before = sensor.robot_from_beam[i - 1];
+      const Pose2& beam = sensor.robot_from_beam[i];
+      const double step_rad = std::abs(wrap_angle(beam.theta_rad - before.theta_rad));
+      const bool is_another_laser = (beam.position() - before.position()).norm() > kSamePlace_m;
+      if (is_another_laser || is_break(hits[i - 1], hits[i], step_rad)) ++next.breaks;
     }
     if (hits[i].is_hit) next.hits.add(hits[i].at - origin);
   }

@@ -71,8 +71,14 @@ void LocalMap::add(const Face& seen) {
 void LocalMap::add(const Scan& scan, const Pose2& map_from_robot) {
   const PointTransform place(map_from_robot);
   const PointTransform turn({0.0, 0.0, map_from_robot.theta_rad});
-  const Point2 sensor = place * scan.sensor;
-  for (const ScanPoint& point : scan.points) add_free(sensor, place * point.position);
+  Point2 sensor = place * scan.sensor;
+  auto further = scan.further.begin();
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    for (; further != scan.further.end() && further->first_point <= i; ++further) {
+      sensor = place * further->sensor;
+    }
+    add_free(sensor, place * scan.points[i].position);
+  }
   for (const ScanPoint& point : scan.points) {
     if (point.is_hit) add_hit(place * point.position, turn * point.normal);
   }

@@ -12,12 +12,16 @@ constexpr double kMaxFlatness = 0.15;   // spread across the line over spread al
 constexpr double kStraightM = 0.03;     // a line this straight ...
 constexpr double kRoughFlatness = 0.1;  // ... may be less elongated than one that is not
 
-/// The beams beside `at` that lie on the same surface: each near the one before.
+constexpr std::size_t kMostLasers = 16;
+constexpr double kSamePlaceM = 1e-6;  // beams that start nearer to each other are one laser's
+
 struct Span {
   std::size_t first = 0;
   std::size_t last = 0;  // included
 };
-Span surface_around(const std::vector<ScanPoint>& points, std::size_t at,
+
+/// The beams beside `at`, of its own laser, that lie on the same surface: each near the one before.
+Span surface_around(const std::vector<ScanPoint>& points, const Span& laser, std::size_t at,
                     const ScanOptions& options) {
   const auto joined = [&](std::size_t a, std::size_t b) {
     return points[a].is_hit && points[b].is_hit &&
@@ -25,11 +29,11 @@ Span surface_around(const std::vector<ScanPoint>& points, std::size_t at,
   };
   const auto reach = static_cast<std::size_t>(options.normal_neighbors);
   Span span{at, at};
-  while (span.first > 0 && at - span.first < reach && joined(span.first - 1, span.first)) {
+  while (span.first > laser.first && at - span.first < reach &&
+         joined(span.first - 1, span.first)) {
     --span.first;
   }
-  while (span.last + 1 < points.size() && span.last - at < reach &&
-         joined(span.last, span.last + 1)) {
+  while (span.last < laser.last && span.last - at < reach && joined(span.last, span.last + 1)) {
     ++span.last;
   }
   return span;
@@ -61,28 +65,57 @@ Point2 normal_of(const std::vector<ScanPoint>& points, const Span& span, const P
   return normal.dot(sensor - mean) < 0.0 ? Point2(-normal) : normal;
 }
 
+/// Sets the directions of one laser's surfaces.
+void set_normals(Scan& scan, const Span& laser, const Point2& sensor, const ScanOptions& options) {
+  for (std::size_t i = laser.first; i <= laser.last; ++i) {
+    if (!scan.points[i].is_hit) continue;
+    scan.points[i].normal =
+        normal_of(scan.points, surface_around(scan.points, laser, i, options), sensor);
+  }
+}
+
+void add_point(Scan& scan, const Pose2& beam, double range_m, double max_range_m,
+               const ScanOptions& options) {
+  if (!std::isfinite(range_m) || range_m < options.min_range_m || range_m >= options.no_echo_m) {
+    return;
+  }
+  const bool is_hit = range_m < max_range_m && range_m <= options.max_hit_m;
+  const double seen_m = std::min(range_m, options.max_hit_m);
+  scan.points.push_back({beam * Point2(seen_m, 0.0), Point2::Zero(), is_hit});
+}
+
+/// Where the lasers of a reading start; as a rule it has one.
+std::vector<std::size_t> first_beams(const RangeSensor& sensor) {
+  std::vector<std::size_t> firsts = {0};
+  for (std::size_t i = 1; i < sensor.robot_from_beam.size(); ++i) {
+    const Point2 apart =
+        sensor.robot_from_beam[i].position() - sensor.robot_from_beam[i - 1].position();
+    if (apart.norm() > kSamePlaceM) firsts.push_back(i);
+  }
+  return firsts;
+}
+
 }  // namespace
 
 Scan scan_of(const RangeReading& reading, const ScanOptions& options) {
   const RangeSensor& sensor = *reading.sensor;
   Scan scan;
   if (sensor.robot_from_beam.empty()) return scan;
-  scan.sensor = sensor.robot_from_beam[sensor.robot_from_beam.size() / 2].position();
+  std::vector<std::size_t> firsts = first_beams(sensor);
+  if (firsts.size() > kMostLasers) firsts.resize(1);  // each beam has a place of its own
+  const std::size_t middle = firsts.size() > 1 ? 0 : sensor.robot_from_beam.size() / 2;
+  scan.sensor = sensor.robot_from_beam[middle].position();
+  firsts.push_back(reading.ranges_m.size());
   scan.points.reserve(reading.ranges_m.size());
-  for (std::size_t i = 0; i < reading.ranges_m.size(); ++i) {
-    const double range_m = reading.ranges_m[i];
-    if (!std::isfinite(range_m) || range_m < options.min_range_m || range_m >= options.no_echo_m) {
-      continue;
+  for (std::size_t laser = 0; laser + 1 < firsts.size(); ++laser) {
+    const std::size_t first_point = scan.points.size();
+    const Point2 from = laser == 0 ? scan.sensor : sensor.robot_from_beam[firsts[laser]].position();
+    if (laser > 0) scan.further.push_back({first_point, from});
+    for (std::size_t i = firsts[laser]; i < firsts[laser + 1]; ++i) {
+      add_point(scan, sensor.robot_from_beam[i], reading.ranges_m[i], sensor.max_range_m, options);
     }
-    const bool is_hit = range_m < sensor.max_range_m && range_m <= options.max_hit_m;
-    const double seen_m = std::min(range_m, options.max_hit_m);
-    scan.points.push_back(
-        {sensor.robot_from_beam[i] * Point2(seen_m, 0.0), Point2::Zero(), is_hit});
-  }
-  for (std::size_t i = 0; i < scan.points.size(); ++i) {
-    if (!scan.points[i].is_hit) continue;
-    scan.points[i].normal =
-        normal_of(scan.points, surface_around(scan.points, i, options), scan.sensor);
+    if (scan.points.size() == first_point) continue;
+    set_normals(scan, {first_point, scan.points.size() - 1}, from, options);
   }
   return scan;
 }

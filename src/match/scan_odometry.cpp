@@ -10,12 +10,40 @@
 #include <utility>
 
 #include "roomatlas/match/local_map.hpp"
+#include "roomatlas/mission/resample.hpp"
 
 namespace roomatlas {
 namespace {
 
 constexpr double kLongestStepS = 1.0;  // after a longer silence nobody goes on as before
 constexpr double kBareAcross = 20.0;   // points' weight on walls across a direction that holds it
+
+// As for sweeps with odometry: less is below the error of ranges.
+constexpr double kStillM = 0.03;
+constexpr double kStillRad = radians(1.0);
+constexpr double kAnotherTurnRad = radians(0.5);
+
+/// The sweep as if each beam had been measured where the robot was at its first one.
+/// @param within how the robot moved from the first beam to the last
+std::vector<float> without_motion(const RangeReading& reading, const Pose2& within) {
+  const RangeSensor& sensor = *reading.sensor;
+  const std::size_t beams = sensor.robot_from_beam.size();
+  std::vector<SweepRay> rays(beams);
+  for (std::size_t i = 0; i < beams; ++i) {
+    const double place = static_cast<double>(i) / std::max(1.0, static_cast<double>(beams) - 1.0);
+    const Pose2 moved = interpolate({}, within, reading.sweep_s < 0.0 ? 1.0 - place : place);
+    const auto range_m = static_cast<double>(reading.ranges_m[i]);
+    const bool is_measured = std::isfinite(range_m) && range_m > 0.0;
+    const Pose2& beam = sensor.robot_from_beam[i];
+    rays[i].origin = moved * beam.position();
+    rays[i].echo = !is_measured                   ? Echo::unknown
+                   : range_m < sensor.max_range_m ? Echo::surface
+                                                  : Echo::nothing;
+    const double end_m = is_measured ? range_m : sensor.max_range_m;
+    rays[i].end = moved * (beam * Point2(end_m, 0.0));
+  }
+  return resampled(rays, sensor);
+}
 
 /// The map of the last metres.
 class RecentMap {
@@ -82,6 +110,10 @@ class ScanOdometry : public MissionSource {
               " % of them walls told nothing of the way along a corridor, which is taken as going "
               "on";
     }
+    if (unrolled_ > 0) {
+      text += "; " + std::to_string(unrolled_) + " of " + std::to_string(sweeps_) +
+              " sweeps were taken while the robot moved: each beam is put to its own pose";
+    }
     info_.issues.insert(info_.issues.begin(), {Severity::warning, info_.file, 0, "odometry",
                                                text + ". Record odometry to be sure"});
     return info_;
@@ -92,22 +124,25 @@ class ScanOdometry : public MissionSource {
  private:
   void place(RangeReading& reading) {
     ++sweeps_;
-    Scan scan = scan_of(reading, options_.scan);
     const double time_s = reading.timestamp_s;
     if (!last_s_) last_s_ = last_matched_s_ = time_s;
     const Pose2 guess = odom_from_robot_ * going_on(time_s);
-    Pose2 found = guess;
-    bool is_matched = recent_.map().empty();
-    if (!recent_.map().empty()) {
-      const ScanAlignment aligned = match(thinned(scan.points, options_.max_points), guess);
-      is_matched = is_believed(aligned);
-      if (is_matched) found = aligned.map_from_points;
-      if (is_matched && !is_held(aligned)) ++bare_;
+    Seen seen = see(reading, within_sweep(reading, step_, step_s_));
+    Matched matched = match(seen.scan, guess);
+    if (matched.is_matched && reading.sweep_s != 0.0 && time_s > *last_s_) {
+      // the motion that was found tells better than the one before how the robot moved in the sweep
+      const Pose2 step = inverse(odom_from_robot_) * matched.odom_from_robot;
+      const Pose2 within = within_sweep(reading, step, time_s - *last_s_);
+      if (std::abs(within.theta_rad - seen.within.theta_rad) > kAnotherTurnRad) {
+        seen = see(reading, within);
+        matched = match(seen.scan, guess);
+      }
     }
-    move_on(is_matched ? found : odom_from_robot_, time_s);
-    if (is_matched) {
+    if (matched.is_bare) ++bare_;
+    move_on(matched.is_matched ? matched.odom_from_robot : odom_from_robot_, time_s);
+    if (matched.is_matched) {
       last_matched_s_ = time_s;
-      if (!scan.points.empty()) recent_.add_where_new(std::move(scan), odom_from_robot_);
+      if (!seen.scan.points.empty()) recent_.add_where_new(std::move(seen.scan), odom_from_robot_);
     } else if (time_s - *last_matched_s_ > options_.longest_lost_s) {
       throw NotEnoughError(
           mission_->info().file + ": no odometry, and scan matching alone does not hold: from " +
@@ -115,7 +150,53 @@ class ScanOdometry : public MissionSource {
           std::to_string(std::lround(options_.longest_lost_s)) +
           " s. The sensor moves too fast, or sees too little; record odometry with the ranges");
     }
+    if (!seen.ranges_m.empty()) {
+      reading.ranges_m = std::move(seen.ranges_m);
+      ++unrolled_;
+    }
+    reading.sweep_s = 0.0;
     reading.odom_from_robot = odom_from_robot_;
+  }
+
+  /// A sweep with each beam put to its own pose.
+  struct Seen {
+    Scan scan;
+    std::vector<float> ranges_m;  ///< empty: as they were measured
+    Pose2 within;                 ///< how the robot moved in the sweep
+  };
+  [[nodiscard]] Seen see(const RangeReading& reading, const Pose2& within) const {
+    Seen seen;
+    seen.within = within;
+    const bool moves = within.position().norm() > kStillM || std::abs(within.theta_rad) > kStillRad;
+    if (!moves) {
+      seen.scan = scan_of(reading, options_.scan);
+      return seen;
+    }
+    RangeReading unrolled = reading;
+    unrolled.ranges_m = seen.ranges_m = without_motion(reading, within);
+    seen.scan = scan_of(unrolled, options_.scan);
+    return seen;
+  }
+
+  /// How far a motion goes on from a sweep's first beam to its last; nowhere where that is not
+  /// known, or the last step is too old.
+  [[nodiscard]] static Pose2 within_sweep(const RangeReading& reading, const Pose2& step,
+                                          double step_s) {
+    if (step_s <= 0.0 || step_s > kLongestStepS) return {};
+    const double share = std::abs(reading.sweep_s) / step_s;
+    return {share * step.x_m, share * step.y_m, share * step.theta_rad};
+  }
+
+  struct Matched {
+    Pose2 odom_from_robot;
+    bool is_matched = false;
+    bool is_bare = false;
+  };
+  [[nodiscard]] Matched match(const Scan& scan, const Pose2& guess) const {
+    if (recent_.map().empty()) return {guess, true, false};
+    const ScanAlignment aligned = match(thinned(scan.points, options_.max_points), guess);
+    if (!is_believed(aligned)) return {guess, false, false};
+    return {aligned.map_from_points, true, !is_held(aligned)};
   }
 
   /// What the last step becomes in the time since.
@@ -160,6 +241,7 @@ class ScanOdometry : public MissionSource {
   std::optional<double> last_matched_s_;
   std::int64_t sweeps_ = 0;
   std::int64_t bare_ = 0;
+  std::int64_t unrolled_ = 0;  ///< sweeps of which each beam was put to its own pose
   double path_m_ = 0.0;
   mutable MissionInfo info_;
 };

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace roomatlas {
@@ -40,7 +41,9 @@ Pose2 truth_at(double time_s) {
 
 class Walk : public MissionSource {
  public:
-  explicit Walk(bool jumps) : jumps_(jumps) {
+  /// @param sweep_s from the first beam to the last
+  explicit Walk(bool jumps, double sweep_s = 0.0, double told_s = 0.0)
+      : jumps_(jumps), sweep_s_(sweep_s), told_s_(told_s) {
     auto sensor = std::make_shared<RangeSensor>();
     sensor->max_range_m = 20.0;
     for (int i = 0; i < 360; ++i) {
@@ -52,9 +55,11 @@ class Walk : public MissionSource {
   [[nodiscard]] std::optional<MissionEvent> next() override {
     const double time_s = 0.1 * step_;
     if (step_++ >= 300) return std::nullopt;
-    RangeReading reading{time_s, {}, sensor_, {}};
+    RangeReading reading{time_s, {}, sensor_, {}, told_s_};
     for (const Pose2& beam : sensor_->robot_from_beam) {
-      const double range_m = range_in_room(truth_at(time_s) * beam);
+      const double share = static_cast<double>(reading.ranges_m.size()) / 359.0;
+      const double passed_s = sweep_s_ < 0.0 ? sweep_s_ * (share - 1.0) : sweep_s_ * share;
+      const double range_m = range_in_room(truth_at(time_s + passed_s) * beam);
       const double torn_m = 1.0 + 3.0 * std::abs(std::sin(1e4 * beam.theta_rad * (step_ + 1)));
       reading.ranges_m.push_back(static_cast<float>(jumps_ && step_ > 100 ? torn_m : range_m));
     }
@@ -65,6 +70,8 @@ class Walk : public MissionSource {
 
  private:
   bool jumps_;
+  double sweep_s_;
+  double told_s_;
   int step_ = 0;
   std::shared_ptr<const RangeSensor> sensor_;
   MissionInfo info_;
@@ -87,6 +94,33 @@ TEST(ScanOdometry, FollowsAWalkThroughARoom) {
   EXPECT_GT(mission->info().path_length_m, 5.0);
   ASSERT_FALSE(mission->info().issues.empty());
   EXPECT_EQ(mission->info().issues.front().severity, Severity::warning);
+}
+
+/// How far the ends of all beams are from the walls of the room, seen from where the robot was.
+double mean_miss_m(double sweep_s, double told_s) {
+  const auto mission = scan_odometry(std::make_unique<Walk>(false, sweep_s, told_s));
+  double sum_m = 0.0;
+  double ends = 0.0;
+  while (const auto event = mission->next()) {
+    const auto& reading = std::get<RangeReading>(*event);
+    EXPECT_EQ(reading.sweep_s, 0.0);
+    const Pose2 room_from_robot = truth_at(reading.timestamp_s);
+    for (std::size_t i = 0; i < reading.ranges_m.size(); ++i) {
+      if (!std::isfinite(reading.ranges_m[i])) continue;
+      const Point2 end =
+          room_from_robot * (reading.sensor->robot_from_beam[i] * Point2(reading.ranges_m[i], 0.0));
+      if ((end - Point2(2.0, 1.0)).norm() < 0.6) continue;  // the column
+      sum_m += std::min(std::abs(3.0 - std::abs(end.x())), std::abs(2.0 - std::abs(end.y())));
+      ends += 1.0;
+    }
+  }
+  return sum_m / ends;
+}
+
+TEST(ScanOdometry, PutsEachBeamOfASweepToItsOwnPose) {
+  for (const double sweep_s : {0.1, -0.1}) {
+    EXPECT_LT(mean_miss_m(sweep_s, sweep_s), 0.3 * mean_miss_m(sweep_s, 0.0));
+  }
 }
 
 TEST(ScanOdometry, RefusesWhatNoSweepFits) {

@@ -17,8 +17,14 @@ struct ScanPoint {
 
 /// A laser sweep as points in the robot's frame, with the directions of the surfaces.
 struct Scan {
+  /// Of a reading of several lasers, where one after the first begins.
+  struct Further {
+    std::size_t first_point = 0;
+    Point2 sensor = Point2::Zero();
+  };
   Point2 sensor = Point2::Zero();  ///< where the rays begin
   std::vector<ScanPoint> points;   ///< in the order of the beams
+  std::vector<Further> further{};  ///< by their points
 };
 
 struct ScanOptions {

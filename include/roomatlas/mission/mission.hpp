@@ -30,6 +30,9 @@ struct RangeReading {
   Pose2 odom_from_robot;     ///< the robot's pose, never the sensor's
   std::shared_ptr<const RangeSensor> sensor;  ///< never null
   std::vector<float> ranges_m;  ///< one a beam; NaN, infinite or <= 0 means "no measurement"
+  /// From the first beam to the last, of a sweep that is as it was measured, for who knows how the
+  /// robot moved in it; negative: the last came first. 0: all at once, or put to the one pose.
+  double sweep_s = 0.0;
 };
 
 /// Ground truth, where a log has it (CARMEN's TRUEPOS).

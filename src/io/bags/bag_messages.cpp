@@ -2,6 +2,7 @@
 // What a recording's source does with a message.
 #include "bags/bag_source.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace roomatlas::io {
@@ -76,6 +77,10 @@ bool BagSource::use_scan(Topic& topic, const BagMessage& message,
   waiting.log_ns = message.log_time_ns;
   waiting.stamp_ns = time_of(topic, scan->header, message.log_time_ns);
   waiting.until_ns = waiting.stamp_ns + static_cast<std::int64_t>(1e9 * sweep_time_s(*scan));
+  if (group_.has(message.topic)) {
+    group_.add(message.topic, {waiting.stamp_ns, waiting.until_ns, std::move(*scan)});
+    return true;
+  }
   waiting.content = std::move(*scan);
   waiting_.push_back(std::move(waiting));
   return true;
@@ -91,6 +96,10 @@ bool BagSource::use_cloud(Topic& topic, const BagMessage& message, const Message
   waiting.topic = message.topic;
   waiting.log_ns = message.log_time_ns;
   waiting.stamp_ns = waiting.until_ns = time_of(topic, cloud->header, message.log_time_ns);
+  if (!cloud->times_s.empty()) {
+    const float last_s = *std::max_element(cloud->times_s.begin(), cloud->times_s.end());
+    waiting.until_ns += static_cast<std::int64_t>(1e9 * std::max(0.0, static_cast<double>(last_s)));
+  }
   waiting.content = std::move(*cloud);
   waiting_.push_back(std::move(waiting));
   return true;

@@ -131,6 +131,12 @@ void BagSource::note_poses() {
   warn_of(poses_->frames().parents_changed(), "transforms",
           " times a frame got another parent: two programs tell where it is, and tf holds the "
           "newer");
+  warn_of(group_.missing(), "lasers",
+          " times a laser of the group had no sweep within half a period of the first one's");
+  warn_of(
+      group_.left_out(), "lasers",
+      " sweeps of further lasers are left out: none of the first one's is within half a period, "
+      "or another is nearer");
   warn_of(ring_.strangers(), "sonars",
           " readings of sonars that were not heard at the recording's beginning are left out");
   if (poses_->out_of_order() > 0) {
@@ -165,6 +171,11 @@ void BagSource::note_lasers() {
     add_issue(Severity::note, "sweeps",
               std::to_string(notes.unrolled) + " of " + std::to_string(notes.sweeps) +
                   " were taken while the robot moved: each beam is put to its own pose");
+  }
+  if (clouds_.unrolled() > 0) {
+    add_issue(Severity::note, "clouds",
+              std::to_string(clouds_.unrolled()) + " of " + std::to_string(clouds_.clouds()) +
+                  " were taken while the robot moved: each point is put to its own pose");
   }
   if (notes.keeps_changing) {
     add_issue(Severity::note, "sweeps",

@@ -55,11 +55,14 @@ BagSource::BagSource(std::string name, std::unique_ptr<BagReader> reader,
 
 void BagSource::start(std::string name, std::unique_ptr<BagReader> reader, TopicChoice choice,
                       const Survey& beginning) {
-  const std::optional<Pose2> mount = mount_in(options_.recording.laser_mount);
   reader_ = std::move(reader);
   choice_ = std::move(choice);
+  const std::optional<Pose2> mount = mount_in(options_.recording.laser_mount);
   poses_ = std::make_unique<RobotPoses>(choice_, beginning.frames, mount);
   ring_ = make_ring(beginning);
+  if (choice_.is_one_reading) {
+    group_ = LaserGroup({choice_.scans.begin() + 1, choice_.scans.end()}, choice_.half_period_ns);
+  }
   meet_topics(beginning);
   evidence_ = beginning.evidence;
   info_.file = std::move(name);
@@ -164,18 +167,15 @@ bool BagSource::is_told(const Waiting& waiting, bool given_up) {
     return at && at->beyond_ns == 0;
   };
   const std::optional<TransformAt> mount = mount_of(waiting);
-  if (!given_up) return is_known(mount) && is_known(poses_->odom_from_base(waiting.until_ns));
+  if (!given_up) {
+    return is_known(mount) && is_known(poses_->odom_from_base(waiting.until_ns)) &&
+           is_group_told(waiting);
+  }
   if (mount) return true;
-  describe();  // with the frames that are there
   const auto* scan = std::get_if<LaserScanMessage>(&waiting.content);
-  const std::string frame =
-      scan != nullptr ? scan->header.frame : std::get<CloudMessage>(waiting.content).header.frame;
-  throw InputError(info_.file + ": " + reader_->topics()[waiting.topic].name +
-                   ": where its laser sits on the robot is not known: no tf joins the robot's "
-                   "frame " +
-                   choice_.base_frame + " and the laser's " + frame +
-                   "; tell it by --laser-mount x,y,deg (0,0,0: at the centre, looking ahead), or "
-                   "name the robot's frame by --base-frame");
+  refuse_without_mount(waiting.topic, scan != nullptr
+                                          ? scan->header.frame
+                                          : std::get<CloudMessage>(waiting.content).header.frame);
 }
 
 std::optional<MissionEvent> BagSource::hand_out() {
@@ -215,16 +215,8 @@ std::optional<RangeReading> BagSource::reading_of(const Waiting& waiting) {
   }
   if (pose->beyond_ns > 0) ++at_nearest_pose_;
   if (std::holds_alternative<SonarRing::Round>(waiting.content)) return ring_reading(waiting);
-  const Transform3 base_from_sensor = mount_of(waiting)->transform;
-  if (const auto* scan = std::get_if<LaserScanMessage>(&waiting.content)) {
-    return lasers_.read(waiting.topic, *scan, waiting.stamp_ns, base_from_sensor, *poses_,
-                        choice_.odometry != TopicChoice::Odometry::none);
-  }
-  const RecordingOptions& recording = options_.recording;
-  RangeReading reading =
-      clouds_.read(std::get<CloudMessage>(waiting.content), base_from_sensor,
-                   {recording.cloud_low_m, recording.cloud_high_m, evidence_[waiting.topic].is_flat,
-                    options_.footprint, options_.laser_max_range_m});
+  if (std::holds_alternative<LaserScanMessage>(waiting.content)) return laser_reading(waiting);
+  RangeReading reading = cloud_reading(waiting);
   reading.timestamp_s = seconds(waiting.stamp_ns);
   reading.odom_from_robot = planar(pose->transform);
   return reading;

@@ -3,6 +3,7 @@
 
 #include "bags/bag_reader.hpp"
 #include "bags/cloud_ring.hpp"
+#include "bags/laser_group.hpp"
 #include "bags/laser_reader.hpp"
 #include "bags/robot_poses.hpp"
 #include "bags/sonar_ring.hpp"
@@ -102,7 +103,14 @@ class BagSource : public MissionSource {
   /// The first waiting one as an event, where it can be told by now.
   [[nodiscard]] std::optional<MissionEvent> hand_out();
   [[nodiscard]] bool is_told(const Waiting& waiting, bool given_up);
+  [[nodiscard]] bool is_group_told(const Waiting& waiting) const;
   [[nodiscard]] std::optional<TransformAt> mount_of(const Waiting& waiting) const;
+  [[noreturn]] void refuse_without_mount(std::size_t topic, const std::string& frame);
+  [[nodiscard]] RangeReading laser_reading(const Waiting& waiting);
+  [[nodiscard]] RangeReading cloud_reading(const Waiting& waiting);
+  /// What another laser of the group has to a reading; nothing where it has no sweep near it.
+  [[nodiscard]] std::optional<RangeReading> companion_reading(std::size_t topic,
+                                                              const Waiting& waiting);
   [[nodiscard]] std::optional<RangeReading> reading_of(const Waiting& waiting);
   [[nodiscard]] std::optional<RangeReading> ring_reading(const Waiting& waiting);
   void note(const RangeReading& reading, std::size_t topic);
@@ -125,6 +133,7 @@ class BagSource : public MissionSource {
   std::vector<Topic> topics_;
   std::map<std::size_t, GyroTrack> gyros_;  ///< by topic, those that are not judged yet
   LaserReader lasers_;
+  LaserGroup group_;
   CloudRing clouds_;
   SonarRing ring_{{}};
   std::shared_ptr<const RangeSensor> ring_sensor_;

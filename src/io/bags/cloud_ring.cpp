@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace roomatlas::io {
 namespace {
@@ -15,6 +16,11 @@ constexpr double kStepRad = 2.0 * kPi / CloudRing::kBearings;
 bool is_of_the_robot(const Eigen::Vector3d& point, const RobotFootprint& footprint) {
   return std::abs(point.x()) <= footprint.length_m / 2.0 &&
          std::abs(point.y()) <= footprint.width_m / 2.0;
+}
+
+std::pair<float, float> span_of(const std::vector<float>& times_s) {
+  const auto [first, last] = std::minmax_element(times_s.begin(), times_s.end());
+  return {*first, *last};
 }
 
 }  // namespace
@@ -36,18 +42,27 @@ std::shared_ptr<const RangeSensor> CloudRing::ring_at(const Point2& place, doubl
 }
 
 RangeReading CloudRing::read(const CloudMessage& cloud, const Transform3& base_from_cloud,
-                             const CloudSlice& slice) {
+                             const CloudSlice& slice, const SweepPath& path) {
   const Point2 place = planar(base_from_cloud).position();
   RangeReading reading;
   reading.sensor = ring_at(place, slice.max_range_m);
   const Point2 centre = reading.sensor->robot_from_beam.front().position();
   reading.ranges_m.assign(kBearings, std::numeric_limits<float>::quiet_NaN());
-  for (const Eigen::Vector3f& point : cloud.points) {
-    const Eigen::Vector3d at = base_from_cloud * point.cast<double>();
+  const bool moves = path.moves() && cloud.times_s.size() == cloud.points.size();
+  const auto [first_s, last_s] = moves ? span_of(cloud.times_s) : std::pair(0.0F, 1.0F);
+  ++clouds_;
+  if (moves) ++unrolled_;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const Eigen::Vector3d at = base_from_cloud * cloud.points[i].cast<double>();
     ++points_;
     const bool is_in_band = slice.is_flat || (at.z() >= slice.low_m && at.z() <= slice.high_m);
     if (!is_in_band || is_of_the_robot(at, slice.footprint)) continue;
-    const Point2 off = Point2(at.x(), at.y()) - centre;
+    Point2 seen(at.x(), at.y());
+    if (moves) {
+      const float share = (cloud.times_s[i] - first_s) / (last_s - first_s);
+      seen = path.at(static_cast<double>(share)) * seen;
+    }
+    const Point2 off = seen - centre;
     const double range_m = off.norm();
     if (range_m < kLeastRangeM || range_m >= slice.max_range_m) continue;
     ++taken_;

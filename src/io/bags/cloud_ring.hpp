@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bags/messages.hpp"
+#include "bags/sweep_path.hpp"
 
 #include "roomatlas/mission/mission.hpp"
 
@@ -26,8 +27,12 @@ class CloudRing {
   static constexpr int kBearings = 720;
 
   /// Without time and pose.
+  /// @param path of the robot from the first point's time to the last one's
   [[nodiscard]] RangeReading read(const CloudMessage& cloud, const Transform3& base_from_cloud,
-                                  const CloudSlice& slice);
+                                  const CloudSlice& slice, const SweepPath& path);
+  [[nodiscard]] std::int64_t clouds() const { return clouds_; }
+  /// Clouds of which each point was put to its own pose.
+  [[nodiscard]] std::int64_t unrolled() const { return unrolled_; }
   [[nodiscard]] std::int64_t points() const { return points_; }
   [[nodiscard]] std::int64_t points_taken() const { return taken_; }
 
@@ -35,6 +40,8 @@ class CloudRing {
   [[nodiscard]] std::shared_ptr<const RangeSensor> ring_at(const Point2& place, double max_range_m);
 
   std::vector<std::shared_ptr<const RangeSensor>> rings_;  ///< by place, to 1 mm
+  std::int64_t clouds_ = 0;
+  std::int64_t unrolled_ = 0;
   std::int64_t points_ = 0;
   std::int64_t taken_ = 0;
 };

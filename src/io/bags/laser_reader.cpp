@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bags/laser_reader.hpp"
 
+#include "bags/sweep_path.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,12 +11,6 @@ namespace roomatlas::io {
 namespace {
 
 constexpr double kLongestSweepS = 1.0;  // more is no time of a laser
-// A robot that moves and turns less than this in a sweep is taken for standing: what the beams are
-// off by is less than the error of their ranges, and odometry of so short a time, which often lags,
-// is no better.
-constexpr double kStillM = 0.03;
-constexpr double kStillRad = radians(1.0);
-constexpr int kKnots = 16;  // poses of a sweep; between them straight
 
 RangeLimits limits_of(const LaserScanMessage& scan, double trusted_m) {
   const bool has_max = std::isfinite(scan.range_max_m) && scan.range_max_m > 0.0;
@@ -22,39 +18,6 @@ RangeLimits limits_of(const LaserScanMessage& scan, double trusted_m) {
   return {has_min ? scan.range_min_m : 0.0,
           has_max ? scan.range_max_m : std::numeric_limits<double>::infinity(), trusted_m};
 }
-
-/// Where the robot was in the course of a sweep, from where it was at the first beam.
-class SweepPath {
- public:
-  SweepPath(const RobotPoses& poses, std::int64_t start_ns, double sweep_s, std::size_t beams)
-      : beams_(beams) {
-    if (sweep_s <= 0.0 || beams < 2) return;
-    const auto first = poses.odom_from_base(start_ns);
-    if (!first) return;
-    const Pose2 first_from_odom = inverse(planar(first->transform));
-    for (int knot = 0; knot <= kKnots; ++knot) {
-      const auto at_ns = start_ns + static_cast<std::int64_t>(1e9 * sweep_s * knot / kKnots);
-      const auto pose = poses.odom_from_base(at_ns);
-      knots_.push_back(first_from_odom * planar(pose->transform));
-    }
-  }
-
-  [[nodiscard]] bool moves() const {
-    return std::any_of(knots_.begin(), knots_.end(), [](const Pose2& pose) {
-      return pose.position().norm() > kStillM || std::abs(pose.theta_rad) > kStillRad;
-    });
-  }
-
-  [[nodiscard]] Pose2 at(std::size_t beam) const {
-    const double place = kKnots * static_cast<double>(beam) / static_cast<double>(beams_ - 1);
-    const auto before = std::min(static_cast<std::size_t>(place), std::size_t{kKnots - 1});
-    return interpolate(knots_[before], knots_[before + 1], place - static_cast<double>(before));
-  }
-
- private:
-  std::size_t beams_;
-  std::vector<Pose2> knots_;
-};
 
 /// The sensor's ranges as the scan has them.
 std::vector<float> plain_ranges(const LaserScanMessage& scan, const LaserShape& shape,
@@ -72,6 +35,10 @@ std::vector<float> plain_ranges(const LaserScanMessage& scan, const LaserShape& 
   return ranges_m;
 }
 
+double share_of(std::size_t beam, std::size_t beams) {
+  return beams > 1 ? static_cast<double>(beam) / static_cast<double>(beams - 1) : 0.0;
+}
+
 /// The rays of a sweep from where the robot was at its first beam, counter-clockwise.
 std::vector<SweepRay> rays_of(const LaserScanMessage& scan, const LaserShape& shape,
                               const RangeLimits& limits, const SweepPath* path) {
@@ -82,7 +49,7 @@ std::vector<SweepRay> rays_of(const LaserScanMessage& scan, const LaserShape& sh
     const double range_m = echo == Echo::surface
                                ? shape.level_share[i] * static_cast<double>(scan.ranges_m[i])
                                : shape.sensor->max_range_m;
-    const Pose2 moved = path != nullptr ? path->at(i) : Pose2{};
+    const Pose2 moved = path != nullptr ? path->at(share_of(i, shape.beams)) : Pose2{};
     rays[shape.sensor_beam(i)] = {moved * mount,
                                   moved * Point2(mount + range_m * shape.direction_of(i)), echo};
   }
@@ -110,29 +77,33 @@ void LaserReader::note(const LaserScanMessage& scan, const LaserShape& shape,
   notes_.is_upside_down = notes_.is_upside_down || shape.is_upside_down;
 }
 
-RangeReading LaserReader::read(std::size_t topic, const LaserScanMessage& scan,
-                               std::int64_t stamp_ns, const Transform3& base_from_laser,
-                               const RobotPoses& poses, bool has_odometry) {
-  LaserShapes& shapes = shapes_[topic];
-  const LaserShapes::Found found = shapes.find(scan, base_from_laser, trusted_m_);
+RangeReading LaserReader::read(const Sweep& sweep, const RobotPoses& poses, bool has_odometry) {
+  const LaserScanMessage& scan = sweep.scan;
+  LaserShapes& shapes = shapes_[sweep.topic];
+  const LaserShapes::Found found = shapes.find(scan, sweep.base_from_laser, trusted_m_);
   const LaserShape& shape = *found.shape;
   const RangeLimits limits = limits_of(scan, trusted_m_);
   note(scan, shape, limits);
   notes_.keeps_changing = notes_.keeps_changing || found.sensor != shape.sensor;
 
   RangeReading reading;
-  reading.timestamp_s = seconds(stamp_ns);
+  reading.timestamp_s = seconds(sweep.reading_ns);
   reading.sensor = found.sensor;
-  if (const auto pose = poses.odom_from_base(stamp_ns)) {
+  if (const auto pose = poses.odom_from_base(sweep.reading_ns)) {
     reading.odom_from_robot = planar(pose->transform);
   }
-  const SweepPath path(poses, stamp_ns, has_odometry ? sweep_time_s(scan) : 0.0, shape.beams);
+  const double sweep_s = sweep_time_s(scan);
+  const std::int64_t end_ns =
+      sweep.stamp_ns + (shape.beams > 1 ? static_cast<std::int64_t>(1e9 * sweep_s) : 0);
+  const SweepPath path =
+      has_odometry ? SweepPath(poses, sweep.reading_ns, sweep.stamp_ns, end_ns) : SweepPath();
   const bool moves = path.moves();
   if (moves) ++notes_.unrolled;
+  const bool as_it_is = !moves && found.sensor == shape.sensor;
+  if (!has_odometry && as_it_is) reading.sweep_s = shape.is_reversed ? -sweep_s : sweep_s;
   reading.ranges_m =
-      moves || found.sensor != shape.sensor
-          ? resampled(rays_of(scan, shape, limits, moves ? &path : nullptr), *found.sensor)
-          : plain_ranges(scan, shape, limits);
+      as_it_is ? plain_ranges(scan, shape, limits)
+               : resampled(rays_of(scan, shape, limits, moves ? &path : nullptr), *found.sensor);
   return reading;
 }
 

@@ -22,18 +22,22 @@ struct LaserNotes {
 /// by `scan_time`, which is that of a turn; 0 where neither can be meant.
 [[nodiscard]] double sweep_time_s(const LaserScanMessage& scan);
 
-/// Makes readings of laser scans. A reading stands where the robot was at its stamp, the time of
-/// the first beam. Where the robot moved on in the sweep, each beam is seen from where it was then,
+/// Makes readings of laser scans. A reading stands where the robot was at its time, as a rule that
+/// of the first beam. Where the robot moved from there, each beam is seen from where it was then,
 /// and the sweep is resampled onto the beams of the sensor: the sensors of a mission stay few.
 class LaserReader {
  public:
   explicit LaserReader(double trusted_m) : trusted_m_(trusted_m) {}
 
-  /// @param scan without a problem
-  /// @param stamp_ns of its first beam
-  [[nodiscard]] RangeReading read(std::size_t topic, const LaserScanMessage& scan,
-                                  std::int64_t stamp_ns, const Transform3& base_from_laser,
-                                  const RobotPoses& poses, bool has_odometry);
+  /// A sweep, and of which time its reading is.
+  struct Sweep {
+    std::size_t topic = 0;
+    const LaserScanMessage& scan;  ///< without a problem
+    std::int64_t stamp_ns = 0;     ///< of its first beam
+    std::int64_t reading_ns = 0;   ///< where the robot is put
+    Transform3 base_from_laser;
+  };
+  [[nodiscard]] RangeReading read(const Sweep& sweep, const RobotPoses& poses, bool has_odometry);
   [[nodiscard]] const LaserNotes& notes() const { return notes_; }
 
  private:

@@ -50,6 +50,8 @@ struct CloudMessage {
   std::uint32_t width = 0;
   std::vector<Eigen::Vector3f> points;  ///< in the header's frame, those that are finite
   bool has_coordinates = true;          ///< x, y and z are fields of the points
+  /// Of each point, from the stamp; empty where no field tells times of a sweep.
+  std::vector<float> times_s;
 };
 
 /// nav_msgs/Odometry, geometry_msgs/PoseStamped, PoseWithCovarianceStamped, TransformStamped

@@ -197,6 +197,7 @@ std::string line_of(const TopicChoice& choice, const Survey& survey) {
   };
   for (const std::size_t i : choice.scans) add(i);
   for (const std::size_t i : choice.ranges) add(i);
+  if (choice.is_one_reading) text += " as one reading";
   switch (choice.odometry) {
     case TopicChoice::Odometry::topic:
       text += ", odometry of " + survey.topics[choice.odometry_topic].name;
@@ -247,8 +248,9 @@ TopicChoice choose_topics(const Survey& survey, const RecordingOptions& options,
   TopicChoice choice;
   note_misfits(choice, survey);
   choose_scans(choice, survey, options, file);
-  name_others(choice, survey);
   choose_odometry(choice, survey, options, file);
+  join_lasers(choice, survey, options);
+  name_others(choice, survey);
   find_gyros(choice, survey, options, file);
   choose_truth(choice, survey, options, file);
   choose_times(choice, survey);

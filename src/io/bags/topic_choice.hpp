@@ -24,6 +24,8 @@ struct GyroChoice {
 /// Which topics of a recording are the mission, and what their frames are.
 struct TopicChoice {
   std::vector<std::size_t> scans;   ///< lasers or clouds
+  bool is_one_reading = false;      ///< sweeps of all lasers, those nearest in time
+  std::int64_t half_period_ns = 0;  ///< of the first laser's sweeps
   std::vector<std::size_t> ranges;  ///< single sonars; none where there is a laser
   enum class Odometry { none, topic, transforms };
   Odometry odometry = Odometry::none;
@@ -53,6 +55,11 @@ struct TopicChoice {
 /// The part that chooses odometry and frames; `choice` has its scans and ranges.
 void choose_odometry(TopicChoice& choice, const Survey& survey, const RecordingOptions& options,
                      const std::string& file);
+
+/// The part that takes the other lasers of the robot beside the first, where tf tells where all of
+/// them sit: they look the same way up, at one height, from different places. `choice` has its
+/// frames.
+void join_lasers(TopicChoice& choice, const Survey& survey, const RecordingOptions& options);
 
 /// The part that finds gyros that may turn better than odometry; which is taken, sweeps tell
 /// (gyro_trial.hpp). None without odometry. Throws as `choose_topics` does.

@@ -39,13 +39,13 @@ RangeSensor ring(int beams, const Point2& place) {
 TEST(Sweep, AResampledSweepMeetsTheWallsWhereTheyAre) {
   const Point2 place(0.3, -0.2);
   const RangeSensor onto = ring(360, place);
-  std::vector<io::SweepRay> rays;  // from another place, with other and uneven bearings
+  std::vector<SweepRay> rays;  // from another place, with other and uneven bearings
   for (int i = 0; i < 500; ++i) {
     const double bearing = -kPi + 2.0 * kPi * (i + 0.3 * std::sin(i)) / 500.0;
     const Pose2 beam{0.32, -0.17, wrap_angle(bearing)};
-    rays.push_back({beam.position(), beam * Point2(range_in_room(beam), 0.0), io::Echo::surface});
+    rays.push_back({beam.position(), beam * Point2(range_in_room(beam), 0.0), Echo::surface});
   }
-  const std::vector<float> ranges_m = io::resampled(rays, onto);
+  const std::vector<float> ranges_m = resampled(rays, onto);
   int known = 0;
   int exact = 0;
   for (std::size_t i = 0; i < ranges_m.size(); ++i) {
@@ -61,15 +61,13 @@ TEST(Sweep, AResampledSweepMeetsTheWallsWhereTheyAre) {
 
 TEST(Sweep, WhatMetNothingAndWhatIsUnknownStaysSo) {
   const RangeSensor onto = ring(360, {0.0, 0.0});
-  std::vector<io::SweepRay> rays;
+  std::vector<SweepRay> rays;
   for (int i = 0; i < 360; ++i) {
     const Pose2 beam{0.0, 0.0, wrap_angle(-kPi + 2.0 * kPi * (i + 0.2) / 360.0)};
-    const io::Echo echo = i < 100   ? io::Echo::nothing
-                          : i < 200 ? io::Echo::unknown
-                                    : io::Echo::surface;
-    rays.push_back({{0.0, 0.0}, beam * Point2(echo == io::Echo::surface ? 3.0 : 10.0, 0.0), echo});
+    const Echo echo = i < 100 ? Echo::nothing : i < 200 ? Echo::unknown : Echo::surface;
+    rays.push_back({{0.0, 0.0}, beam * Point2(echo == Echo::surface ? 3.0 : 10.0, 0.0), echo});
   }
-  const std::vector<float> ranges_m = io::resampled(rays, onto);
+  const std::vector<float> ranges_m = resampled(rays, onto);
   EXPECT_EQ(ranges_m[50], 10.0F);
   EXPECT_TRUE(std::isnan(ranges_m[150]));
   EXPECT_NEAR(ranges_m[300], 3.0F, 1e-3);
@@ -77,12 +75,12 @@ TEST(Sweep, WhatMetNothingAndWhatIsUnknownStaysSo) {
 
 TEST(Sweep, AnEdgeIsNoSurfaceFromNearToFar) {
   const RangeSensor onto = ring(720, {0.0, 0.0});
-  std::vector<io::SweepRay> rays;
+  std::vector<SweepRay> rays;
   for (int i = 0; i < 360; ++i) {
     const Pose2 beam{0.0, 0.0, wrap_angle(-kPi + 2.0 * kPi * (i + 0.1) / 360.0)};
-    rays.push_back({{0.0, 0.0}, beam * Point2(i < 180 ? 1.0 : 5.0, 0.0), io::Echo::surface});
+    rays.push_back({{0.0, 0.0}, beam * Point2(i < 180 ? 1.0 : 5.0, 0.0), Echo::surface});
   }
-  for (const float range_m : io::resampled(rays, onto)) {
+  for (const float range_m : resampled(rays, onto)) {
     EXPECT_TRUE(std::abs(range_m - 1.0F) < 0.01F || std::abs(range_m - 5.0F) < 0.01F) << range_m;
   }
 }
@@ -167,6 +165,71 @@ TEST(Sweep, ALaserWhoseBeamsKeepChangingHasFewSensors) {
   EXPECT_LE(log.info.sensors.size(), 8U);
   EXPECT_LT(mean_miss_m(log), 0.002);
   EXPECT_TRUE(is_told(log, "keep changing"));
+}
+
+/// How a driver tells a point's time.
+struct TimeField {
+  std::string name;
+  int datatype = 7;
+  double unit_s = 1.0;
+  bool is_absolute = false;
+};
+
+/// The room about a robot that turns by 70 degrees a second, as a rotating lidar's cloud.
+MemoryBag turning_cloud(const TimeField& time) {
+  constexpr double kSweepS = 0.1;
+  const auto robot_at = [](double time_s) {
+    return Pose2{0.0, 0.0, wrap_angle(radians(70.0) * (time_s - 100.0))};
+  };
+  MemoryBag bag;
+  bag.tf(99.0, {{"base_link", "lidar", {0.0, 0.0, 0.0}, 0.0, 0.5}}, "/tf_static");
+  for (int i = 0; i <= 60; ++i) bag.odometry(100.0 + i / 20.0, robot_at(100.0 + i / 20.0));
+  for (int i = 0; i < 20; ++i) {
+    const double stamp_s = 100.1 + i / 10.0;
+    constexpr std::uint32_t kPoints = 360;
+    constexpr std::uint32_t kPointBytes = 20;
+    MessageBytes out(Layout::ros1);
+    out.header(stamp_s, "lidar").add(std::uint32_t{1}).add(kPoints).add(std::uint32_t{4});
+    std::uint32_t offset = 0;
+    for (const std::string& name : {std::string("x"), std::string("y"), std::string("z")}) {
+      out.text(name).add(offset).add(std::uint8_t{7}).add(std::uint32_t{1});
+      offset += 4;
+    }
+    out.text(time.name).add(offset).add(static_cast<std::uint8_t>(time.datatype));
+    out.add(std::uint32_t{1}).add(std::uint8_t{0}).add(kPointBytes).add(kPoints * kPointBytes);
+    out.add(kPoints * kPointBytes);
+    for (std::uint32_t point = 0; point < kPoints; ++point) {
+      const double passed_s = kSweepS * point / kPoints;
+      const double angle_rad = radians(static_cast<double>(point) - 180.0);
+      const Pose2 beam{0.0, 0.0, angle_rad};
+      const double range_m = range_in_room(robot_at(stamp_s + passed_s) * beam);
+      const Point2 end = beam * Point2(range_m, 0.0);
+      out.add(static_cast<float>(end.x())).add(static_cast<float>(end.y())).add(0.0F);
+      const double told = ((time.is_absolute ? stamp_s : 0.0) + passed_s) / time.unit_s;
+      if (time.datatype == 8) {
+        out.add(told);
+      } else {
+        if (time.datatype == 7) out.add(static_cast<float>(told));
+        if (time.datatype == 6) out.add(static_cast<std::uint32_t>(told));
+        out.add(std::uint32_t{0});
+      }
+    }
+    out.add(std::uint8_t{1});
+    bag.add("/points", "sensor_msgs/PointCloud2", stamp_s, out.bytes);
+  }
+  return bag;
+}
+
+TEST(Sweep, EachPointOfATurningCloudIsPutToItsOwnPose) {
+  EXPECT_GT(mean_miss_m(read_bag(turning_cloud({"intensity"}))), 0.05);
+  for (const TimeField& time :
+       {TimeField{"time"}, TimeField{"t", 6, 1e-9}, TimeField{"offset_time", 6, 1e-6},
+        TimeField{"timestamp", 8, 1.0, true}, TimeField{"timestamp", 8, 1e-9, true}}) {
+    const ReadLog log = read_bag(turning_cloud(time));
+    EXPECT_EQ(log.readings.size(), 20U);
+    EXPECT_LT(mean_miss_m(log), 0.02) << time.name << " " << time.datatype;
+    EXPECT_TRUE(is_told(log, "each point is put to its own pose"));
+  }
 }
 
 TEST(Sweep, ACloudGivesTheNearestPointOfEachBearingInItsBand) {
