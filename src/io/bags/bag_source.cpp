@@ -2,6 +2,7 @@
 #include "bags/bag_source.hpp"
 
 #include "bags/gyro_trial.hpp"
+#include "bags/mount_trial.hpp"
 #include "bags/recorded_poses.hpp"
 #include "text/numbers.hpp"
 
@@ -43,6 +44,7 @@ BagSource::BagSource(std::string name, const OpenRecording& open, const MissionO
     : options_(options), lasers_(options.laser_max_range_m) {
   Survey beginning = survey(*open());
   TopicChoice choice = choose_topics(beginning, options.recording, name);
+  find_mount(choice, beginning, open, options, name);
   choose_gyro(choice, beginning, open, options, name);
   start(std::move(name), open(), std::move(choice), beginning);
 }
@@ -57,7 +59,8 @@ void BagSource::start(std::string name, std::unique_ptr<BagReader> reader, Topic
                       const Survey& beginning) {
   reader_ = std::move(reader);
   choice_ = std::move(choice);
-  const std::optional<Pose2> mount = mount_in(options_.recording.laser_mount);
+  const std::optional<Pose2> told = mount_in(options_.recording.laser_mount);
+  const std::optional<Pose2> mount = told ? told : choice_.mount;
   poses_ = std::make_unique<RobotPoses>(choice_, beginning.frames, mount);
   ring_ = make_ring(beginning);
   if (choice_.is_one_reading) {

@@ -33,6 +33,7 @@ struct TopicChoice {
   std::string odometry_frame;
   std::string odometry_child;  ///< whose poses odometry tells: the base frame, or joined to it
   std::string base_frame;
+  std::optional<Pose2> mount;      ///< of the laser, where no tf tells it and sweeps do
   std::vector<std::size_t> gyros;  ///< not judged yet
   std::optional<GyroChoice> gyro;
   std::optional<std::size_t> truth;     ///< a topic of poses
