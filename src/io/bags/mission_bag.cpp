@@ -98,8 +98,10 @@ void MissionBag::write(const RangeReading& reading) {
   if (reading.sensor->kind == SensorKind::sonar) {
     return write_sonars(reading, meet(reading.sensor, stamp_ns), stamp_ns);
   }
-  const RangeReading even = as_fan(reading);
-  write_scan(even, meet(even.sensor, stamp_ns), stamp_ns);
+  int laser = 0;
+  for (const RangeReading& fan : fans_in(reading)) {
+    write_scan(fan, meet(fan.sensor, stamp_ns), numbered("/scan", laser++), stamp_ns);
+  }
 }
 
 void MissionBag::write(const TruePose& truth) {
@@ -144,7 +146,8 @@ TransformsMessage MissionBag::mounts_of(const Met& met, std::int64_t stamp_ns) c
   return mounts;
 }
 
-void MissionBag::write_scan(const RangeReading& reading, const Met& met, std::int64_t stamp_ns) {
+void MissionBag::write_scan(const RangeReading& reading, const Met& met, const std::string& topic,
+                            std::int64_t stamp_ns) {
   const BeamFan fan = fan_of(*reading.sensor).value();
   LaserScanMessage scan;
   scan.header = {stamp_ns, met.frames.front()};
@@ -156,7 +159,7 @@ void MissionBag::write_scan(const RangeReading& reading, const Met& met, std::in
   }
   Serializer message(encoding_);
   write_laser_scan(message, scan);
-  put("/scan", "sensor_msgs/LaserScan", stamp_ns, message);
+  put(topic, "sensor_msgs/LaserScan", stamp_ns, message);
 }
 
 void MissionBag::write_sonars(const RangeReading& reading, const Met& met, std::int64_t stamp_ns) {

@@ -15,8 +15,9 @@
 namespace roomatlas::io {
 
 /// A mission as a recording: /odom and tf odom -> base_link, /scan of all lasers, each with a frame
-/// of its own, one /sonar_N a sonar, /ground_truth, and the sensors' mounts in /tf_static before
-/// the first reading of each. A message is recorded at its stamp.
+/// of its own (lasers that are one reading: /scan, /scan_2 ...), one /sonar_N a sonar,
+/// /ground_truth, and the sensors' mounts in /tf_static before the first reading of each. A message
+/// is recorded at its stamp.
 ///
 /// Nothing within range is written as +Inf, no measurement as NaN (REP 117).
 class MissionBag : public MissionWriter {
@@ -37,7 +38,8 @@ class MissionBag : public MissionWriter {
   };
   const Met& meet(const std::shared_ptr<const RangeSensor>& sensor, std::int64_t stamp_ns);
   [[nodiscard]] TransformsMessage mounts_of(const Met& met, std::int64_t stamp_ns) const;
-  void write_scan(const RangeReading& reading, const Met& met, std::int64_t stamp_ns);
+  void write_scan(const RangeReading& reading, const Met& met, const std::string& topic,
+                  std::int64_t stamp_ns);
   void write_sonars(const RangeReading& reading, const Met& met, std::int64_t stamp_ns);
   /// Adds the topic where it is new.
   void put(const std::string& topic, const char* type, std::int64_t stamp_ns,

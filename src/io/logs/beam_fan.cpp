@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace roomatlas::io {
 namespace {
@@ -73,6 +74,29 @@ RangeReading as_fan(const RangeReading& reading) {
   evenly.ranges_m = resampled(rays, *even);
   evenly.sensor = std::move(even);
   return evenly;
+}
+
+std::vector<RangeReading> fans_in(const RangeReading& reading) {
+  constexpr std::size_t kMostLasers = 16;  // more: each beam has a place of its own
+  const std::vector<Pose2>& beams = reading.sensor->robot_from_beam;
+  std::vector<std::size_t> firsts = {0};
+  for (std::size_t i = 1; i < beams.size(); ++i) {
+    if ((beams[i].position() - beams[i - 1].position()).norm() > kSameM) firsts.push_back(i);
+  }
+  if (firsts.size() == 1 || firsts.size() > kMostLasers) return {as_fan(reading)};
+  firsts.push_back(beams.size());
+  std::vector<RangeReading> fans;
+  for (std::size_t laser = 0; laser + 1 < firsts.size(); ++laser) {
+    const auto from = static_cast<std::ptrdiff_t>(firsts[laser]);
+    const auto to = static_cast<std::ptrdiff_t>(firsts[laser + 1]);
+    RangeReading part = reading;
+    part.ranges_m.assign(reading.ranges_m.begin() + from, reading.ranges_m.begin() + to);
+    auto sensor = std::make_shared<RangeSensor>(*reading.sensor);
+    sensor->robot_from_beam.assign(beams.begin() + from, beams.begin() + to);
+    part.sensor = std::move(sensor);
+    fans.push_back(as_fan(part));
+  }
+  return fans;
 }
 
 void require_a_range_a_beam(const RangeReading& reading) {

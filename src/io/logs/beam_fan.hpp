@@ -4,6 +4,7 @@
 #include "roomatlas/mission/mission.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace roomatlas::io {
 
@@ -21,6 +22,9 @@ struct BeamFan {
 /// already.
 /// @param reading of a laser
 [[nodiscard]] RangeReading as_fan(const RangeReading& reading);
+
+/// The reading of each laser of one that has several, by beams that are a fan.
+[[nodiscard]] std::vector<RangeReading> fans_in(const RangeReading& reading);
 
 /// Throws std::invalid_argument where a reading's ranges are not as many as its sensor's beams.
 void require_a_range_a_beam(const RangeReading& reading);

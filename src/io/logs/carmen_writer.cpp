@@ -134,16 +134,15 @@ void CarmenWriter::write(const OdometryStep& odometry) {
 
 void CarmenWriter::write(const RangeReading& reading) {
   io::require_a_range_a_beam(reading);
-  std::string line;
   if (reading.sensor->kind == SensorKind::sonar) {
-    line = sonar_line(reading, *reading.sensor);
-  } else if (is_front_laser(*reading.sensor)) {
-    line = flaser_line(reading, *reading.sensor);
-  } else {
-    const RangeReading even = io::as_fan(reading);
-    line = robot_laser_line(even, *even.sensor);
+    std::string line = sonar_line(reading, *reading.sensor);
+    return state_->write_line(line, reading.timestamp_s);
   }
-  state_->write_line(line, reading.timestamp_s);
+  for (const RangeReading& fan : io::fans_in(reading)) {
+    std::string line = is_front_laser(*fan.sensor) ? flaser_line(fan, *fan.sensor)
+                                                   : robot_laser_line(fan, *fan.sensor);
+    state_->write_line(line, reading.timestamp_s);
+  }
 }
 
 void CarmenWriter::write(const TruePose& truth) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/bags/memory_bag.hpp"
 
+#include "roomatlas/io/logs/mission_writer.hpp"
+
 #include "roomatlas/match/scan.hpp"
 
 #include <gtest/gtest.h>
@@ -79,7 +81,7 @@ double off_walls_m(const ReadLog& log) {
   double ends = 0.0;
   for (const RangeReading& reading : log.readings) {
     for (std::size_t i = 0; i < reading.ranges_m.size(); ++i) {
-      if (!std::isfinite(reading.ranges_m[i])) continue;
+      if (!(reading.ranges_m[i] > 0.0F)) continue;
       const Point2 end = reading.odom_from_robot *
                          (reading.sensor->robot_from_beam[i] * Point2(reading.ranges_m[i], 0.0));
       sum_m += std::min(std::abs(kRoomM - std::abs(end.x())), std::abs(kRoomM - std::abs(end.y())));
@@ -148,6 +150,32 @@ TEST(SeveralLasers, OneThatFallsSilentLeavesItsBeamsWithoutRanges) {
   EXPECT_TRUE(std::isnan(log.readings[25].ranges_m.back()));
   EXPECT_FALSE(std::isnan(log.readings[25].ranges_m.front()));
   EXPECT_LT(off_walls_m(log), 0.003);
+}
+
+TEST(SeveralLasers, AreOneReadingAgainInARecordingThatIsWrittenOfThem) {
+  const ReadLog log = read_bag(recorded_by({kFront, kRear}));
+  for (const std::string name : {"m.mcap", "m.bag", "m.clf"}) {
+    const TemporaryFolder folder;
+    const auto writer = create_mission(folder / name, *log.readings[0].sensor, {});
+    for (const RangeReading& reading : log.readings) {
+      writer->write(OdometryStep{reading.timestamp_s, reading.odom_from_robot, 0.0, 0.0});
+      writer->write(reading);
+    }
+    writer->finish();
+    const ReadLog again = read_log(folder / name);
+    const bool are_joined = name != "m.clf";
+    ASSERT_EQ(again.readings.size(), are_joined ? 50U : 100U) << name;
+    EXPECT_LT(off_walls_m(again), 0.003) << name;
+    if (!are_joined) continue;
+    for (std::size_t i = 0; i < 50; ++i) {
+      ASSERT_EQ(again.readings[i].ranges_m.size(), log.readings[i].ranges_m.size());
+      for (std::size_t beam = 0; beam < log.readings[i].ranges_m.size(); ++beam) {
+        const float written_m = log.readings[i].ranges_m[beam];
+        const float read_m = again.readings[i].ranges_m[beam];
+        ASSERT_TRUE(read_m == written_m || (std::isnan(read_m) && std::isnan(written_m)));
+      }
+    }
+  }
 }
 
 /// Rays begin where their laser is, and surfaces are not joined over two lasers.
