@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "chunk.hpp"
 
-#include <zlib.h>
+#include "crc32.hpp"
 
 #include <algorithm>
 
@@ -9,11 +9,6 @@ namespace roomatlas::io {
 namespace {
 
 constexpr std::size_t kMostConnections = 256;  // in a stretch of open messages
-
-std::uint32_t crc_of(ByteSpan bytes) {
-  return static_cast<std::uint32_t>(
-      crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
-}
 
 /// Notes what there is, without keeping it.
 class Inventory : public RecordVisitor {
@@ -72,7 +67,7 @@ std::string ChunkLoader::load(const Chunk& chunk, Buffer& content) {
   if (packed.size() < chunk.packed_bytes) return "the file ends inside it";
   if (!fault.empty()) return fault;
   if (content.size() != chunk.unpacked_bytes) return "it unpacks to fewer bytes than it claims";
-  if (chunk.crc != 0 && crc_of(content.view()) != chunk.crc) {
+  if (chunk.crc != 0 && crc32_of(content.view()) != chunk.crc) {
     content.clear();
     return "its CRC is wrong, so that any of its messages may be";
   }
