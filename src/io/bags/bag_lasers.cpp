@@ -36,6 +36,7 @@ RangeReading BagSource::laser_reading(const Waiting& waiting) {
       lasers_.read({waiting.topic, std::get<LaserScanMessage>(waiting.content), waiting.stamp_ns,
                     waiting.stamp_ns, mount_of(waiting)->transform},
                    *poses_, has_odometry);
+  first.sweep_s *= choice_.beam_order;
   if (group_.empty()) return first;
   std::vector<std::optional<RangeReading>> parts = {std::move(first)};
   for (const std::size_t topic : group_.topics()) {

@@ -3,6 +3,7 @@
 
 #include "bags/gyro_trial.hpp"
 #include "bags/mount_trial.hpp"
+#include "bags/order_trial.hpp"
 #include "bags/recorded_poses.hpp"
 #include "text/numbers.hpp"
 
@@ -45,6 +46,7 @@ BagSource::BagSource(std::string name, const OpenRecording& open, const MissionO
   Survey beginning = survey(*open());
   TopicChoice choice = choose_topics(beginning, options.recording, name);
   find_mount(choice, beginning, open, options, name);
+  choose_beam_order(choice, beginning, open, options, name);
   choose_gyro(choice, beginning, open, options, name);
   start(std::move(name), open(), std::move(choice), beginning);
 }

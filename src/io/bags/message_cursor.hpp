@@ -5,9 +5,11 @@
 
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace roomatlas::io {
 
@@ -31,6 +33,23 @@ class MessageCursor {
   Number number() {
     align(sizeof(Number));
     return unpacked<Number>(take(sizeof(Number)), big_endian_);
+  }
+  /// The elements of a sequence of numbers, at once.
+  template <typename Number>
+  std::vector<Number> numbers() {
+    std::vector<Number> values(count(sizeof(Number)));
+    if (values.empty()) return values;
+    align(sizeof(Number));
+    const std::span<const std::byte> bytes = take(sizeof(Number) * values.size());
+    if (bytes.empty()) return {};
+    if (!big_endian_ && std::endian::native == std::endian::little) {
+      std::memcpy(values.data(), bytes.data(), bytes.size());
+      return values;
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = unpacked<Number>(bytes.subspan(sizeof(Number) * i, sizeof(Number)), big_endian_);
+    }
+    return values;
   }
   std::string text();
   /// The number of elements of a sequence.

@@ -20,17 +20,11 @@ HeaderMessage header(MessageCursor& in) {
   return header;
 }
 
-std::vector<float> floats(MessageCursor& in) {
-  std::vector<float> values(in.count(sizeof(float)));
-  for (float& value : values) value = in.number<float>();
-  return values;
-}
-
 /// One range a beam; a beam without echo has none.
 std::vector<float> first_echoes(MessageCursor& in) {
   std::vector<float> firsts(in.count(sizeof(std::uint32_t)));
   for (float& first : firsts) {
-    const std::vector<float> echoes = floats(in);
+    const std::vector<float> echoes = in.numbers<float>();
     first = echoes.empty() ? std::nanf("") : echoes.front();
   }
   return firsts;
@@ -138,7 +132,7 @@ std::optional<HeaderMessage> read_header(MessageCursor in) {
 
 std::optional<LaserScanMessage> read_laser_scan(MessageCursor in) {
   LaserScanMessage scan = scan_without_ranges(in);
-  scan.ranges_m = floats(in);
+  scan.ranges_m = in.numbers<float>();
   return if_whole(in, std::move(scan));
 }
 

@@ -167,6 +167,44 @@ TEST(Sweep, ALaserWhoseBeamsKeepChangingHasFewSensors) {
   EXPECT_TRUE(is_told(log, "keep changing"));
 }
 
+/// A laser that is turned to and fro by hand, without odometry; its beams come one after the other,
+/// as its messages say or the other way round.
+MemoryBag swung_laser(double told_s, bool is_reversed) {
+  MemoryBag bag;
+  for (int i = 0; i < 300; ++i) {
+    const double stamp_s = 100.0 + 0.1 * i;
+    ScanFields scan;
+    scan.angle_min = static_cast<float>(-kPi);
+    scan.angle_increment = static_cast<float>(2.0 * kPi / 360.0);
+    scan.time_increment = static_cast<float>(told_s / 359.0);
+    scan.range_max = 20.0F;
+    scan.ranges.clear();
+    for (int beam = 0; beam < 360; ++beam) {
+      const double share = (is_reversed ? 359 - beam : beam) / 359.0;
+      const double time_s = 0.1 * i + 0.1 * share;
+      const Pose2 laser{0.6 * std::sin(0.7 * time_s), 0.5, 0.8 * std::sin(1.2 * time_s)};
+      const Pose2 ray = laser * Pose2{0.0, 0.0, -kPi + 2.0 * kPi * beam / 360.0};
+      scan.ranges.push_back(static_cast<float>(range_in_room(ray)));
+    }
+    bag.scan(stamp_s, scan);
+  }
+  return bag;
+}
+
+TEST(Sweep, TheOrderOfBeamsWithoutOdometryIsToldByTheWalls) {
+  const auto order_of = [](const MemoryBag& bag) {
+    const ReadLog log = read_bag(bag);
+    return std::pair(log.readings.at(5).sweep_s, log.info.recording->choice);
+  };
+  const auto [as_told_s, as_told] = order_of(swung_laser(0.1, false));
+  EXPECT_NEAR(as_told_s, 0.1, 1e-6);
+  EXPECT_NE(as_told.find("beams put to their own times"), std::string::npos) << as_told;
+  const auto [reversed_s, reversed] = order_of(swung_laser(0.1, true));
+  EXPECT_NEAR(reversed_s, -0.1, 1e-6);
+  EXPECT_NE(reversed.find("in the reverse of the order"), std::string::npos) << reversed;
+  EXPECT_EQ(order_of(swung_laser(0.0, false)).first, 0.0);
+}
+
 /// How a driver tells a point's time.
 struct TimeField {
   std::string name;
