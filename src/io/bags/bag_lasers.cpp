@@ -34,9 +34,8 @@ RangeReading BagSource::laser_reading(const Waiting& waiting) {
   const bool has_odometry = choice_.odometry != TopicChoice::Odometry::none;
   RangeReading first =
       lasers_.read({waiting.topic, std::get<LaserScanMessage>(waiting.content), waiting.stamp_ns,
-                    waiting.stamp_ns, mount_of(waiting)->transform},
+                    waiting.stamp_ns, mount_of(waiting)->transform, choice_.beam_order},
                    *poses_, has_odometry);
-  first.sweep_s *= choice_.beam_order;
   if (group_.empty()) return first;
   std::vector<std::optional<RangeReading>> parts = {std::move(first)};
   for (const std::size_t topic : group_.topics()) {

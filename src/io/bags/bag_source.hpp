@@ -53,6 +53,8 @@ class BagSource : public MissionSource {
   [[nodiscard]] const MissionInfo& info() const override { return info_; }
   [[nodiscard]] double progress() const override { return reader_->progress(); }
 
+  /// Sweeps so far of which each beam was put to its own pose.
+  [[nodiscard]] std::int64_t unrolled() const { return lasers_.notes().unrolled; }
   /// As far as it was read: the turns of a gyro that is not judged yet, and how it is mounted.
   [[nodiscard]] const GyroTrack& gyro(std::size_t topic) const { return gyros_.at(topic); }
   [[nodiscard]] std::optional<Transform3> mount_of_gyro(std::size_t topic) const;

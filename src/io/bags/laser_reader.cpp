@@ -35,13 +35,15 @@ std::vector<float> plain_ranges(const LaserScanMessage& scan, const LaserShape& 
   return ranges_m;
 }
 
-double share_of(std::size_t beam, std::size_t beams) {
-  return beams > 1 ? static_cast<double>(beam) / static_cast<double>(beams - 1) : 0.0;
+/// Of a sweep's time that has passed at a beam.
+double share_of(std::size_t beam, std::size_t beams, double order) {
+  const double place = beams > 1 ? static_cast<double>(beam) / static_cast<double>(beams - 1) : 0.0;
+  return order < 0.0 ? 1.0 - place : place;
 }
 
 /// The rays of a sweep from where the robot was at its first beam, counter-clockwise.
 std::vector<SweepRay> rays_of(const LaserScanMessage& scan, const LaserShape& shape,
-                              const RangeLimits& limits, const SweepPath* path) {
+                              const RangeLimits& limits, const SweepPath* path, double order) {
   std::vector<SweepRay> rays(shape.beams);
   const Point2 mount = shape.sensor->robot_from_beam.front().position();
   for (std::size_t i = 0; i < shape.beams; ++i) {
@@ -49,7 +51,7 @@ std::vector<SweepRay> rays_of(const LaserScanMessage& scan, const LaserShape& sh
     const double range_m = echo == Echo::surface
                                ? shape.level_share[i] * static_cast<double>(scan.ranges_m[i])
                                : shape.sensor->max_range_m;
-    const Pose2 moved = path != nullptr ? path->at(share_of(i, shape.beams)) : Pose2{};
+    const Pose2 moved = path != nullptr ? path->at(share_of(i, shape.beams, order)) : Pose2{};
     rays[shape.sensor_beam(i)] = {moved * mount,
                                   moved * Point2(mount + range_m * shape.direction_of(i)), echo};
   }
@@ -92,7 +94,7 @@ RangeReading LaserReader::read(const Sweep& sweep, const RobotPoses& poses, bool
   if (const auto pose = poses.odom_from_base(sweep.reading_ns)) {
     reading.odom_from_robot = planar(pose->transform);
   }
-  const double sweep_s = sweep_time_s(scan);
+  const double sweep_s = std::abs(sweep.order) * sweep_time_s(scan);
   const std::int64_t end_ns =
       sweep.stamp_ns + (shape.beams > 1 ? static_cast<std::int64_t>(1e9 * sweep_s) : 0);
   const SweepPath path =
@@ -100,10 +102,12 @@ RangeReading LaserReader::read(const Sweep& sweep, const RobotPoses& poses, bool
   const bool moves = path.moves();
   if (moves) ++notes_.unrolled;
   const bool as_it_is = !moves && found.sensor == shape.sensor;
-  if (!has_odometry && as_it_is) reading.sweep_s = shape.is_reversed ? -sweep_s : sweep_s;
+  if (!has_odometry && as_it_is)
+    reading.sweep_s = (shape.is_reversed ? -sweep.order : sweep.order) * sweep_s;
   reading.ranges_m =
       as_it_is ? plain_ranges(scan, shape, limits)
-               : resampled(rays_of(scan, shape, limits, moves ? &path : nullptr), *found.sensor);
+               : resampled(rays_of(scan, shape, limits, moves ? &path : nullptr, sweep.order),
+                           *found.sensor);
   return reading;
 }
 

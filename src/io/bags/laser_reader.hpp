@@ -36,6 +36,7 @@ class LaserReader {
     std::int64_t stamp_ns = 0;     ///< of its first beam
     std::int64_t reading_ns = 0;   ///< where the robot is put
     Transform3 base_from_laser;
+    double order = 1.0;  ///< of its beams in time: 1 as told, -1 reversed, 0 all at once
   };
   [[nodiscard]] RangeReading read(const Sweep& sweep, const RobotPoses& poses, bool has_odometry);
   [[nodiscard]] const LaserNotes& notes() const { return notes_; }

@@ -16,8 +16,9 @@ constexpr int kSweeps = 400;  // of the beginning that are tried
 constexpr int kWindow = 40;   // sweeps whose walls are compared: matching drifts little in them
 constexpr std::size_t kLeastWindows = 3;
 constexpr double kCellM = 0.05;
-constexpr double kFarM = 6.0;      // farther ends are blurred by anything
-constexpr double kClearly = 0.02;  // bits of blur less than as they were measured
+constexpr double kAllAroundRad = radians(350.0);  // it rotates
+constexpr double kFarM = 6.0;                     // farther ends are blurred by anything
+constexpr double kClearly = 0.02;                 // bits of blur less than as they were measured
 
 /// How the ends of some sweeps spread over cells: the entropy of their places, in bits.
 class Blur {
@@ -46,42 +47,49 @@ class Blur {
   double ends_ = 0.0;
 };
 
-/// Tells whether there is anything to try.
+/// Notes whether sweeps take time, which matching settles.
 class Watched : public MissionSource {
  public:
-  Watched(std::unique_ptr<MissionSource> mission, bool& has_times)
-      : mission_(std::move(mission)), has_times_(has_times) {}
+  explicit Watched(BagSource& mission) : mission_(mission) {}
   [[nodiscard]] std::optional<MissionEvent> next() override {
-    auto event = mission_->next();
+    auto event = mission_.next();
     if (event) {
       const auto* reading = std::get_if<RangeReading>(&*event);
       has_times_ = has_times_ || (reading != nullptr && reading->sweep_s != 0.0);
     }
     return event;
   }
-  [[nodiscard]] const MissionInfo& info() const override { return mission_->info(); }
-  [[nodiscard]] double progress() const override { return mission_->progress(); }
+  [[nodiscard]] const MissionInfo& info() const override { return mission_.info(); }
+  [[nodiscard]] double progress() const override { return mission_.progress(); }
+  [[nodiscard]] bool has_times() const { return has_times_ || mission_.unrolled() > 0; }
 
  private:
-  std::unique_ptr<MissionSource> mission_;
-  bool& has_times_;
+  BagSource& mission_;
+  bool has_times_ = false;
 };
 
-/// The blur of each window, as far as matching holds.
-std::vector<double> blurs_of(std::unique_ptr<MissionSource> mission, bool& has_times) {
-  std::vector<double> blurs;
-  const auto matched = scan_odometry(std::make_unique<Watched>(std::move(mission), has_times));
+struct Tried {
+  std::vector<double> blurs;  ///< of each window, as far as matching holds
+  bool has_times = false;
+};
+
+Tried tried(BagSource& mission) {
+  Tried found;
+  auto watched = std::make_unique<Watched>(mission);
+  const Watched& watch = *watched;
+  const auto matched = scan_odometry(std::move(watched));
   Blur blur;
   try {
     for (int sweeps = 1; sweeps <= kSweeps; ++sweeps) {
       const auto event = matched->next();
       if (!event) break;
       if (const auto* reading = std::get_if<RangeReading>(&*event)) blur.add(*reading);
-      if (sweeps % kWindow == 0) blurs.push_back(std::exchange(blur, {}).bits());
+      if (sweeps % kWindow == 0) found.blurs.push_back(std::exchange(blur, {}).bits());
     }
   } catch (const std::runtime_error&) {  // who maps it will say it
   }
-  return blurs;
+  found.has_times = watch.has_times();
+  return found;
 }
 
 double mean_of_first(const std::vector<double>& values, std::size_t count) {
@@ -94,28 +102,36 @@ double mean_of_first(const std::vector<double>& values, std::size_t count) {
 
 void choose_beam_order(TopicChoice& choice, const Survey& beginning, const OpenRecording& open,
                        const MissionOptions& options, const std::string& file) {
-  const bool is_one_laser = choice.scans.size() == 1 &&
-                            beginning.evidence[choice.scans.front()].kind != MessageKind::cloud;
-  if (choice.odometry != TopicChoice::Odometry::none || !is_one_laser) return;
+  const bool has_odometry = choice.odometry != TopicChoice::Odometry::none;
+  if (!has_odometry) choice.beam_order = 0.0;  // what is told helps where it is true alone
+  const TopicEvidence& laser = beginning.evidence[choice.scans.empty() ? 0 : choice.scans.front()];
+  const bool is_one_laser = choice.scans.size() == 1 && laser.kind != MessageKind::cloud;
+  if (!is_one_laser || (has_odometry && laser.view_rad < kAllAroundRad)) return;
   std::map<double, std::vector<double>> blurs;
   std::size_t windows = kSweeps;
   for (const double order : {1.0, 0.0, -1.0}) {
-    TopicChoice tried = choice;
-    tried.beam_order = order;
-    bool has_times = false;
-    blurs[order] = blurs_of(
-        std::make_unique<BagSource>(file, open(), options, std::move(tried), beginning), has_times);
-    if (order == 1.0 && !has_times) return;
-    windows = std::min(windows, blurs[order].size());
+    TopicChoice with_order = choice;
+    with_order.beam_order = order;
+    BagSource mission(file, open(), options, std::move(with_order), beginning);
+    Tried found = tried(mission);
+    if (order == 1.0 && !found.has_times) return;
+    windows = std::min(windows, found.blurs.size());
+    blurs[order] = std::move(found.blurs);
   }
   if (windows < kLeastWindows) return;
   const auto blur = [&](double order) { return mean_of_first(blurs[order], windows); };
-  const double best = blur(1.0) <= blur(-1.0) ? 1.0 : -1.0;
-  if (blur(0.0) - blur(best) < kClearly) return;
+  double best = choice.beam_order;
+  for (const double order : {1.0, 0.0, -1.0}) {
+    if (blur(order) < blur(best)) best = order;
+  }
+  if (blur(choice.beam_order) - blur(best) < kClearly) return;
   choice.beam_order = best;
   choice.said += best > 0.0 ? ", beams put to their own times"
-                            : ", beams put to their own times, in the reverse of the order that "
-                              "the messages tell (walls are sharper so)";
+                 : best < 0.0
+                     ? ", beams put to their own times, in the reverse of the order that "
+                       "the messages tell (walls are sharper so)"
+                     : ", beams taken as measured at once, not as the messages tell (walls "
+                       "are sharper so)";
 }
 
 }  // namespace roomatlas::io

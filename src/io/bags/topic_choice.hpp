@@ -26,9 +26,9 @@ struct TopicChoice {
   std::vector<std::size_t> scans;   ///< lasers or clouds
   bool is_one_reading = false;      ///< sweeps of all lasers, those nearest in time
   std::int64_t half_period_ns = 0;  ///< of the first laser's sweeps
-  /// Of a laser without odometry: 1: its beams were measured one after the other as its messages
-  /// say; -1: the other way round; 0: at once, or it is not known.
-  double beam_order = 0.0;
+  /// 1: a laser's beams were measured one after the other as its messages say; -1: the other way
+  /// round; 0: at once, or it is not known.
+  double beam_order = 1.0;
   std::vector<std::size_t> ranges;  ///< single sonars; none where there is a laser
   enum class Odometry { none, topic, transforms };
   Odometry odometry = Odometry::none;

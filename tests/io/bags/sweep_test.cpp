@@ -205,6 +205,23 @@ TEST(Sweep, TheOrderOfBeamsWithoutOdometryIsToldByTheWalls) {
   EXPECT_EQ(order_of(swung_laser(0.0, false)).first, 0.0);
 }
 
+TEST(Sweep, TheOrderOfBeamsThatRotateIsToldByTheWallsWithOdometryToo) {
+  for (const bool is_reversed : {false, true}) {
+    MemoryBag bag = swung_laser(0.1, is_reversed);
+    bag.tf(99.0, {{"base_link", "laser", {}}}, "/tf_static");
+    for (int i = -20; i < 640; ++i) {
+      const double time_s = 0.05 * i;
+      bag.odometry(100.0 + time_s,
+                   {0.6 * std::sin(0.7 * time_s), 0.5, 0.8 * std::sin(1.2 * time_s)});
+    }
+    const ReadLog log = read_bag(bag);
+    const std::string& choice = log.info.recording->choice;
+    EXPECT_EQ(choice.find("in the reverse of the order") != std::string::npos, is_reversed)
+        << choice;
+    EXPECT_LT(mean_miss_m(log), 0.01);
+  }
+}
+
 /// How a driver tells a point's time.
 struct TimeField {
   std::string name;
