@@ -57,7 +57,8 @@ void add_heading(pugi::xml_node group, const Cell& cell, const FloorPlan& plan,
   add_row(0, title, {title_mm, Weight::bold, Anchor::start, kInk});
   int line = 1;
   if (!annotations.mission.empty()) {
-    add_row(line++, "Mission " + annotations.mission, {kText_mm, Weight::normal, {}, kInk});
+    const char* const kind = annotations.path_length_m > 0.0 ? "Mission " : "Map ";
+    add_row(line++, kind + annotations.mission, {kText_mm, Weight::normal, {}, kInk});
   }
   if (!annotations.date.empty()) {
     add_row(line++, "Recorded " + annotations.date, {kText_mm, Weight::normal, {}, kInk});

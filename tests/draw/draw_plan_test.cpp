@@ -80,6 +80,14 @@ TEST(DrawPlan, TitleBlockDoesNotNameTheMissionTwice) {
   EXPECT_THAT(text, testing::HasSubstr("Floor plan\nMission office.clf.gz\n"));
 }
 
+TEST(DrawPlan, TitleBlockOfAMapNamesNoMission) {
+  FloorPlan plan = office();
+  PlanAnnotations of_map;
+  of_map.mission = plan.title = "office.yaml";
+  const std::string text = text_of(parsed(draw_plan(plan, of_map, {})));
+  EXPECT_THAT(text, testing::HasSubstr("Floor plan\nMap office.yaml\n"));
+}
+
 TEST(DrawPlan, HoldsEveryLayerButDisplaysPathAndGraphOnlyWhenAsked) {
   const auto is_displayed = [](const pugi::xml_node& layer) { return !layer.attribute("display"); };
   const auto plain = parsed(draw_plan(office(), annotations(), {}));
