@@ -21,27 +21,6 @@ constexpr double kLongestIsland_m = 3.2;  // more on one line is a wall, though 
 constexpr double kThickest_m = 0.4;       // piers between doors are not thicker; tables are
 constexpr int kExtentDirections = 12;     // of half a turn
 
-/// Of each face, whether it is a wall's for certain.
-std::vector<bool> are_walls(const Walls& walls, const BareFloorOptions& options) {
-  std::vector<bool> is_wall;
-  for (const WallFace& face : walls.faces) {
-    const double line_m = line_support_m(face, walls.faces);
-    const bool is_closed = face.is_closed_behind || line_m >= kLongestIsland_m;
-    const bool is_prominent =
-        face.support_m() >= options.min_face_m && line_m >= options.min_prominence_m;
-    const bool goes_on_behind = !face.hidden.empty() && line_m >= options.min_hidden_m;
-    is_wall.push_back(!face.is_furniture && is_closed && (is_prominent || goes_on_behind));
-  }
-  for (const WallBody& body : walls.bodies) {
-    const double both_m = walls.faces[body.front].support_m() + walls.faces[body.back].support_m();
-    const bool is_thin = body.thickness_m <= options.thin_m;
-    if (both_m < (is_thin ? options.min_thin_m : options.min_prominence_m)) continue;
-    is_wall[body.front] = true;
-    is_wall[body.back] = true;
-  }
-  return is_wall;
-}
-
 /// Obstacles on the face's line up to the next face on it: posts, jambs and pieces of the same wall
 /// that are too short or too rough for faces.
 void add_posts(const WallFace& face, const std::vector<WallFace>& faces, const Occupancy& occupancy,
@@ -203,14 +182,10 @@ CellMask covered_cells(const Walls& walls, const std::vector<bool>& is_wall,
   return covered;
 }
 
-}  // namespace
-
-Occupancy bare_floor(const Walls& walls, const Occupancy& occupancy,
-                     const BareFloorOptions& options) {
-  Occupancy bare = occupancy;
-  add_small(CellMask(CellBox{}), options.furniture_side_m, kThickest_m, bare);
-  const std::vector<bool> is_wall = are_walls(walls, options);
-  CellMask lines = wall_cells(walls, is_wall, occupancy, options);
+/// The floor without what hides walls, sticks out of them or stands before them.
+/// @param bare without what stands free
+Occupancy bared(const Walls& walls, const std::vector<bool>& is_wall, CellMask lines,
+                const Occupancy& occupancy, const BareFloorOptions& options, Occupancy bare) {
   for_each_cell(lines.box, [&](const Cell& cell) {
     if (bare.free.at(cell) && !occupancy.free.at(cell)) lines.set(cell, false);  // stands free
   });
@@ -234,6 +209,45 @@ Occupancy bare_floor(const Walls& walls, const Occupancy& occupancy,
     }
   });
   return bare;
+}
+
+}  // namespace
+
+std::vector<bool> are_walls(const Walls& walls, const BareFloorOptions& options) {
+  std::vector<bool> is_wall;
+  for (const WallFace& face : walls.faces) {
+    const double line_m = line_support_m(face, walls.faces);
+    const bool is_closed = face.is_closed_behind || line_m >= kLongestIsland_m;
+    const bool is_prominent =
+        face.support_m() >= options.min_face_m && line_m >= options.min_prominence_m;
+    const bool goes_on_behind = !face.hidden.empty() && line_m >= options.min_hidden_m;
+    is_wall.push_back(!face.is_furniture && is_closed && (is_prominent || goes_on_behind));
+  }
+  for (const WallBody& body : walls.bodies) {
+    const double both_m = walls.faces[body.front].support_m() + walls.faces[body.back].support_m();
+    const bool is_thin = body.thickness_m <= options.thin_m;
+    if (both_m < (is_thin ? options.min_thin_m : options.min_prominence_m)) continue;
+    is_wall[body.front] = true;
+    is_wall[body.back] = true;
+  }
+  return is_wall;
+}
+
+Occupancy bare_floor(const Walls& walls, const Occupancy& occupancy,
+                     const BareFloorOptions& options) {
+  Occupancy bare = occupancy;
+  add_small(CellMask(CellBox{}), options.furniture_side_m, kThickest_m, bare);
+  const std::vector<bool> is_wall = are_walls(walls, options);
+  return bared(walls, is_wall, wall_cells(walls, is_wall, occupancy, options), occupancy, options,
+               std::move(bare));
+}
+
+Occupancy bare_floor(const Walls& walls, const std::vector<bool>& is_wall,
+                     const Occupancy& occupancy, const BareFloorOptions& options) {
+  Occupancy bare = occupancy;
+  CellMask lines = wall_cells(walls, is_wall, occupancy, options);
+  add_small(lines, options.furniture_side_m, kThickest_m, bare);
+  return bared(walls, is_wall, std::move(lines), occupancy, options, std::move(bare));
 }
 
 }  // namespace roomatlas

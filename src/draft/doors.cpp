@@ -201,6 +201,8 @@ std::vector<Door> placed_doors(const std::vector<Door>& openings, const Walls& w
   for (const Door& opening : openings) {
     Door door = in_wall(opening, walls, evidence, options);
     if (door.width_m < options.narrowest_m) continue;  // a slit between two walls
+    const bool is_unsure = evidence.kind == SensorKind::sonar && !door.is_driven;
+    if (is_unsure && door.width_m < options.narrowest_unused_m) continue;  // wall nobody heard
     if (door.width_m > options.widest_door_m) door.kind = DoorKind::passage;
     const bool is_glass = evidence.kind == SensorKind::laser && !door.is_driven &&
                           reflected_in(door, evidence.counts) >= options.glass_share;

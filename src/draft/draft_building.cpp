@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <set>
 
+#include "driven_gaps.hpp"
 #include "roomatlas/draft/edges.hpp"
+#include "sonar_rooms.hpp"
+#include "sonar_walls.hpp"
 
 namespace roomatlas {
 namespace {
@@ -17,7 +20,7 @@ std::vector<DoorLeaf> take_leaves(const DraftBuildingOptions& options, DraftedBu
   if (leaves.empty()) return leaves;
   clear_leaves(leaves, drafted.occupancy);
   drafted.walls = build_walls(without_leaves(std::move(drafted.walls.faces), leaves),
-                              drafted.occupancy, SensorKind::laser, options.walls);
+                              drafted.occupancy, options.walls);
   return leaves;
 }
 
@@ -41,29 +44,17 @@ RoomPartition partitioned(const DraftedBuilding& drafted, const BuildingEvidence
   return partition;
 }
 
-/// What sonars heard leaves gaps in walls, so that rooms are decided by where the robot drove.
-RoomPartition segmented(const Occupancy& occupancy, const BuildingEvidence& evidence,
-                        const DraftBuildingOptions& options) {
-  SegmentOptions segment = options.sonar_rooms;
-  segment.min_room_m2 = options.partition.min_driven_room_m2;
-  const BuildingGrid grid =
-      building_grid(evidence.coarse, evidence.kind, evidence.building_from_robot,
-                    evidence.footprint, segment.grid);
-  const RoomSegmentation rooms = segment_rooms(grid, evidence.building_from_robot, segment);
-  RoomPartition partition;
-  partition.rooms = rooms.rooms;
-  partition.room_of_pose = rooms.room_of_pose;
-  partition.room_of_cell = Raster<std::int32_t>(occupancy.free.box, 0);
-  for_each_cell(occupancy.free.box, [&](const Cell& cell) {
-    partition.room_of_cell[cell] =
-        static_cast<std::int32_t>(rooms.at(rooms.frame.cell_of(occupancy.frame.center_of(cell))));
-  });
-  for (const Door& door : rooms.openings) {
-    if (!door.is_between_rooms() || door.room_a == door.room_b) continue;
-    Opening& opening = partition.openings.emplace_back(Opening{door, 1.0});
-    static_cast<Doorway&>(opening) = with_jambs_at_peaks(door, evidence.coarse);
-  }
-  return partition;
+/// Takes what stands in the swing of doors out of the walls and of what stands on the floor: there
+/// sonars hear leaves that stand open, at any angle.
+void take_swings(const BuildingEvidence& evidence, const DraftBuildingOptions& options,
+                 DraftedBuilding& drafted) {
+  const std::vector<bool> is_wall = sonar_walls(drafted.walls, drafted.occupancy, options.bare);
+  const std::vector<Segment2> gaps =
+      driven_gaps(drafted.walls, is_wall, evidence.building_from_robot);
+  if (gaps.empty()) return;
+  clear_swings(drafted.walls, is_wall, gaps, drafted.occupancy);
+  drafted.walls =
+      build_walls(without_swings(drafted.walls, is_wall, gaps), drafted.occupancy, options.walls);
 }
 
 /// Columns are walls: holes in their rooms' floor.
@@ -111,29 +102,39 @@ void drop_glimpses(const DraftBuildingOptions& options, DraftedBuilding& drafted
   });
 }
 
+DraftBuildingOptions options_for(const BuildingEvidence& evidence, DraftBuildingOptions options) {
+  if (evidence.building_from_robot.empty())
+    options.draft.hidden_cost = 0.0;  // rooms hold furniture
+  if (evidence.kind != SensorKind::sonar) return options;
+  options.walls.hidden_free_share = options.walls.sonar_hidden_free_share;
+  options.draft.faint_cost = options.draft.sonar_faint_cost;
+  options.draft.deep_unseen_cost = options.draft.sonar_deep_unseen_cost;
+  return options;
+}
+
 }  // namespace
 
 DraftedBuilding draft_building(const BuildingEvidence& evidence,
-                               const DraftBuildingOptions& options) {
+                               const DraftBuildingOptions& chosen) {
+  const DraftBuildingOptions options = options_for(evidence, chosen);
   DraftedBuilding drafted;
   std::vector<WallFace> faces =
       confirmed_faces(find_wall_faces(evidence, options.faces), evidence, options.walls);
   drafted.occupancy = occupancy_of(evidence, faces, options.occupancy);
-  drafted.walls = build_walls(std::move(faces), drafted.occupancy, evidence.kind, options.walls);
+  drafted.walls = build_walls(std::move(faces), drafted.occupancy, options.walls);
   std::vector<DoorLeaf> leaves;
   if (evidence.kind == SensorKind::laser && !evidence.building_from_robot.empty()) {
     leaves = take_leaves(options, drafted);
   }
+  if (evidence.kind == SensorKind::sonar) take_swings(evidence, options, drafted);
   drafted.partition = evidence.kind == SensorKind::sonar
-                          ? segmented(drafted.occupancy, evidence, options)
+                          ? sonar_rooms(drafted.walls, drafted.occupancy, evidence, options)
                           : partitioned(drafted, evidence, options);
   RoomSeeds seeds{drafted.partition.room_of_cell, {}};
   for (const Opening& opening : drafted.partition.openings) {
     seeds.openings.push_back(straightened(opening, drafted.walls, options.straight_openings));
   }
-  DraftOptions on_lines = options.draft;
-  if (evidence.building_from_robot.empty()) on_lines.hidden_cost = 0.0;  // rooms hold furniture too
-  Draft draft = draft_plan(drafted.walls, drafted.occupancy, seeds, on_lines);
+  Draft draft = draft_plan(drafted.walls, drafted.occupancy, seeds, options.draft);
   drafted.rooms = std::move(draft.rooms);
   drafted.wall_bodies = std::move(draft.wall_bodies);
   stand_columns(evidence, options, drafted);

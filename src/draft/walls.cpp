@@ -259,9 +259,9 @@ std::vector<WallFace> confirmed_faces(std::vector<WallFace> faces, const Buildin
   return kept;
 }
 
-Walls build_walls(std::vector<WallFace> faces, const Occupancy& occupancy, SensorKind kind,
+Walls build_walls(std::vector<WallFace> faces, const Occupancy& occupancy,
                   const WallOptions& options) {
-  if (kind == SensorKind::laser) set_fronts_apart(occupancy, options, faces);
+  set_fronts_apart(occupancy, options, faces);
   Walls walls{std::move(faces), {}};
   for (WallFace& face : walls.faces) {
     face.prominence_m =

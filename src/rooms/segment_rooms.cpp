@@ -278,13 +278,23 @@ class Rooms {
 
 }  // namespace
 
+std::vector<Doorway> openings_between_rooms(const BuildingGrid& grid,
+                                            const SegmentOptions& options) {
+  OpeningOptions all = options.doors;
+  all.max_width_m = std::max(all.max_width_m, options.max_window_m);
+  return find_openings(grid, all);
+}
+
+RoomSegmentation segment_rooms(const BuildingGrid& grid, const std::vector<Doorway>& openings,
+                               const std::vector<Pose2>& building_from_robot,
+                               const SegmentOptions& options) {
+  return Rooms(grid, building_from_robot, openings, options).decided();
+}
+
 RoomSegmentation segment_rooms(const BuildingGrid& grid,
                                const std::vector<Pose2>& building_from_robot,
                                const SegmentOptions& options) {
-  OpeningOptions all = options.doors;
-  all.max_width_m = std::max(all.max_width_m, options.max_window_m);
-  const std::vector<Doorway> openings = find_openings(grid, all);
-  return Rooms(grid, building_from_robot, openings, options).decided();
+  return segment_rooms(grid, openings_between_rooms(grid, options), building_from_robot, options);
 }
 
 }  // namespace roomatlas

@@ -35,8 +35,9 @@ struct WallOptions {
                                    ///< cupboard's front and the wall behind it
   double door_m = 1.6;             ///< a face goes on across gaps up to this: doors ...
   double hidden_free_share = 0.1;  ///< ... and across any where less than this is free
-  double hidden_reach_m = 8.0;     ///< up to where its line is seen again
-  double hidden_end_m = 2.5;       ///< it ends at the strongest line this far beyond, if hidden
+  double sonar_hidden_free_share = 0.3;  ///< the same of sonars, whose cones reach behind walls
+  double hidden_reach_m = 8.0;           ///< up to where its line is seen again
+  double hidden_end_m = 2.5;  ///< it ends at the strongest line this far beyond, if hidden
 };
 
 /// A wall of two faces.
@@ -59,8 +60,7 @@ struct Walls {
                                                     const WallOptions& options);
 
 /// @param faces confirmed
-/// @param kind of the sensors: sonars see too little of furniture to tell its fronts
 [[nodiscard]] Walls build_walls(std::vector<WallFace> faces, const Occupancy& occupancy,
-                                SensorKind kind, const WallOptions& options);
+                                const WallOptions& options);
 
 }  // namespace roomatlas

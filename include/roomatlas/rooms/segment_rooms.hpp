@@ -44,4 +44,14 @@ struct RoomSegmentation {
                                              const std::vector<Pose2>& building_from_robot,
                                              const SegmentOptions& options);
 
+/// The openings that the above asks about: doors, and what is too wide for them.
+[[nodiscard]] std::vector<Doorway> openings_between_rooms(const BuildingGrid& grid,
+                                                          const SegmentOptions& options);
+
+/// The same rooms where it is known which openings may part them.
+[[nodiscard]] RoomSegmentation segment_rooms(const BuildingGrid& grid,
+                                             const std::vector<Doorway>& openings,
+                                             const std::vector<Pose2>& building_from_robot,
+                                             const SegmentOptions& options);
+
 }  // namespace roomatlas
