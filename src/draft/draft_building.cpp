@@ -102,11 +102,11 @@ void drop_glimpses(const DraftBuildingOptions& options, DraftedBuilding& drafted
   });
 }
 
+/// The options as they are for a map without a path, and for sonars.
 DraftBuildingOptions options_for(const BuildingEvidence& evidence, DraftBuildingOptions options) {
   if (evidence.building_from_robot.empty())
     options.draft.hidden_cost = 0.0;  // rooms hold furniture
   if (evidence.kind != SensorKind::sonar) return options;
-  options.walls.hidden_free_share = options.walls.sonar_hidden_free_share;
   options.draft.faint_cost = options.draft.sonar_faint_cost;
   options.draft.deep_unseen_cost = options.draft.sonar_deep_unseen_cost;
   return options;

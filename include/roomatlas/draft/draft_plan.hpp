@@ -36,15 +36,14 @@ struct DraftOptions {
   double wall_body_cost = 20.0;   ///< a square metre of room between the two faces of a wall
   double border_cost = 0.04;      ///< a metre of border along a very prominent line ...
   double faint_cost = 1.0;        ///< ... more for a faint one ...
-  double sonar_faint_cost =
-      2.0;                     ///< ... of sonars, which hear sides of furniture as faint walls ...
-  double prominence_m = 4.0;   ///< ... falling by e over this much wall
-  double no_wall_cost = 0.34;  ///< a metre of border along no wall's line
-  double unknown_cost = 0.1;   ///< a metre of border where neither wall nor floor was seen
-  double free_cost = 3.0;      ///< a metre of border across floor
-  double door_cost = 0.3;      ///< a metre of border in an opening
-  double mixed_free_m2 = 0.5;  ///< cells with more floor than this ...
-  double mixed_unseen_m2 = 2.0;  ///< ... and more unseen are cut where floor ends
+  double sonar_faint_cost = 3.0;  ///< ... of sonars: sides of furniture are faint walls ...
+  double prominence_m = 4.0;      ///< ... falling by e over this much wall
+  double no_wall_cost = 0.34;     ///< a metre of border along no wall's line
+  double unknown_cost = 0.1;      ///< a metre of border where neither wall nor floor was seen
+  double free_cost = 3.0;         ///< a metre of border across floor
+  double door_cost = 0.3;         ///< a metre of border in an opening
+  double mixed_free_m2 = 0.5;     ///< cells with more floor than this ...
+  double mixed_unseen_m2 = 2.0;   ///< ... and more unseen are cut where floor ends
   double min_room_m2 = 2.0;
   double min_hole_m2 = 12.0;  ///< smaller solids inside a room are furniture
 };

@@ -35,9 +35,8 @@ struct WallOptions {
                                    ///< cupboard's front and the wall behind it
   double door_m = 1.6;             ///< a face goes on across gaps up to this: doors ...
   double hidden_free_share = 0.1;  ///< ... and across any where less than this is free
-  double sonar_hidden_free_share = 0.3;  ///< the same of sonars, whose cones reach behind walls
-  double hidden_reach_m = 8.0;           ///< up to where its line is seen again
-  double hidden_end_m = 2.5;  ///< it ends at the strongest line this far beyond, if hidden
+  double hidden_reach_m = 8.0;     ///< up to where its line is seen again
+  double hidden_end_m = 2.5;       ///< it ends at the strongest line this far beyond, if hidden
 };
 
 /// A wall of two faces.
