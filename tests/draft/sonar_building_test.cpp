@@ -107,7 +107,7 @@ TEST(DrivenGaps, AreDoorsAndNothingStandsInTheirSwing) {
 
 /// A furnished world that the robot explores.
 test::KnownMission explored(const std::string& name, std::uint64_t furnish_seed) {
-  test::KnownMission mission{read_plan(test::kWorlds / (name + ".geojson")), {}};
+  test::KnownMission mission{read_plan(test::kWorlds / (name + ".geojson")), {}, {}};
   const SimulationOptions robot;
   ExploreOptions options;
   options.world_from_start = default_start(mission.world, robot.footprint);
@@ -121,9 +121,8 @@ test::KnownMission explored(const std::string& name, std::uint64_t furnish_seed)
         {step.truth.timestamp_s, step.truth.world_from_robot, step.odometry.odom_from_robot});
     asr.readings.push_back(step.reading);
   });
-  MemoryStore store;
-  store.put(asr);
-  mission.evidence = gather_evidence(store, {{1, Pose2{}}}, robot.footprint, {}, {});
+  mission.store.put(asr);
+  mission.evidence = gather_evidence(mission.store, {{1, Pose2{}}}, robot.footprint, {}, {});
   return mission;
 }
 
