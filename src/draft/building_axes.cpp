@@ -12,8 +12,10 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kEvery_m = 0.3;  // between sweeps that tell a direction
-constexpr double kVotes_m = 3.0;  // farther echoes say little about where a wall is
+constexpr double kEvery_m = 0.3;         // between sweeps that tell a direction ...
+constexpr double kSonarsEvery_m = 0.06;  // ... of sonars, which have few beams: half a degree off
+                                         // costs them walls
+constexpr double kVotes_m = 3.0;         // farther echoes say little about where a wall is
 
 /// What some of the sweeps say of the walls' directions.
 class Directions {
@@ -22,9 +24,11 @@ class Directions {
 
   void add(const RangeReading& reading, const Pose2& building_from_robot) {
     if (!first_) first_ = building_from_robot;
-    if (last_ && (building_from_robot.position() - last_->position()).norm() < kEvery_m) return;
+    const bool is_sonar = reading.sensor->kind == SensorKind::sonar;
+    const double every_m = is_sonar ? kSonarsEvery_m : kEvery_m;
+    if (last_ && (building_from_robot.position() - last_->position()).norm() < every_m) return;
     last_ = building_from_robot;
-    if (reading.sensor->kind == SensorKind::sonar) {
+    if (is_sonar) {
       const std::vector<Echo> heard = echoes_of(reading, building_from_robot, options_);
       echoes_.insert(echoes_.end(), heard.begin(), heard.end());
       half_cone_rad_ = std::max(half_cone_rad_, reading.sensor->half_cone_rad);

@@ -15,8 +15,9 @@ constexpr double kWallNear_m = 0.8;                   // beyond a jamb the wall 
 constexpr double kWallPiece_m = 0.3;                  // ... for so long
 constexpr double kFar_m = 2.0;                        // beyond a jamb it is asked about ...
 constexpr double kSolidShare = 0.75;                  // ... and so much of it stands
-constexpr double kAtWall_m = 0.15;  // nearer to a wall that crosses there is no stub
-constexpr double kPast_m = 0.15;    // a wall's end
+constexpr double kAtWall_m = 0.15;      // nearer to a wall that crosses there is no stub
+constexpr double kPast_m = 0.15;        // a wall's end
+constexpr double kHeardEarly_m = 0.15;  // a jamb, by the width of the cone
 const double kAcrossCosine = std::cos(radians(40.0));  // of an opening and a corridor's width
 constexpr double kObstacles_m = 1.3;      // a wall of obstacles alone, on each side ...
 constexpr double kBothObstacles_m = 3.5;  // ... and on both
@@ -37,7 +38,7 @@ bool covers(const WallFace& wall, const Point2& at) {
 /// Whether a jamb may end a stub that stands on a wall.
 bool may_end_stub(const WallFace& wall, const Point2& jamb) {
   const double off_m = jamb.dot(wall.normal()) - wall.offset_m;
-  return off_m >= kAtWall_m && off_m <= kLongestStub_m && covers(wall, jamb);
+  return off_m >= kAtWall_m && off_m <= kLongestStub_m + kHeardEarly_m && covers(wall, jamb);
 }
 
 }  // namespace
