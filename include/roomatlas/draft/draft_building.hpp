@@ -54,7 +54,7 @@ struct DraftedBuilding {
 /// furniture, and what is known of each edge. Without a path (`evidence_of_map`) rooms are decided
 /// on the floor as it is, and none is left out for not being entered.
 [[nodiscard]] DraftedBuilding draft_building(const BuildingEvidence& evidence,
-                                             const DraftBuildingOptions& options);
+                                             const DraftBuildingOptions& chosen);
 
 /// The same as the rooms of a mission: numbered without gaps, with doors in the order of their
 /// first crossing, and each room's outline as far as it was seen free.
