@@ -71,8 +71,7 @@ void free_furniture(const Walls& walls, const Occupancy& occupancy, const Occupa
 }  // namespace
 
 void take_furniture_out(const Walls& walls, const std::vector<bool>& is_wall,
-                        const Occupancy& occupancy, const Occupancy& bare,
-                        const std::vector<Pose2>& path, double margin_m, BuildingGrid& grid) {
+                        const Occupancy& occupancy, const Occupancy& bare, BuildingGrid& grid) {
   free_furniture(walls, occupancy, bare, grid);
   CellMask on_wall(bare.free.box);
   for (std::size_t i = 0; i < walls.faces.size(); ++i) {
@@ -91,7 +90,11 @@ void take_furniture_out(const Walls& walls, const std::vector<bool>& is_wall,
   for_each_cell(bare.free.box, [&](const Cell& cell) {
     if (!bare.free.at(cell) && on_wall.at(cell)) set_solid(in_grid(cell), grid);
   });
+}
+
+void find_passable(const std::vector<Pose2>& path, double margin_m, BuildingGrid& grid) {
   std::vector<Cell> on_path;
+  on_path.reserve(path.size());
   for (const Pose2& pose : path) on_path.push_back(grid.frame.cell_of(pose.position()));
   grid.passable = eroded(grid.free, static_cast<int>(std::lround(margin_m / grid.frame.cell_m)));
   for (const Cell& cell : on_path) grid.passable.set(cell, true);

@@ -12,10 +12,12 @@ namespace roomatlas {
 /// walls that are known.
 /// @param is_wall parallel to the faces: which are walls for certain
 /// @param bare the floor without furniture
-/// @param margin_m of passable cells, as the grid was made with
 void take_furniture_out(const Walls& walls, const std::vector<bool>& is_wall,
-                        const Occupancy& occupancy, const Occupancy& bare,
-                        const std::vector<Pose2>& path, double margin_m, BuildingGrid& grid);
+                        const Occupancy& occupancy, const Occupancy& bare, BuildingGrid& grid);
+
+/// Tells the grid's passable cells again: free, and connected to the path.
+/// @param margin_m from obstacles, as the grid was made with
+void find_passable(const std::vector<Pose2>& path, double margin_m, BuildingGrid& grid);
 
 /// Makes an obstacle of what is left open between the jambs of an opening and the walls beside it.
 void close_beside(const Segment2& jambs, double most_m, BuildingGrid& grid);

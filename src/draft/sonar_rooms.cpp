@@ -79,7 +79,8 @@ RoomPartition sonar_rooms(const Walls& walls, const Occupancy& occupancy,
   const std::vector<bool> is_wall = sonar_walls(walls, occupancy, options.bare);
   const Occupancy bare = bare_floor(walls, is_wall, occupancy, options.bare);
   BuildingGrid grid = heard;
-  take_furniture_out(walls, is_wall, occupancy, bare, path, segment.grid.margin_m, grid);
+  take_furniture_out(walls, is_wall, occupancy, bare, grid);
+  find_passable(path, segment.grid.margin_m, grid);
   const WallOpenings judge(walls, is_wall, bare, heard);
   const std::vector<Doorway> openings =
       openings_in_walls(judge, heard, grid, driven_gaps(walls, is_wall, path), segment);
