@@ -35,7 +35,7 @@ std::int64_t stamp_of(double time_s) {
 /// read, so that a recording maps as the log of which it was made.
 Transform3 told_upright(const Pose2& a_from_b) {
   constexpr int kTries = 8;  // steps of a double either way, of each of the two numbers
-  const Transform3 nearest = upright(a_from_b);
+  Transform3 nearest = upright(a_from_b);
   for (int i = 0; i < (2 * kTries + 1) * (2 * kTries + 1); ++i) {
     const auto stepped = [](double value, int steps) {
       for (; steps != 0; steps -= steps > 0 ? 1 : -1) {
@@ -115,8 +115,8 @@ const MissionBag::Met& MissionBag::meet(const std::shared_ptr<const RangeSensor>
                                         std::int64_t stamp_ns) {
   const auto known = known_.find(sensor.get());
   if (known != known_.end()) return *met_[known->second];
-  for (std::size_t i = 0; i < met_.size(); ++i) {
-    if (is_same_sensor(met_[i]->sensor, *sensor)) return *met_[i];
+  for (const auto& met : met_) {
+    if (is_same_sensor(met->sensor, *sensor)) return *met;
   }
   const std::size_t beams = sensor->robot_from_beam.size();
   auto met = std::make_unique<Met>(Met{*sensor, {}});
