@@ -2,9 +2,8 @@
 #include "mcap_bag.hpp"
 
 #include "chunked_reader.hpp"
+#include "crc32.hpp"
 #include "mcap_summary.hpp"
-
-#include <zlib.h>
 
 #include <algorithm>
 #include <utility>
@@ -169,7 +168,7 @@ class Pass {
   void check_data() {
     if (data_crc_ == 0 || data_bytes_ > kLargestSummed_bytes) return;
     const ByteSpan data = file_.view(0, static_cast<std::size_t>(data_bytes_));
-    if (crc32_z(0, reinterpret_cast<const Bytef*>(data.data()), data.size()) == data_crc_) return;
+    if (crc32_of(data) == data_crc_) return;
     layout_.issues.add(Severity::warning,
                        "the CRC of its data section is wrong: something in it may be, and was kept "
                        "where no chunk's own CRC is wrong");

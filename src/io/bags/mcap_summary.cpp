@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mcap_summary.hpp"
 
-#include <zlib.h>
+#include "crc32.hpp"
 
 namespace roomatlas::io {
 namespace {
@@ -93,9 +93,7 @@ void read_records(ByteSpan records, std::uint64_t file_bytes, McapSummary& summa
 
 /// Of the summary's bytes and the footer's up to the sum itself.
 bool has_right_crc(ByteSpan from_summary_to_footer, std::uint32_t crc) {
-  const ByteSpan summed = from_summary_to_footer;
-  return crc == 0 ||
-         crc == crc32_z(0, reinterpret_cast<const Bytef*>(summed.data()), summed.size());
+  return crc == 0 || crc == crc32_of(from_summary_to_footer);
 }
 
 }  // namespace

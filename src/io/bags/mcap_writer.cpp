@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bag_writers.hpp"
 #include "byte_text.hpp"
+#include "crc32.hpp"
 #include "files/output_file.hpp"
 #include "mcap_records.hpp"
 #include "pack.hpp"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <map>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -17,9 +17,8 @@ namespace {
 
 constexpr std::size_t kChunk_bytes = std::size_t{1} << 20;  // what readers unpack at once
 
-std::uint32_t crc_of(std::string_view bytes, std::uint32_t before = 0) {
-  return static_cast<std::uint32_t>(
-      crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+std::uint32_t crc_of(std::string_view text, std::uint32_t before = 0) {
+  return crc32_of(std::as_bytes(std::span(text)), before);
 }
 
 std::string record(McapOp op, const ByteText& content) {
