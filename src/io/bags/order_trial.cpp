@@ -2,6 +2,7 @@
 #include "bags/order_trial.hpp"
 
 #include "roomatlas/match/scan_odometry.hpp"
+#include "roomatlas/mission/borrowed_mission.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,23 +49,21 @@ class Blur {
 };
 
 /// Notes whether sweeps take time, which matching settles.
-class Watched : public MissionSource {
+class Watched : public BorrowedMission {
  public:
-  explicit Watched(BagSource& mission) : mission_(mission) {}
+  explicit Watched(BagSource& mission) : BorrowedMission(mission), mission_(mission) {}
   [[nodiscard]] std::optional<MissionEvent> next() override {
-    auto event = mission_.next();
+    auto event = BorrowedMission::next();
     if (event) {
       const auto* reading = std::get_if<RangeReading>(&*event);
       has_times_ = has_times_ || (reading != nullptr && reading->sweep_s != 0.0);
     }
     return event;
   }
-  [[nodiscard]] const MissionInfo& info() const override { return mission_.info(); }
-  [[nodiscard]] double progress() const override { return mission_.progress(); }
   [[nodiscard]] bool has_times() const { return has_times_ || mission_.unrolled() > 0; }
 
  private:
-  BagSource& mission_;
+  const BagSource& mission_;
   bool has_times_ = false;
 };
 
