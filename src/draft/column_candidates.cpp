@@ -7,7 +7,9 @@
 #include <cmath>
 #include <complex>
 #include <optional>
+#include <utility>
 
+#include "roomatlas/core/median.hpp"
 #include "roomatlas/draft/wall_faces.hpp"
 
 namespace roomatlas {
@@ -41,12 +43,6 @@ std::vector<const SurfacePoint*> surfaces_around(const Ring& outline,
   return around;
 }
 
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// The sides of which enough was seen, each where half of its surfaces are before it and half
 /// behind.
 Sides sides_of(const std::vector<const SurfacePoint*>& around, double along_rad,
@@ -60,7 +56,7 @@ Sides sides_of(const std::vector<const SurfacePoint*>& around, double along_rad,
       offsets_m.push_back(surface->at.dot(direction(normal_rad)));
     }
     if (kCell_m * static_cast<double>(offsets_m.size()) < options.least_side_m) continue;
-    sides.offset_m[side] = median(offsets_m);
+    sides.offset_m[side] = median(std::move(offsets_m));
   }
   return sides;
 }

@@ -3,6 +3,8 @@
 
 #include "style.hpp"
 
+#include "roomatlas/core/median.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,12 +22,6 @@ constexpr double kBottom_mm = 16.0;
 constexpr double kLegendLine_mm = 5.0;
 constexpr double kTextSize_mm = 2.8;
 constexpr const char* kGrid = "#e4e7eb";
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 }  // namespace
 
@@ -54,7 +50,7 @@ std::optional<Axis> value_axis(const std::vector<PlotSeries>& series, int most) 
     std::copy_if(one.y.begin(), one.y.end(), std::back_inserter(finite),
                  [](double value) { return std::isfinite(value); });
     if (finite.empty()) continue;
-    medians.push_back(median_of(finite));
+    medians.push_back(median(finite));
     low = std::min(low, *std::min_element(finite.begin(), finite.end()));
     high = std::max(high, *std::max_element(finite.begin(), finite.end()));
   }

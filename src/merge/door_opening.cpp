@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "door_opening.hpp"
 
+#include "roomatlas/core/median.hpp"
 #include "roomatlas/planar/millimetre_grid.hpp"
 
 #include <algorithm>
@@ -162,12 +163,6 @@ std::optional<Gap> gap_at_door(const Probe& probe, int first, int second) {
     best_cost = cost;
   }
   return best;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Offsets at which floor ends, one entry a line that met floor.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/mission/resample.hpp"
 
+#include "roomatlas/core/median.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -131,11 +133,7 @@ std::vector<float> resampled(const std::vector<SweepRay>& rays, const RangeSenso
   for (std::size_t i = 1; i < seen.size(); ++i) {
     steps_rad.push_back(std::abs(wrap_angle(seen[i].bearing_rad - seen[i - 1].bearing_rad)));
   }
-  if (!steps_rad.empty()) {
-    const auto middle = steps_rad.begin() + static_cast<std::ptrdiff_t>(steps_rad.size() / 2);
-    std::nth_element(steps_rad.begin(), middle, steps_rad.end());
-    resampler.set_typical(*middle);
-  }
+  if (!steps_rad.empty()) resampler.set_typical(median(std::move(steps_rad)));
   for (std::size_t i = 1; i < seen.size(); ++i) resampler.fill_between(seen[i - 1], seen[i]);
   resampler.fill_between(seen.back(), seen.front());  // of a full turn
   for (const SeenEnd& end : seen) resampler.fill_beside(end);

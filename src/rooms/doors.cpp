@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/rooms/doors.hpp"
 
+#include "roomatlas/core/median.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -76,10 +78,8 @@ Door averaged(const std::vector<Crossing>& crossings) {
     widths_m.push_back(crossing.width_m);
     door.crossings.push_back(crossing.to);
   }
-  const auto middle = widths_m.begin() + static_cast<std::ptrdiff_t>(widths_m.size() / 2);
-  std::nth_element(widths_m.begin(), middle, widths_m.end());
-  static_cast<Doorway&>(door) =
-      doorway_at({position.x(), position.y(), std::atan2(heading.y(), heading.x())}, *middle);
+  static_cast<Doorway&>(door) = doorway_at(
+      {position.x(), position.y(), std::atan2(heading.y(), heading.x())}, median(widths_m));
   door.room_a = first.from_room;
   door.room_b = first.to_room;
   door.is_driven = true;

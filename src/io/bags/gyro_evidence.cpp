@@ -2,6 +2,7 @@
 #include "bags/gyro_evidence.hpp"
 
 #include "roomatlas/core/geometry.hpp"
+#include "roomatlas/core/median.hpp"
 #include "roomatlas/core/pose2.hpp"
 
 #include <algorithm>
@@ -19,13 +20,6 @@ constexpr double kClearlyShare = 0.5;
 constexpr double kWorthRad = radians(0.5);  // odometry that is off by less is good enough
 constexpr double kNearerShare = 2.0 / 3.0;
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 double drift_about(const std::vector<TurnedStretch>& stretches, const Eigen::Vector3d& up) {
   double still_s = 0.0;
   double turned_rad = 0.0;
@@ -39,7 +33,8 @@ double drift_about(const std::vector<TurnedStretch>& stretches, const Eigen::Vec
       leads.push_back((by_gyro - stretch.by_sweeps_rad) / stretch.passed_s);
     }
   }
-  return still_s >= kLeastStillS ? turned_rad / still_s : median(std::move(leads));
+  if (still_s >= kLeastStillS) return turned_rad / still_s;
+  return leads.empty() ? 0.0 : median(std::move(leads));
 }
 
 GyroVerdict judge_about(const std::vector<TurnedStretch>& stretches, const Eigen::Vector3d& up) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bags/topic_choice.hpp"
 
+#include "roomatlas/core/median.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -147,13 +149,6 @@ void note_misfits(TopicChoice& choice, const Survey& survey) {
   }
 }
 
-std::optional<std::int64_t> median(std::vector<std::int64_t> values) {
-  if (values.empty()) return std::nullopt;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Stamps hold where they are there and all of one clock.
 void choose_times(TopicChoice& choice, const Survey& survey) {
   constexpr std::int64_t kApart_ns = 1'000'000'000;
@@ -175,11 +170,11 @@ void choose_times(TopicChoice& choice, const Survey& survey) {
                                "topics, which come later by what the way to the recorder took"});
       return;
     }
-    const auto delay_ns = median(evidence.log_minus_stamp_ns);
-    if (!delay_ns) continue;
-    if (!least_ns) choice.log_minus_stamp_ns = *delay_ns;
-    least_ns = std::min(least_ns.value_or(*delay_ns), *delay_ns);
-    most_ns = std::max(most_ns.value_or(*delay_ns), *delay_ns);
+    if (evidence.log_minus_stamp_ns.empty()) continue;
+    const std::int64_t delay_ns = median(evidence.log_minus_stamp_ns);
+    if (!least_ns) choice.log_minus_stamp_ns = delay_ns;
+    least_ns = std::min(least_ns.value_or(delay_ns), delay_ns);
+    most_ns = std::max(most_ns.value_or(delay_ns), delay_ns);
   }
   if (!least_ns || *most_ns - *least_ns <= kApart_ns) return;
   choice.use_log_times = true;
