@@ -8,14 +8,19 @@
 
 namespace roomatlas::io {
 
-void BagSource::refuse_without_mount(std::size_t topic, const std::string& frame) {
+void BagSource::refuse_without_mount(std::size_t topic, const std::string& frame,
+                                     const std::string& remedy) {
   describe();  // with the frames that are there
-  throw InputError(info_.file + ": " + reader_->topics()[topic].name +
-                   ": where its laser sits on the robot is not known: no tf joins the robot's "
-                   "frame " +
-                   choice_.base_frame + " and the laser's " + frame +
-                   "; tell it by --laser-mount x,y,deg (0,0,0: at the centre, looking ahead), or "
-                   "name the robot's frame by --base-frame");
+  const std::string sensor = topics_[topic].use == Use::range ? "sonar" : "laser";
+  throw InputError(info_.file + ": " + reader_->topics()[topic].name + ": where its " + sensor +
+                   " sits on the robot is not known: no tf joins the robot's frame " +
+                   choice_.base_frame + " and the " + sensor + "'s " + frame + "; " + remedy);
+}
+
+void BagSource::refuse_laser(std::size_t topic, const std::string& frame) {
+  refuse_without_mount(topic, frame,
+                       "tell it by --laser-mount x,y,deg (0,0,0: at the centre, looking ahead), or "
+                       "name the robot's frame by --base-frame");
 }
 
 /// Whether the other lasers' sweeps about that time are there, with odometry for them.
@@ -51,7 +56,7 @@ std::optional<RangeReading> BagSource::companion_reading(std::size_t topic,
   if (sweep != nullptr) {
     const std::string& frame = sweep->scan.header.frame;
     const auto mount = poses_->base_from(frame, sweep->stamp_ns);
-    if (!mount) refuse_without_mount(topic, frame);
+    if (!mount) refuse_laser(topic, frame);
     reading =
         lasers_.read({topic, sweep->scan, sweep->stamp_ns, waiting.stamp_ns, mount->transform},
                      *poses_, choice_.odometry != TopicChoice::Odometry::none);

@@ -178,9 +178,9 @@ bool BagSource::is_told(const Waiting& waiting, bool given_up) {
   }
   if (mount) return true;
   const auto* scan = std::get_if<LaserScanMessage>(&waiting.content);
-  refuse_without_mount(waiting.topic, scan != nullptr
-                                          ? scan->header.frame
-                                          : std::get<CloudMessage>(waiting.content).header.frame);
+  refuse_laser(waiting.topic, scan != nullptr
+                                  ? scan->header.frame
+                                  : std::get<CloudMessage>(waiting.content).header.frame);
 }
 
 std::optional<MissionEvent> BagSource::hand_out() {
@@ -233,13 +233,9 @@ std::optional<RangeReading> BagSource::ring_reading(const Waiting& waiting) {
     for (const auto& [topic, frame] : ring_.sonars()) {
       const auto mount = poses_->base_from(frame, waiting.stamp_ns);
       if (!mount) {
-        describe();
-        throw InputError(info_.file + ": " + reader_->topics()[topic].name +
-                         ": where its sonar sits on the robot is not known: no tf joins the "
-                         "robot's frame " +
-                         choice_.base_frame + " and the sonar's " + frame +
-                         "; name the robot's frame by --base-frame, or other sonars by "
-                         "--range-topics");
+        refuse_without_mount(
+            topic, frame,
+            "name the robot's frame by --base-frame, or other sonars by --range-topics");
       }
       mounts.push_back(mount->transform);
     }

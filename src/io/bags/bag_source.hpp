@@ -107,7 +107,9 @@ class BagSource : public MissionSource {
   [[nodiscard]] bool is_told(const Waiting& waiting, bool given_up);
   [[nodiscard]] bool is_group_told(const Waiting& waiting) const;
   [[nodiscard]] std::optional<TransformAt> mount_of(const Waiting& waiting) const;
-  [[noreturn]] void refuse_without_mount(std::size_t topic, const std::string& frame);
+  [[noreturn]] void refuse_without_mount(std::size_t topic, const std::string& frame,
+                                         const std::string& remedy);
+  [[noreturn]] void refuse_laser(std::size_t topic, const std::string& frame);
   [[nodiscard]] RangeReading laser_reading(const Waiting& waiting);
   [[nodiscard]] RangeReading cloud_reading(const Waiting& waiting);
   /// What another laser of the group has to a reading; nothing where it has no sweep near it.
