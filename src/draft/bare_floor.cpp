@@ -48,17 +48,10 @@ void add_posts(const WallFace& face, const std::vector<WallFace>& faces, const O
 CellMask wall_cells(const Walls& walls, const std::vector<bool>& is_wall,
                     const Occupancy& occupancy, const BareFloorOptions& options) {
   CellMask mask(occupancy.free.box);
-  const CellFrame& frame = occupancy.frame;
   for (std::size_t i = 0; i < walls.faces.size(); ++i) {
     const WallFace& face = walls.faces[i];
     if (!is_wall[i]) continue;
-    for (const Interval& stretch : face.seen) {
-      for_each_cell_on_line(frame.cell_of(face.at(stretch.low_m)),
-                            frame.cell_of(face.at(stretch.high_m)), [&](const Cell& cell) {
-                              mask.set(cell, true);
-                              return true;
-                            });
-    }
+    for (const Interval& stretch : face.seen) mark(face, stretch, occupancy.frame, mask);
     if (face.is_regular) add_posts(face, walls.faces, occupancy, options, mask);
   }
   return mask;

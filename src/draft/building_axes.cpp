@@ -83,25 +83,17 @@ Placement moved(Placement placement, const Pose2& to_from_here) {
 }
 
 MappedBuilding moved(MappedBuilding building, const Pose2& to_from_here) {
-  const auto move_line = [&](Segment2& line) {
-    line = {to_from_here * line.a, to_from_here * line.b};
-  };
-  const auto move_polygon = [&](Polygon& polygon) {
-    for (Point2& point : polygon.outer) point = to_from_here * point;
-    for (Ring& hole : polygon.holes) {
-      for (Point2& point : hole) point = to_from_here * point;
-    }
-  };
+  const auto move = [&](auto& shape) { shape = transformed(to_from_here, shape); };
   for (Door& door : building.doors) {
     door.frame_from_pivot = to_from_here * door.frame_from_pivot;
-    move_line(door.jambs);
-    if (door.leaf) move_line(*door.leaf);
+    move(door.jambs);
+    if (door.leaf) move(*door.leaf);
   }
-  for (PlacedOutline& outline : building.outlines) move_polygon(outline.outline);
-  for (PlacedOutline& outline : building.measured_outlines) move_polygon(outline.outline);
-  for (Polygon& body : building.wall_bodies) move_polygon(body);
-  for (PlanFurniture& piece : building.furniture) move_polygon(piece.outline);
-  for (PlanEdge& edge : building.edges) move_line(edge.line);
+  for (PlacedOutline& outline : building.outlines) move(outline.outline);
+  for (PlacedOutline& outline : building.measured_outlines) move(outline.outline);
+  for (Polygon& body : building.wall_bodies) move(body);
+  for (PlanFurniture& piece : building.furniture) move(piece.outline);
+  for (PlanEdge& edge : building.edges) move(edge.line);
   return building;
 }
 

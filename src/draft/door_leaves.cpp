@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "wall_lines.hpp"
+
 namespace roomatlas {
 namespace {
 
@@ -140,20 +142,10 @@ void cut(const DoorLeaf& leaf, WallFace& face) {
   if (std::abs((own.b - own.a).normalized().dot(face.normal())) > kOwnSine) return;
   std::vector<Interval> kept;
   for (const Interval& stretch : face.seen) {
-    Interval part{stretch.low_m, stretch.low_m};
-    const auto end_part = [&] {
-      if (part.length_m() > kStep_m) kept.push_back(part);
-    };
-    for (double at_m = stretch.low_m; at_m < stretch.high_m + kCut_m; at_m += kCut_m) {
-      const double along_m = std::min(at_m, stretch.high_m);
-      if (distance(own, face.at(along_m)) > kOwn_m) {
-        part.high_m = along_m;
-      } else {
-        end_part();
-        part = {along_m, along_m};
-      }
-    }
-    end_part();
+    const std::vector<Interval> parts = kept_parts(stretch, kCut_m, kStep_m, [&](double along_m) {
+      return distance(own, face.at(along_m)) > kOwn_m;
+    });
+    kept.insert(kept.end(), parts.begin(), parts.end());
   }
   face.seen = std::move(kept);
 }

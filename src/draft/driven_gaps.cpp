@@ -57,29 +57,6 @@ bool is_leaf(const WallFace& face, const Interval& stretch, const std::vector<Se
   });
 }
 
-/// The parts of a stretch where no leaf may stand.
-std::vector<Interval> unswept(const WallFace& face, const Interval& stretch,
-                              const std::vector<Segment2>& gaps) {
-  std::vector<Interval> kept;
-  std::optional<Interval> part;
-  const auto end_part = [&] {
-    if (part && part->length_m() > 2.0 * kStep_m) kept.push_back(*part);
-    part.reset();
-  };
-  const int steps = std::max(1, static_cast<int>(std::ceil(stretch.length_m() / kStep_m)));
-  for (int k = 0; k <= steps; ++k) {
-    const double along_m = stretch.low_m + stretch.length_m() * k / steps;
-    if (is_swept(face.at(along_m), gaps)) {
-      end_part();
-      continue;
-    }
-    if (!part) part = Interval{along_m, along_m};
-    part->high_m = along_m;
-  }
-  end_part();
-  return kept;
-}
-
 }  // namespace
 
 std::vector<Segment2> driven_gaps(const Walls& walls, const std::vector<bool>& is_wall,
@@ -116,7 +93,9 @@ std::vector<WallFace> without_swings(const Walls& walls, const std::vector<bool>
     std::vector<Interval> kept;
     for (const Interval& stretch : faces[i].seen) {
       if (!is_wall[i]) {
-        const std::vector<Interval> parts = unswept(faces[i], stretch, gaps);
+        const std::vector<Interval> parts =
+            kept_parts(stretch, kStep_m, 2.0 * kStep_m,
+                       [&](double along_m) { return !is_swept(faces[i].at(along_m), gaps); });
         kept.insert(kept.end(), parts.begin(), parts.end());
       } else if (!is_leaf(faces[i], stretch, gaps)) {
         kept.push_back(stretch);
@@ -136,12 +115,7 @@ void clear_swings(const Walls& walls, const std::vector<bool>& is_wall,
     const WallFace& face = walls.faces[i];
     if (!is_wall[i]) continue;
     for (const Interval& stretch : face.seen) {
-      if (is_leaf(face, stretch, gaps)) continue;
-      for_each_cell_on_line(frame.cell_of(face.at(stretch.low_m)),
-                            frame.cell_of(face.at(stretch.high_m)), [&](const Cell& cell) {
-                              own.set(cell, true);
-                              return true;
-                            });
+      if (!is_leaf(face, stretch, gaps)) mark(face, stretch, frame, own);
     }
   }
   own = dilated(own, static_cast<int>(std::lround(kWallsOwn_m / frame.cell_m)));

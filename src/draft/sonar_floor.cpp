@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "wall_lines.hpp"
+
 namespace roomatlas {
 namespace {
 
@@ -16,14 +18,6 @@ constexpr int kMostSteps = 100;            // cells along it
 constexpr int kMostMissed = 3;             // of them without an echo
 constexpr double kTellsFrom_m = 1.0;       // so much of it tells its direction ...
 constexpr double kMostBent = 0.9;          // ... cosine; what turns off more is another wall
-
-void mark(const WallFace& face, const Interval& stretch, const CellFrame& frame, CellMask& mask) {
-  for_each_cell_on_line(frame.cell_of(face.at(stretch.low_m)),
-                        frame.cell_of(face.at(stretch.high_m)), [&](const Cell& cell) {
-                          mask.set(cell, true);
-                          return true;
-                        });
-}
 
 /// Whether most of a stretch is solid on the bare floor.
 bool stays(const WallFace& face, const Interval& stretch, const Occupancy& bare) {

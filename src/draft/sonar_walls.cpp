@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "wall_lines.hpp"
+
 namespace roomatlas {
 namespace {
 
@@ -35,24 +37,16 @@ std::vector<bool> long_ones(const Walls& walls, const BareFloorOptions& options)
   return is_wall;
 }
 
-bool is_on(const WallFace& wall, const Point2& at) {
-  const double along_m = at.dot(wall.along());
-  return std::any_of(wall.cover.begin(), wall.cover.end(), [&](const Interval& one) {
-    return along_m >= one.low_m - kPast_m && along_m <= one.high_m + kPast_m;
-  });
-}
-
 /// How far beyond an end of a face the next wall crosses its line, unless floor lies between.
 std::optional<double> to_wall_m(const WallFace& face, double end_m, double sign, const Walls& walls,
                                 const std::vector<bool>& is_wall, const Occupancy& occupancy) {
   std::optional<double> next_m;
   for (std::size_t i = 0; i < walls.faces.size(); ++i) {
+    if (!is_wall[i]) continue;
     const WallFace& wall = walls.faces[i];
-    const double sine = wall.normal().dot(face.along());
-    if (!is_wall[i] || std::abs(sine) < kCrossingSine) continue;
-    const double beyond_m = sign * (wall.offset_m - face.at(end_m).dot(wall.normal())) / sine;
-    if (beyond_m < -kPast_m || beyond_m > next_m.value_or(kToWall_m)) continue;
-    if (is_on(wall, face.at(end_m + sign * beyond_m))) next_m = beyond_m;
+    const auto beyond_m = crossing_m(face, end_m, sign, wall, kCrossingSine);
+    if (!beyond_m || *beyond_m < -kPast_m || *beyond_m > next_m.value_or(kToWall_m)) continue;
+    if (goes_on_at(wall, face.at(end_m + sign * *beyond_m), kPast_m)) next_m = beyond_m;
   }
   if (!next_m) return std::nullopt;
   double floor_m = 0.0;

@@ -105,10 +105,7 @@ std::optional<double> normal_at(std::size_t beam, const std::vector<Hit>& hits,
 }
 
 /// Points of one voxel and sector.
-struct Key {
-  std::int64_t x = 0, y = 0, sector = 0;
-  [[nodiscard]] auto operator<=>(const Key&) const = default;
-};
+using Key = std::array<std::int64_t, 3>;  // x, y, sector
 
 Key key_of(const SurfacePoint& point) {
   const double sector = point.normal_rad / (2.0 * kPi) * kSectors;

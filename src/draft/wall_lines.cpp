@@ -61,4 +61,26 @@ double seen_on_line_m(const WallFace& face, const std::vector<WallFace>& faces, 
   return sum_m;
 }
 
+bool goes_on_at(const WallFace& wall, const Point2& at, double past_m) {
+  const double along_m = at.dot(wall.along());
+  return std::any_of(wall.cover.begin(), wall.cover.end(), [&](const Interval& one) {
+    return along_m > one.low_m - past_m && along_m < one.high_m + past_m;
+  });
+}
+
+std::optional<double> crossing_m(const WallFace& face, double from_m, double sign,
+                                 const WallFace& wall, double least_sine) {
+  const double sine = wall.normal().dot(face.along());
+  if (std::abs(sine) < least_sine) return std::nullopt;
+  return sign * (wall.offset_m - face.at(from_m).dot(wall.normal())) / sine;
+}
+
+void mark(const WallFace& face, const Interval& stretch, const CellFrame& frame, CellMask& mask) {
+  for_each_cell_on_line(frame.cell_of(face.at(stretch.low_m)),
+                        frame.cell_of(face.at(stretch.high_m)), [&](const Cell& cell) {
+                          mask.set(cell, true);
+                          return true;
+                        });
+}
+
 }  // namespace roomatlas

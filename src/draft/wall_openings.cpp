@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wall_lines.hpp"
+
 namespace roomatlas {
 namespace {
 
@@ -28,17 +30,11 @@ constexpr double kFitBand_m = 0.3;  // ... where they are so near to it
 constexpr double kJamb_m = 0.1;     // an opening's end counts
 constexpr double kFewest = 4.0;
 
-bool covers(const WallFace& wall, const Point2& at) {
-  const double along_m = at.dot(wall.along());
-  return std::any_of(wall.cover.begin(), wall.cover.end(), [&](const Interval& one) {
-    return along_m > one.low_m - kPast_m && along_m < one.high_m + kPast_m;
-  });
-}
-
 /// Whether a jamb may end a stub that stands on a wall.
 bool may_end_stub(const WallFace& wall, const Point2& jamb) {
   const double off_m = jamb.dot(wall.normal()) - wall.offset_m;
-  return off_m >= kAtWall_m && off_m <= kLongestStub_m + kHeardEarly_m && covers(wall, jamb);
+  return off_m >= kAtWall_m && off_m <= kLongestStub_m + kHeardEarly_m &&
+         goes_on_at(wall, jamb, kPast_m);
 }
 
 }  // namespace
@@ -94,12 +90,11 @@ WallOpenings::Beside WallOpenings::beside(const WallFace& face, double jamb_m, d
 double WallOpenings::to_crossing_m(const WallFace& face, double jamb_m, double sign) const {
   double next_m = kFar_m;
   for (std::size_t i = 0; i < walls_.faces.size(); ++i) {
+    if (!is_wall_[i]) continue;
     const WallFace& wall = walls_.faces[i];
-    const double sine = wall.normal().dot(face.along());
-    if (!is_wall_[i] || std::abs(sine) < kLeastCosine) continue;
-    const double beyond_m = sign * (wall.offset_m - face.at(jamb_m).dot(wall.normal())) / sine;
-    if (beyond_m < -kPast_m || beyond_m > next_m) continue;
-    if (covers(wall, face.at(jamb_m + sign * beyond_m))) next_m = beyond_m;
+    const auto beyond_m = crossing_m(face, jamb_m, sign, wall, kLeastCosine);
+    if (!beyond_m || *beyond_m < -kPast_m || *beyond_m > next_m) continue;
+    if (goes_on_at(wall, face.at(jamb_m + sign * *beyond_m), kPast_m)) next_m = *beyond_m;
   }
   return next_m;
 }

@@ -35,14 +35,7 @@ const Door* door_at(const DraftedBuilding& drafted, const PlanDoor& door) {
 
 TEST(FurnishedBuilding, RoomsAreThoseOfTheWorldWithoutItsFurniture) {
   const auto& [mission, drafted] = furnished_rooms();
-  EXPECT_EQ(drafted.rooms.size(), mission.world.rooms.size());
-  for (const PlanRoom& room : mission.world.rooms) {
-    const auto found = std::find_if(
-        drafted.rooms.begin(), drafted.rooms.end(),
-        [&](const DraftedRoom& one) { return contains(one.outline, room.label_point); });
-    ASSERT_NE(found, drafted.rooms.end()) << room.name;
-    EXPECT_NEAR(area(found->outline), room.area_m2, 0.04 * room.area_m2) << room.name;
-  }
+  test::expect_rooms_of(mission.world, drafted, 0.04);
 }
 
 TEST(FurnishedBuilding, LeavesStandWhereTheyStoodOpen) {

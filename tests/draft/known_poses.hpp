@@ -3,6 +3,9 @@
 // poses.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -49,6 +52,20 @@ inline KnownMission known_mission(const std::string& world, const Drive& drive, 
   mission.store.put(asr);
   mission.evidence = gather_evidence(mission.store, {{1, Pose2{}}}, robot.footprint, {}, {});
   return mission;
+}
+
+/// Whether as many rooms were drafted as there are, each where it is.
+/// @param area_share of a room's area, by which it may be off
+inline void expect_rooms_of(const FloorPlan& world, const DraftedBuilding& drafted,
+                            double area_share) {
+  EXPECT_EQ(drafted.rooms.size(), world.rooms.size());
+  for (const PlanRoom& room : world.rooms) {
+    const auto found = std::find_if(
+        drafted.rooms.begin(), drafted.rooms.end(),
+        [&](const DraftedRoom& one) { return contains(one.outline, room.label_point); });
+    ASSERT_NE(found, drafted.rooms.end()) << room.name;
+    EXPECT_NEAR(area(found->outline), room.area_m2, area_share * room.area_m2) << room.name;
+  }
 }
 
 /// `eight_rooms`, driven through all its doors.

@@ -129,14 +129,7 @@ test::KnownMission explored(const std::string& name, std::uint64_t furnish_seed)
 void expect_rooms(const std::string& name, std::uint64_t furnish_seed, double area_share) {
   const test::KnownMission mission = explored(name, furnish_seed);
   const DraftedBuilding drafted = draft_building(mission.evidence, {});
-  EXPECT_EQ(drafted.rooms.size(), mission.world.rooms.size());
-  for (const PlanRoom& room : mission.world.rooms) {
-    const auto found = std::find_if(
-        drafted.rooms.begin(), drafted.rooms.end(),
-        [&](const DraftedRoom& one) { return contains(one.outline, room.label_point); });
-    ASSERT_NE(found, drafted.rooms.end()) << room.name;
-    EXPECT_NEAR(area(found->outline), room.area_m2, area_share * room.area_m2) << room.name;
-  }
+  test::expect_rooms_of(mission.world, drafted, area_share);
   for (const PlanDoor& door : mission.world.doors) {
     const Point2 middle = (door.jambs.a + door.jambs.b) / 2.0;
     EXPECT_TRUE(std::any_of(drafted.doors.begin(), drafted.doors.end(), [&](const Door& one) {
