@@ -87,22 +87,19 @@ class Expansion {
 
   [[nodiscard]] std::vector<int> moved(int to, const std::vector<int>& label_of) const {
     const std::vector<std::size_t> movable = cells_near(to, label_of);
-    std::vector<std::size_t> place(cells_.size(), kFixed);
-    for (std::size_t i = 0; i < movable.size(); ++i) place[movable[i]] = i;
-    std::vector<double> keep(movable.size());
-    std::vector<double> take(movable.size());
+    Move move{to, label_of, std::vector<std::size_t>(cells_.size(), kFixed), {}, {}};
     for (std::size_t i = 0; i < movable.size(); ++i) {
-      keep[i] = cells_[movable[i]].of(label_of[movable[i]]);
-      take[i] = cells_[movable[i]].of(to);
+      const LabelCosts& cell = cells_[movable[i]];
+      move.place[movable[i]] = i;
+      move.keep.push_back(cell.of(label_of[movable[i]]));
+      move.take.push_back(cell.of(to));
     }
     Network network(movable.size());
-    for (const LabelBorder& border : borders_) {
-      add(border, to, label_of, place, network, keep, take);
-    }
+    for (const LabelBorder& border : borders_) add(border, move, network);
     for (std::size_t i = 0; i < movable.size(); ++i) {
-      const double both = std::min(keep[i], take[i]);
-      network.add_to_keep(i, keep[i] - both);
-      network.add_to_take(i, take[i] - both);
+      const double both = std::min(move.keep[i], move.take[i]);
+      network.add_to_keep(i, move.keep[i] - both);
+      network.add_to_take(i, move.take[i] - both);
     }
     std::vector<int> labels = label_of;
     const std::vector<bool> takes = network.cut();
@@ -114,6 +111,14 @@ class Expansion {
 
  private:
   static constexpr std::size_t kFixed = static_cast<std::size_t>(-1);
+
+  struct Move {
+    int to;
+    const std::vector<int>& label_of;
+    std::vector<std::size_t> place;  ///< of each cell among those that may take the label
+    std::vector<double> keep;        ///< of each of those, what its own label costs
+    std::vector<double> take;        ///< and what the new one does
+  };
 
   /// Cells that may want the label: those that have a cost of their own for it, and those around,
   /// two borders away at most. Solid any may want.
@@ -141,27 +146,27 @@ class Expansion {
     return near;
   }
 
-  void add(const LabelBorder& border, int to, const std::vector<int>& label_of,
-           const std::vector<std::size_t>& place, Network& network, std::vector<double>& keep,
-           std::vector<double>& take) const {
-    const auto a = static_cast<std::size_t>(border.first);
-    const auto b = static_cast<std::size_t>(border.second);
-    const double both_keep = border_cost(border, label_of[a], label_of[b]);
-    const double first_keeps = border_cost(border, label_of[a], to);
-    const double second_keeps = border_cost(border, to, label_of[b]);
-    if (place[a] == kFixed && place[b] == kFixed) return;
-    if (place[a] == kFixed || place[b] == kFixed) {
+  void add(const LabelBorder& border, Move& move, Network& network) const {
+    const int first = move.label_of[static_cast<std::size_t>(border.first)];
+    const int second = move.label_of[static_cast<std::size_t>(border.second)];
+    const double both_keep = border_cost(border, first, second);
+    const double first_keeps = border_cost(border, first, move.to);
+    const double second_keeps = border_cost(border, move.to, second);
+    const std::size_t a = move.place[static_cast<std::size_t>(border.first)];
+    const std::size_t b = move.place[static_cast<std::size_t>(border.second)];
+    if (a == kFixed && b == kFixed) return;
+    if (a == kFixed || b == kFixed) {
       // The fixed cell keeps its label, which may be the new one.
-      const std::size_t moves = place[a] == kFixed ? place[b] : place[a];
-      keep[moves] += both_keep;
-      take[moves] += place[a] == kFixed ? first_keeps : second_keeps;
+      const std::size_t moves = a == kFixed ? b : a;
+      move.keep[moves] += both_keep;
+      move.take[moves] += a == kFixed ? first_keeps : second_keeps;
       return;
     }
     // Kolmogorov and Zabih, "What energy functions can be minimized via graph cuts?", PAMI 2004.
-    take[place[a]] += std::max(0.0, second_keeps - both_keep);
-    keep[place[a]] += std::max(0.0, both_keep - second_keeps);
-    keep[place[b]] += second_keeps;
-    network.add_pair(place[a], place[b], std::max(0.0, first_keeps + second_keeps - both_keep));
+    move.take[a] += std::max(0.0, second_keeps - both_keep);
+    move.keep[a] += std::max(0.0, both_keep - second_keeps);
+    move.keep[b] += second_keeps;
+    network.add_pair(a, b, std::max(0.0, first_keeps + second_keeps - both_keep));
   }
 
   const std::vector<LabelCosts>& cells_;

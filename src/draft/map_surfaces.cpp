@@ -30,7 +30,7 @@ class Boundary {
  public:
   /// @param is_wall of each edge
   Boundary(const CellBoundary& traced, const std::vector<char>& is_wall, double cell_m)
-      : traced_(traced), is_wall_(is_wall), cell_m_(cell_m), count_(is_wall.size()) {
+      : traced_(traced), cell_m_(cell_m), count_(is_wall.size()) {
     most_ =
         std::min(static_cast<std::size_t>(std::lround(kLongReach_m / cell_m)), (count_ - 1) / 2);
     most_ = std::max(most_, std::min(static_cast<std::size_t>(kFewest), (count_ - 1) / 2));
@@ -76,7 +76,6 @@ class Boundary {
   }
 
   const CellBoundary& traced_;
-  const std::vector<char>& is_wall_;
   double cell_m_;
   std::size_t count_;
   std::size_t most_ = 0;

@@ -60,6 +60,7 @@ std::vector<Door> in_order_of_crossing(const std::vector<Door>& doors,
   std::stable_sort(found.begin(), found.end(),
                    [](const Found& a, const Found& b) { return a.first_pose < b.first_pose; });
   std::vector<Door> sorted;
+  sorted.reserve(found.size());
   for (Found& one : found) sorted.push_back(std::move(one.door));
   return sorted;
 }

@@ -151,6 +151,7 @@ class Grower {
   static std::vector<Interval> stretches_of(const std::vector<SurfacePoint>& on,
                                             const WallFace& face) {
     std::vector<int> steps;
+    steps.reserve(on.size());
     for (const SurfacePoint& one : on) {
       steps.push_back(static_cast<int>(std::floor(one.at.dot(face.along()) / kStep_m)));
     }

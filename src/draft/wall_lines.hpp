@@ -35,17 +35,17 @@ namespace roomatlas {
 /// Sets the cells along a stretch of a face.
 void mark(const WallFace& face, const Interval& stretch, const CellFrame& frame, CellMask& mask);
 
-/// The parts of a stretch that are kept, longer than `least_m`, asked each `step_m`.
+/// The parts of a stretch that are kept, longer than `least_m`, asked each `apart_m`.
 /// @param keeps of a position along the face
 template <typename Keeps>
-[[nodiscard]] std::vector<Interval> kept_parts(const Interval& stretch, double step_m,
+[[nodiscard]] std::vector<Interval> kept_parts(const Interval& stretch, double apart_m,
                                                double least_m, Keeps keeps) {
   std::vector<Interval> kept;
   Interval part{stretch.low_m, stretch.low_m};
   const auto end_part = [&] {
     if (part.length_m() > least_m) kept.push_back(part);
   };
-  for (double at_m = stretch.low_m; at_m < stretch.high_m + step_m; at_m += step_m) {
+  for (double at_m = stretch.low_m; at_m < stretch.high_m + apart_m; at_m += apart_m) {
     const double along_m = std::min(at_m, stretch.high_m);
     if (keeps(along_m)) {
       part.high_m = along_m;

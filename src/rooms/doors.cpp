@@ -108,6 +108,7 @@ std::vector<Door> doors_of(const std::vector<Asr>& asrs, const RoomGraph& graph,
     }
   }
   std::vector<Door> doors;
+  doors.reserve(groups.size());
   for (const auto& group : groups) doors.push_back(averaged(group));
   return doors;
 }
