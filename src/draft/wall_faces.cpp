@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "slanted_faces.hpp"
-#include "sonar_votes.hpp"
+#include "sonar_faces.hpp"
 #include "straight_runs.hpp"
 #include "trim_faces.hpp"
 
@@ -24,10 +24,6 @@ constexpr double kWingApart_rad = 10.0 * kPi / 180.0;  // from the main directio
 constexpr double kWingWidth_rad = 3.0 * kPi / 180.0;
 constexpr std::size_t kFewest = 100;   // surfaces that may have a direction
 constexpr double kLaserBand_m = 0.04;  // off a wall's line
-constexpr double kSonarBand_m = 0.05;
-constexpr double kSonarWingFace_m = 1.5;    // of a wing's faces: corners make shorter ones in any
-constexpr std::size_t kSonarWingFaces = 3;  // direction; and a wing has as many, and this share
-constexpr double kSonarWingShare = 0.3;     // of all walls so far
 
 bool explains(const WallFace& face, const SurfacePoint& surface) {
   if (std::abs(surface.at.dot(face.normal()) - face.offset_m) >= kNearFace_m) return false;
@@ -89,70 +85,6 @@ std::vector<WallFace> laser_faces(std::vector<SurfacePoint> surfaces,
     append(std::move(of_wing), faces);
   }
   append(slanted_faces(surfaces, options.min_slanted_support_m), faces);
-  return faces;
-}
-
-/// Echoes that a face explains: their foot lies on it.
-void drop_explained(const std::vector<WallFace>& faces, double half_cone_rad,
-                    std::vector<Echo>& echoes) {
-  std::erase_if(echoes, [&](const Echo& echo) {
-    return std::any_of(faces.begin(), faces.end(), [&](const WallFace& face) {
-      const double off_rad = wrap_angle(echo.building_from_beam.theta_rad + kPi - face.normal_rad);
-      if (std::abs(off_rad) > half_cone_rad) return false;
-      const Point2 foot = echo.building_from_beam.position() - echo.range_m * face.normal();
-      return explains(face, {foot, face.normal_rad, 1.0});
-    });
-  });
-}
-
-double total_support_m(const std::vector<WallFace>& faces) {
-  double sum_m = 0.0;
-  for (const WallFace& face : faces) sum_m += face.support_m();
-  return sum_m;
-}
-
-/// What echoes vote for along the direction of the building that most of them agree on.
-std::vector<WallFace> voted_faces(const std::vector<Echo>& echoes, double half_cone_rad,
-                                  const WallFaceOptions& options) {
-  const RunOptions runs{options.bin_along_m,
-                        kSonarBand_m,
-                        static_cast<double>(options.min_hits),
-                        options.max_gap_m,
-                        options.min_wing_support_m,
-                        false};
-  const double direction_rad = best_direction_rad(echoes, half_cone_rad, options.sonar_range_m);
-  std::vector<WallFace> faces;
-  for (int quarter = 0; quarter < 4; ++quarter) {
-    const double normal_rad = wrap_angle(direction_rad + quarter * kQuarter);
-    append(
-        regular(straight_runs(votes_for(normal_rad, echoes, half_cone_rad, options.sonar_range_m),
-                              normal_rad, runs)),
-        faces);
-  }
-  return faces;
-}
-
-std::vector<WallFace> sonar_faces(const BuildingEvidence& evidence,
-                                  const WallFaceOptions& options) {
-  const double half_cone_rad = evidence.sonar_half_cone_rad;
-  std::vector<Echo> echoes = evidence.echoes;
-  std::erase_if(echoes, [](const Echo& echo) { return !echo.is_hit; });
-  const auto all = static_cast<double>(echoes.size());
-  std::vector<WallFace> faces;
-  for (int round = 0; round <= options.max_wings && echoes.size() >= kFewest; ++round) {
-    std::vector<WallFace> found = voted_faces(echoes, half_cone_rad, options);
-    const auto before = static_cast<double>(echoes.size());
-    drop_explained(found, half_cone_rad, echoes);
-    const double votes = before - static_cast<double>(echoes.size());
-    if (round > 0) {
-      std::erase_if(found,
-                    [](const WallFace& face) { return face.support_m() < kSonarWingFace_m; });
-      const bool is_wing = found.size() >= kSonarWingFaces &&
-                           total_support_m(found) >= kSonarWingShare * total_support_m(faces);
-      if (votes < options.wing_share * all || !is_wing) break;
-    }
-    append(std::move(found), faces);
-  }
   return faces;
 }
 
