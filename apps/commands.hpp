@@ -59,9 +59,9 @@ void require_a_room(std::size_t rooms, const Path& store);
 void export_all(const Settings& settings, const Path& store,
                 const std::vector<std::string>& formats, const ExportOptions& options,
                 const Path& out);
-void evaluate(const Settings& settings, const std::vector<Path>& judged,
-              const std::vector<Path>& truth, const TrajectoryFlags& flags,
-              const ComparisonFiles& files);
+void evaluate(const Settings& settings, const std::vector<Path>& files,
+              const std::vector<Path>& truth_files, const TrajectoryFlags& flags,
+              const ComparisonFiles& results);
 /// The report page as one file.
 void report(const Settings& settings, const Path& store, const std::vector<Path>& truth,
             const TrajectoryFlags& flags, const Path& out);

@@ -25,7 +25,7 @@ double cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * 
 
 double signed_area(const Ring& ring) {
   if (ring.empty()) return 0.0;
-  const Point2 origin = ring.front();  // near the ring, so that large coordinates keep precision
+  const Point2& origin = ring.front();  // near the ring, so that large coordinates keep precision
   double doubled = 0.0;
   for_each_edge(
       ring, [&](const Point2& a, const Point2& b) { doubled += cross(a - origin, b - origin); });

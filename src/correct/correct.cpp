@@ -92,7 +92,7 @@ const char* to_string(FactorKind kind) {
 }
 
 Correction correct(const std::vector<Asr>& asrs, const RoomGraph& graph,
-                   const CorrectOptions& options, const Placement& known) {
+                   const CorrectOptions& options, const Placement& start) {
   Correction correction;
   const bool is_se2 = options.model == CorrectionModel::se2;
   correction.model = is_se2 ? "se2" : "rotation_only";
@@ -102,9 +102,9 @@ Correction correct(const std::vector<Asr>& asrs, const RoomGraph& graph,
     return correction;
   }
   const Measurements measurements = measurements_of(asrs, graph, options);
-  const PlacedAsrs start = initial_guess(measurements, options, known);
-  ModelResult solved = is_se2 ? solve_se2(measurements, start, options)
-                              : solve_rotation_only(measurements, start, options);
+  const PlacedAsrs guess = initial_guess(measurements, options, start);
+  ModelResult solved = is_se2 ? solve_se2(measurements, guess, options)
+                              : solve_rotation_only(measurements, guess, options);
   correction.converged = solved.converged;
   correction.message = solved.message;
   correction.initial_cost = solved.initial_cost;

@@ -17,6 +17,7 @@ using PoseBlock = std::array<double, 3>;
 
 std::vector<PoseBlock> blocks_of(const std::vector<Pose2>& poses) {
   std::vector<PoseBlock> blocks;
+  blocks.reserve(poses.size());
   for (const Pose2& pose : poses) blocks.push_back({pose.x_m, pose.y_m, pose.theta_rad});
   return blocks;
 }

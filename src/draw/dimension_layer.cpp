@@ -93,6 +93,7 @@ void add_chain(pugi::xml_node layer, const DimensionChain& chain, const Sheet& s
   DimensionPen pen(group, row, weights);
   const auto on_paper = [&](const std::vector<double>& stations_m) {
     std::vector<double> places_mm;
+    places_mm.reserve(stations_m.size());
     for (const double station : stations_m) places_mm.push_back(mm_per_m * station);
     return places_mm;
   };

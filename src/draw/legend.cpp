@@ -192,7 +192,8 @@ void add_legend(pugi::xml_node parent, const Box2& box_mm,
   pugi::xml_node group = add_group(parent, "legend");
   for (int i = 0; i < count; ++i) {
     const LegendEntry& entry = entries[static_cast<std::size_t>(i)];
-    const double x = box_mm.min.x() + (i / rows) * column_mm;
+    const int column = i / rows;
+    const double x = box_mm.min.x() + column * column_mm;
     const double middle = box_mm.min.y() + 4.7 + (i % rows) * pitch_mm;
     entry.draw(group, {{x, middle - swatch_mm / 2.0}, {x + kSwatch_mm, middle + swatch_mm / 2.0}});
     add_text(group, {x + kSwatch_mm + kGap_mm, middle + size_mm * kCapHeight / 2.0}, entry.name,

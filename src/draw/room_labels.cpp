@@ -153,7 +153,7 @@ double clearance(const Polygon& polygon, const Point2& point) {
 Point2 centroid(const Ring& ring) {
   Point2 sum = Point2::Zero();
   double doubled_area = 0.0;
-  const Point2 origin = ring.front();
+  const Point2& origin = ring.front();
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point2 a = ring[i] - origin;
     const Point2 b = ring[(i + 1) % ring.size()] - origin;

@@ -60,7 +60,8 @@ class Layout {
   [[nodiscard]] Panel add(pugi::xml_node svg, int number, const char* id,
                           const std::string& caption, const std::string& counts) const {
     const double left = kComparisonEdge_mm + (number % 3) * (kPanelWidth_mm + kGutter_mm);
-    const double top = kComparisonEdge_mm + kTitle_mm + (number / 3) * row_mm() + kCaption_mm - 3.0;
+    const int row = number / 3;
+    const double top = kComparisonEdge_mm + kTitle_mm + row * row_mm() + kCaption_mm - 3.0;
     pugi::xml_node group = add_group(svg, id);
     const std::string letter(1, static_cast<char>('a' + number));
     add_text(group, {left, top - 4.6}, letter + "  " + caption,
@@ -166,6 +167,7 @@ void add_dots(const Panel& panel, const std::vector<Polyline>& lines, const char
 
 std::vector<Polyline> vertices_of(const std::vector<WallPolyline>& walls) {
   std::vector<Polyline> lines;
+  lines.reserve(walls.size());
   for (const WallPolyline& wall : walls) lines.push_back(wall.vertices_asr);
   return lines;
 }

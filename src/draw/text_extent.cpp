@@ -34,7 +34,7 @@ std::string shortened(const std::string& text, double width_mm, double size_mm, 
   while (!start.empty()) {
     while (!start.empty() && is_continuation_byte(start.back())) start.pop_back();
     if (!start.empty()) start.pop_back();
-    const std::string candidate = start + "\u2026";
+    std::string candidate = start + "\u2026";
     if (text_width_mm(candidate, size_mm, weight) <= width_mm) return candidate;
   }
   return {};
