@@ -42,7 +42,9 @@ std::unique_ptr<MissionSource> open_log(const Path& log, const MissionOptions& o
   auto mission = open_mission_to_map(log, options);
   const MissionInfo& info = mission->info();
   if (!info.recording || info.odometry != "none") return mission;
-  return scan_odometry(std::move(mission));
+  ScanOdometryOptions matching;
+  matching.turns_are_told = !info.recording->gyro_topic.empty();
+  return scan_odometry(std::move(mission), matching);
 }
 
 /// What a mapped mission leaves to tell.

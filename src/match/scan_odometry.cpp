@@ -126,8 +126,11 @@ class ScanOdometry : public MissionSource {
     ++sweeps_;
     const double time_s = reading.timestamp_s;
     if (!last_s_) last_s_ = last_matched_s_ = time_s;
-    const Pose2 guess = odom_from_robot_ * going_on(time_s);
-    Seen seen = see(reading, within_sweep(reading, step_, step_s_));
+    const Pose2 going = going_on(time_s, told_turn(reading.odom_from_robot.theta_rad));
+    const Pose2 guess = odom_from_robot_ * going;
+    const bool goes_as_told = options_.turns_are_told && time_s > *last_s_;
+    Seen seen = see(reading, goes_as_told ? within_sweep(reading, going, time_s - *last_s_)
+                                          : within_sweep(reading, step_, step_s_));
     Matched matched = match(seen.scan, guess);
     if (matched.is_matched && reading.sweep_s != 0.0 && time_s > *last_s_) {
       // the motion that was found tells better than the one before how the robot moved in the sweep
@@ -139,7 +142,8 @@ class ScanOdometry : public MissionSource {
       }
     }
     if (matched.is_bare) ++bare_;
-    move_on(matched.is_matched ? matched.odom_from_robot : odom_from_robot_, time_s);
+    const Pose2 turned{0.0, 0.0, options_.turns_are_told ? going.theta_rad : 0.0};
+    move_on(matched.is_matched ? matched.odom_from_robot : odom_from_robot_ * turned, time_s);
     if (matched.is_matched) {
       last_matched_s_ = time_s;
       if (!seen.scan.points.empty()) recent_.add_where_new(std::move(seen.scan), odom_from_robot_);
@@ -199,12 +203,22 @@ class ScanOdometry : public MissionSource {
     return {aligned.map_from_points, true, !is_held(aligned)};
   }
 
+  /// What a gyro says of the time since the last sweep; nothing where there is none.
+  [[nodiscard]] std::optional<double> told_turn(double heading_rad) {
+    if (!options_.turns_are_told) return std::nullopt;
+    const double last_rad = std::exchange(told_heading_, heading_rad).value_or(heading_rad);
+    return wrap_angle(heading_rad - last_rad);
+  }
+
   /// What the last step becomes in the time since.
-  [[nodiscard]] Pose2 going_on(double time_s) const {
+  [[nodiscard]] Pose2 going_on(double time_s, const std::optional<double>& turn_rad) const {
     const double passed_s = time_s - *last_s_;
-    if (step_s_ <= 0.0 || passed_s <= 0.0 || passed_s > kLongestStepS) return {};
+    if (step_s_ <= 0.0 || passed_s <= 0.0 || passed_s > kLongestStepS) {
+      return {0.0, 0.0, turn_rad.value_or(0.0)};
+    }
     const double share = std::min(2.0, passed_s / step_s_);
-    return {share * step_.x_m, share * step_.y_m, wrap_angle(share * step_.theta_rad)};
+    return {share * step_.x_m, share * step_.y_m,
+            turn_rad.value_or(wrap_angle(share * step_.theta_rad))};
   }
 
   [[nodiscard]] bool is_believed(const ScanAlignment& aligned) const {
@@ -214,7 +228,9 @@ class ScanOdometry : public MissionSource {
 
   [[nodiscard]] ScanAlignment match(const std::vector<ScanPoint>& points,
                                     const Pose2& guess) const {
-    const PosePrior prior{guess, options_.position_sigma_m, options_.heading_sigma_rad};
+    const PosePrior prior{
+        guess, options_.position_sigma_m,
+        options_.turns_are_told ? options_.told_sigma_rad : options_.heading_sigma_rad};
     const ScanAlignment near = align(recent_.map(), points, guess, prior, options_.align);
     if (near.matched >= options_.ease_share * near.points) return near;
     const Pose2 start = correlate(recent_.map(), points, prior, options_.correlate);
@@ -235,8 +251,9 @@ class ScanOdometry : public MissionSource {
   ScanOdometryOptions options_;
   RecentMap recent_;
   Pose2 odom_from_robot_;
-  Pose2 step_;           ///< the last one, in the robot's frame ...
-  double step_s_ = 0.0;  ///< ... and how long it took
+  Pose2 step_;                          ///< the last one, in the robot's frame ...
+  double step_s_ = 0.0;                 ///< ... and how long it took
+  std::optional<double> told_heading_;  ///< a gyro's, at the last sweep
   std::optional<double> last_s_;
   std::optional<double> last_matched_s_;
   std::int64_t sweeps_ = 0;

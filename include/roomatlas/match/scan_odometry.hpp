@@ -17,6 +17,8 @@ struct ScanOdometryOptions {
   int max_points = 240;             ///< of a sweep that are aligned
   double position_sigma_m = 0.15;   ///< of a step that goes on as the one before; smaller holds
   double heading_sigma_rad = 0.15;  ///< along corridors, larger follows whoever walks jerkily
+  bool turns_are_told = false;      ///< the readings' headings are a gyro's ...
+  double told_sigma_rad = 0.03;     ///< ... and off by so much a step
   double ease_share = 0.8;          ///< of points matched: no need to search
   double min_matched_share = 0.4;   ///< below it a sweep is not believed
   int min_matched = 20;
@@ -28,8 +30,9 @@ struct ScanOdometryOptions {
 
 /// The mission of a laser without odometry, with poses that come from matching each sweep with
 /// those of the last metres: odometry that drifts, but follows every motion that the walls show.
-/// What a bare corridor does not show, motion along it, is taken as going on. Sonars pass as they
-/// are. Cost and memory do not depend on the mission's length.
+/// What a bare corridor does not show, motion along it, is taken as going on. Turns that a gyro
+/// told are where matching begins, however fast they were. Sonars pass as they are. Cost and memory
+/// do not depend on the mission's length.
 ///
 /// `next` throws NotEnoughError where no sweep fits for `longest_lost_s`.
 [[nodiscard]] std::unique_ptr<MissionSource> scan_odometry(std::unique_ptr<MissionSource> mission,

@@ -107,6 +107,7 @@ struct RecordingInfo {
   std::string choice;                 ///< what is mapped, in one line
   std::string base_frame;
   std::string odometry_frame;  ///< empty without odometry
+  std::string gyro_topic;      ///< whose gyro tells the turns; empty: none does
 };
 
 /// Summary of what has been read so far.

@@ -61,6 +61,7 @@ void BagSource::describe() {
   recording.base_frame = choice_.base_frame;
   const bool has_odometry = choice_.odometry != TopicChoice::Odometry::none;
   recording.odometry_frame = has_odometry ? choice_.odometry_frame : "";
+  if (choice_.gyro) recording.gyro_topic = reader_->topics()[choice_.gyro->topic].name;
   info_.recording = std::move(recording);
 }
 

@@ -213,8 +213,10 @@ std::optional<MissionEvent> BagSource::hand_out() {
 
 /// Nothing where odometry does not reach the reading's time.
 std::optional<RangeReading> BagSource::reading_of(const Waiting& waiting) {
-  const auto pose = poses_->odom_from_base(waiting.stamp_ns);
-  if (!pose || pose->beyond_ns > kNear_ns) {
+  auto pose = poses_->odom_from_base(waiting.stamp_ns);
+  const bool has_odometry = choice_.odometry != TopicChoice::Odometry::none;
+  if (!has_odometry && !pose) pose = TransformAt{};  // the gyro begins later
+  if (!pose || (has_odometry && pose->beyond_ns > kNear_ns)) {
     ++without_pose_;
     return std::nullopt;
   }

@@ -165,18 +165,25 @@ const Judged& best_of(const std::vector<Judged>& judged) {
   });
 }
 
-std::string line_of(const Judged& best, const std::string& name, bool is_taken, bool is_named) {
+std::string line_of(const Judged& best, const std::string& name, bool is_taken, bool is_named,
+                    bool has_odometry) {
   const GyroVerdict& found = best.verdict;
-  std::string text = is_taken ? ", turns of the gyro " + name : ", turns of odometry";
+  std::string text = is_taken       ? ", turns of the gyro " + name
+                     : has_odometry ? ", turns of odometry"
+                                    : ", turns by matching";
   if (is_named) text += " as told";
   if (!found.is_enough) {
     return text + (is_taken ? " (unproved: " : " (") + "too few turns with sweeps to judge " +
            (is_taken ? "it" : "the gyro " + name) + " by)";
   }
   const std::string gyro = shown_deg(found.gyro_off_rad);
+  const std::string turns = " degrees rms in " + std::to_string(found.stretches) + " turns";
+  if (!has_odometry) {
+    return text + (is_taken ? " (off the sweeps' by " : " (the gyro " + name + " is off by ") +
+           gyro + turns + ")";
+  }
   const std::string odometry = shown_deg(found.odometry_off_rad);
-  return text + " (off the sweeps' by " + (is_taken ? gyro : odometry) + " degrees rms in " +
-         std::to_string(found.stretches) + " turns, " +
+  return text + " (off the sweeps' by " + (is_taken ? gyro : odometry) + turns + ", " +
          (is_taken ? "odometry's by " + odometry : "the gyro's of " + name + " by " + gyro) + ")";
 }
 
@@ -191,14 +198,10 @@ void find_gyros(TopicChoice& choice, const Survey& survey, const RecordingOption
       throw UsageError(file + ": --imu-topic " + survey.topics[index].name + " (" +
                        survey.topics[index].type + "): expected sensor_msgs/Imu");
     }
-    if (choice.odometry == TopicChoice::Odometry::none) {
-      throw UsageError(file + ": --imu-topic " + survey.topics[index].name +
-                       ": there is no odometry whose turns it could tell better; leave it away");
-    }
     choice.gyros = {index};
     return;
   }
-  if (choice.odometry == TopicChoice::Odometry::none || choice.scans.empty()) return;
+  if (choice.scans.empty()) return;
   for (std::size_t i = 0; i < survey.topics.size() && choice.gyros.size() < kMostGyros; ++i) {
     const TopicEvidence& evidence = survey.evidence[i];
     const bool is_usable = evidence.kind == MessageKind::imu && evidence.misfit.empty() &&
@@ -216,7 +219,8 @@ void choose_gyro(TopicChoice& choice, const Survey& beginning, const OpenRecordi
   const bool is_taken = is_named || best.verdict.gyro_is_better;
   if (is_taken) choice.gyro = {best.topic, best.verdict.up, best.verdict.drift_rad_per_s};
   choice.gyros.clear();
-  choice.said += line_of(best, beginning.topics[best.topic].name, is_taken, is_named);
+  choice.said += line_of(best, beginning.topics[best.topic].name, is_taken, is_named,
+                         choice.odometry != TopicChoice::Odometry::none);
 }
 
 }  // namespace roomatlas::io

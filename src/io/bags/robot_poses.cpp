@@ -19,7 +19,7 @@ RobotPoses::RobotPoses(const TopicChoice& choice, const FrameTree& known_before,
                        const std::optional<Pose2>& mount)
     : choice_(choice), mount_(mount) {
   frames_.add_fixed_of(known_before);
-  if (choice.gyro) steered_.emplace(*choice.gyro);
+  if (choice.gyro) steered_.emplace(*choice.gyro, choice.odometry != TopicChoice::Odometry::none);
 }
 
 void RobotPoses::note(TransformTrack::Added added) {
@@ -76,7 +76,9 @@ std::optional<TransformAt> RobotPoses::odom_from_child(std::int64_t stamp_ns) co
 
 std::optional<TransformAt> RobotPoses::odom_from_base(std::int64_t stamp_ns) const {
   using Odometry = TopicChoice::Odometry;
-  if (choice_.odometry == Odometry::none) return TransformAt{};
+  if (choice_.odometry == Odometry::none) {
+    return steered_ ? steered_->at(stamp_ns) : TransformAt{};
+  }
   std::optional<TransformAt> found = odom_from_child(stamp_ns);
   if (!found || choice_.odometry_child == choice_.base_frame) return found;
   const auto child_from_base =

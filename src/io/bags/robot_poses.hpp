@@ -27,7 +27,8 @@ class RobotPoses {
   /// All of a message at one time: stamps are not believed.
   void add_transforms_at(const TransformsMessage& message, bool is_fixed, std::int64_t time_ns);
 
-  /// The robot's odometry pose; the origin where the mission has no odometry.
+  /// The robot's odometry pose; the origin where the mission has no odometry, turned as a gyro says
+  /// where one is chosen.
   [[nodiscard]] std::optional<TransformAt> odom_from_base(std::int64_t stamp_ns) const;
   /// A laser's mount: the user's, else as `base_from_frame` has it.
   [[nodiscard]] std::optional<TransformAt> base_from(const std::string& frame,

@@ -26,7 +26,11 @@ Pose2 turned_by(const Pose2& step, double turn_rad) {
 
 void SteeredOdometry::add_turn(std::int64_t stamp_ns, const Eigen::Vector3d& turn_rad_per_s) {
   turns_.add(stamp_ns, turn_rad_per_s);
-  settle();
+  if (has_odometry_) {
+    settle();
+  } else {
+    add_odometry(stamp_ns, {});
+  }
 }
 
 void SteeredOdometry::add_odometry(std::int64_t stamp_ns, const Pose2& odom_from_robot) {
@@ -73,7 +77,7 @@ void SteeredOdometry::settle(const Sample& next) {
     const auto by_gyro = turn(last.stamp_ns, next.stamp_ns);
     if (!by_gyro) ++without_gyro_;
     settled.steered = last.steered * (by_gyro ? turned_by(step, *by_gyro) : step);
-    learn_drift(next);
+    if (has_odometry_) learn_drift(next);
   } else {
     still_since_ns_ = next.stamp_ns;
   }

@@ -14,12 +14,14 @@
 namespace roomatlas::io {
 
 /// Odometry that turns as a gyro says: odometry's steps, each with the gyro's turn in the place of
-/// its own. The gyro's drift is learnt anew whenever odometry stands.
+/// its own. The gyro's drift is learnt anew whenever odometry stands. Without odometry the pose
+/// turns on the spot, and the drift stays what it was told to be.
 class SteeredOdometry {
  public:
   static constexpr std::int64_t kWaits_ns = 1'000'000'000;  ///< for the gyro, of odometry's time
 
-  explicit SteeredOdometry(const GyroChoice& gyro) : gyro_(gyro), drift_(gyro.drift_rad_per_s) {}
+  explicit SteeredOdometry(const GyroChoice& gyro, bool has_odometry = true)
+      : gyro_(gyro), has_odometry_(has_odometry), drift_(gyro.drift_rad_per_s) {}
 
   void add_turn(std::int64_t stamp_ns, const Eigen::Vector3d& turn_rad_per_s);
   void add_odometry(std::int64_t stamp_ns, const Pose2& odom_from_robot);
@@ -40,6 +42,7 @@ class SteeredOdometry {
   [[nodiscard]] std::optional<double> turn(std::int64_t from_ns, std::int64_t to_ns) const;
 
   GyroChoice gyro_;
+  bool has_odometry_;
   GyroTrack turns_;
   std::deque<Sample> waiting_;  ///< by stamp
   std::deque<Sample> settled_;  ///< by stamp, the last seconds

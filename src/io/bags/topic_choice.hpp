@@ -65,8 +65,8 @@ void choose_odometry(TopicChoice& choice, const Survey& survey, const RecordingO
 /// frames.
 void join_lasers(TopicChoice& choice, const Survey& survey, const RecordingOptions& options);
 
-/// The part that finds gyros that may turn better than odometry; which is taken, sweeps tell
-/// (gyro_trial.hpp). None without odometry. Throws as `choose_topics` does.
+/// The part that finds gyros that may turn better than odometry, or instead of it; which is taken,
+/// sweeps tell (gyro_trial.hpp). None without a laser. Throws as `choose_topics` does.
 void find_gyros(TopicChoice& choice, const Survey& survey, const RecordingOptions& options,
                 const std::string& file);
 

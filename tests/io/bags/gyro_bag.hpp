@@ -65,7 +65,7 @@ inline ScanFields fields_of(const RangeReading& reading) {
 constexpr double kStandsS = 4.0;  // before the first step
 
 inline MemoryBag bag_of(const std::vector<SimulatedStep>& steps,
-                        const std::vector<GyroFields>& gyros) {
+                        const std::vector<GyroFields>& gyros, bool has_odometry = true) {
   MemoryBag bag;
   const double start_s = steps.front().reading.timestamp_s;
   bag.tf(start_s - kStandsS, {{"base_link", "laser", {0.1, 0.0, 0.0}}}, "/tf_static");
@@ -78,7 +78,8 @@ inline MemoryBag bag_of(const std::vector<SimulatedStep>& steps,
   const auto add = [&](const SimulatedStep& step, double time_s) {
     ScanFields scan = fields_of(step.reading);
     scan.stamp_s = time_s;
-    bag.odometry(time_s, step.odometry.odom_from_robot).scan(time_s, scan);
+    if (has_odometry) bag.odometry(time_s, step.odometry.odom_from_robot);
+    bag.scan(time_s, scan);
   };
   for (double time_s = start_s - kStandsS; time_s < start_s - 0.05; time_s += 0.1) {
     add(steps.front(), time_s);

@@ -102,6 +102,25 @@ TEST(Gyro, IsForbiddenAndForcedByItsOption) {
   EXPECT_THROW((void)read_bag(bag_of(good, {kDrifting}), options), UsageError);
 }
 
+TEST(Gyro, TurnsARobotThatHasNoOdometry) {
+  const std::vector<SimulatedStep> steps = rounds(kGood);
+  const ReadLog without = read_bag(bag_of(steps, {}, false));
+  EXPECT_EQ(without.info.recording->gyro_topic, "");
+  const ReadLog log = read_bag(bag_of(steps, {kDrifting}, false));
+  EXPECT_EQ(log.info.odometry, "none");
+  EXPECT_EQ(log.info.recording->gyro_topic, "/imu") << log.info.recording->choice;
+  EXPECT_TRUE(says(log, "no odometry: by scan matching alone"));
+  EXPECT_TRUE(says(log, "turns of the gyro /imu (off the sweeps' by "));
+  EXPECT_LT(most_off_rad(log, steps), radians(3.0));
+  ASSERT_EQ(log.readings.size(), without.readings.size());
+  for (const RangeReading& reading : log.readings) {
+    EXPECT_EQ(reading.odom_from_robot.position(), Point2(0.0, 0.0));
+  }
+  GyroFields wandering{.noise_rad_per_s = 20.0, .rate_hz = 25.0};
+  const ReadLog poor = read_bag(bag_of(steps, {wandering}, false));
+  EXPECT_EQ(poor.info.recording->gyro_topic, "") << poor.info.recording->choice;
+}
+
 TEST(Gyro, ThatItsMessagesSayIsNotThereIsNotUsed) {
   MemoryBag bag = bag_of(rounds(kBad), {});
   for (int i = 0; i < 400; ++i) {
