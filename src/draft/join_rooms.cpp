@@ -63,9 +63,13 @@ RoomId root_of(std::map<RoomId, RoomId>& joined, RoomId room) {
 }  // namespace
 
 void join_rooms(const Occupancy& bare, const JoinRoomsOptions& options, RoomPartition& partition) {
+  join_rooms([&](const Opening& opening) { return parts(bare, opening, options); }, partition);
+}
+
+void join_rooms(const std::function<bool(const Opening&)>& parts, RoomPartition& partition) {
   std::map<RoomId, RoomId> joined;
   for (const Opening& opening : partition.openings) {
-    if (parts(bare, opening, options)) continue;
+    if (parts(opening)) continue;
     const RoomId a = root_of(joined, *opening.room_a);
     const RoomId b = root_of(joined, *opening.room_b);
     joined[std::max(a, b)] = std::min(a, b);

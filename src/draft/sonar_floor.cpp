@@ -13,6 +13,7 @@ namespace {
 constexpr double kStep_m = 0.05;           // along a face
 constexpr double kNearFurniture_m = 0.25;  // echoes this near to furniture are its ...
 constexpr double kNearWall_m = 0.15;       // ... unless a wall is this near
+constexpr double kOnWall_m = 0.3;          // echoes this near to a wall's face may be its own
 constexpr double kAround_m = 0.25;         // a wall that is followed: its echoes are this near
 constexpr int kMostSteps = 100;            // cells along it
 constexpr int kMostMissed = 3;             // of them without an echo
@@ -84,6 +85,24 @@ void take_furniture_out(const Walls& walls, const std::vector<bool>& is_wall,
   for_each_cell(bare.free.box, [&](const Cell& cell) {
     if (!bare.free.at(cell) && on_wall.at(cell)) set_solid(in_grid(cell), grid);
   });
+}
+
+double share_on_no_wall(const Walls& walls, const std::vector<bool>& is_wall,
+                        const BuildingGrid& heard) {
+  CellMask near(heard.obstacle.box);
+  for (std::size_t i = 0; i < walls.faces.size(); ++i) {
+    if (!is_wall[i]) continue;
+    for (const Interval& one : walls.faces[i].seen) mark(walls.faces[i], one, heard.frame, near);
+  }
+  near = dilated(near, static_cast<int>(std::lround(kOnWall_m / heard.frame.cell_m)));
+  double all = 0.0;
+  double off = 0.0;
+  for_each_cell(near.box, [&](const Cell& cell) {
+    if (!heard.obstacle.at(cell)) return;
+    all += 1.0;
+    if (!near.at(cell)) off += 1.0;
+  });
+  return all > 0.0 ? off / all : 0.0;
 }
 
 void find_passable(const std::vector<Pose2>& path, double margin_m, BuildingGrid& grid) {

@@ -15,6 +15,10 @@ namespace roomatlas {
 void take_furniture_out(const Walls& walls, const std::vector<bool>& is_wall,
                         const Occupancy& occupancy, const Occupancy& bare, BuildingGrid& grid);
 
+/// The share of the obstacles that were heard that is on no wall: how furnished a building is.
+[[nodiscard]] double share_on_no_wall(const Walls& walls, const std::vector<bool>& is_wall,
+                                      const BuildingGrid& heard);
+
 /// Tells the grid's passable cells again: free, and connected to the path.
 /// @param margin_m from obstacles, as the grid was made with
 void find_passable(const std::vector<Pose2>& path, double margin_m, BuildingGrid& grid);

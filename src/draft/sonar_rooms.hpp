@@ -5,8 +5,9 @@
 
 namespace roomatlas {
 
-/// Rooms of what sonars heard, by where the robot drove. Furniture is taken out of the cells first,
-/// and only openings in walls part rooms.
+/// Rooms of what sonars heard, after furniture has been taken out of the cells. Where most of what
+/// was heard is walls, the shape of the floor tells them, as with lasers; in a furnished building
+/// where the robot drove does, and only openings in walls part them.
 [[nodiscard]] RoomPartition sonar_rooms(const Walls& walls, const Occupancy& occupancy,
                                         const BuildingEvidence& evidence,
                                         const DraftBuildingOptions& options);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+
 #include "roomatlas/draft/occupancy.hpp"
 #include "roomatlas/rooms/partition_rooms.hpp"
 
@@ -16,5 +18,8 @@ struct JoinRoomsOptions {
 /// Joins rooms that a wide opening does not part: around a corridor's corner the floor is as wide
 /// as the opening on one side, and no wall goes on beyond one of its jambs.
 void join_rooms(const Occupancy& bare, const JoinRoomsOptions& options, RoomPartition& partition);
+
+/// Joins the rooms on both sides of each opening that does not part them.
+void join_rooms(const std::function<bool(const Opening&)>& parts, RoomPartition& partition);
 
 }  // namespace roomatlas
