@@ -20,9 +20,10 @@ void report(const SonarTrajectory& sonars) {
   if (sonars.variants.empty()) return;
   const SonarVariant& chosen = sonars.variants.at(sonars.chosen);
   spdlog::info(
-      "sonars: {} stretches of wall in {} pairs, {:.0f} % of what could be compared "
-      "contradicts",
-      sonars.segments, chosen.pairs, 100.0 * std::max(0.0, chosen.contradiction));
+      "sonars: {} stretches of wall in {} pairs, {:.1f} % of {:.0f} m that could be compared "
+      "contradicts, headings of {:.1f} % of the readings are sure",
+      sonars.segments, chosen.pairs, 100.0 * std::max(0.0, chosen.contradiction), chosen.compared_m,
+      100.0 * sonars.sure_heading_share);
   if (!sonars.loops_verified) {
     spdlog::warn(
         "loops not verified: what one visit heard as wall, another looked through, or no "

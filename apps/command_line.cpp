@@ -108,6 +108,14 @@ void add_simulate(CLI::App* command, SimulateArguments& a) {
                    "instead of WORLD: a random building of N rooms, as a store of ASRs")
       ->configurable(false);
   command
+      ->add_option("--random-world", a.random_world,
+                   "instead of WORLD: a building that this seed makes up")
+      ->configurable(false);
+  command->add_option("--world-kind", a.world_kind, "of --random-world: offices, hall, wings ...")
+      ->configurable(false);
+  command->add_option("--world-rooms", a.world_rooms, "of --random-world: about so many, 3 to 40")
+      ->configurable(false);
+  command
       ->add_option("--resolution", a.file.resolution_m, "m a pixel, of a world that is a picture")
       ->check(within(0.001, 10.0))
       ->configurable(false);

@@ -22,13 +22,16 @@ using Path = std::filesystem::path;
 /// Files and choices of `simulate`.
 struct SimulateArguments {
   Path world;
-  WorldFileOptions file;                     ///< of a world that is a picture
-  Path drive;                                ///< empty: the robot explores
-  bool tour = false;                         ///< through all rooms, instead of a drive
-  std::vector<double> start;                 ///< x and y in metres, heading in degrees; or empty
-  std::optional<std::uint64_t> furnish;      ///< seed of the furniture that is put in
-  std::optional<std::int64_t> random_rooms;  ///< instead of a world
-  std::string format = "clf";                ///< of the mission: the end of its file's name
+  WorldFileOptions file;                      ///< of a world that is a picture
+  Path drive;                                 ///< empty: the robot explores
+  bool tour = false;                          ///< through all rooms, instead of a drive
+  std::vector<double> start;                  ///< x and y in metres, heading in degrees; or empty
+  std::optional<std::uint64_t> furnish;       ///< seed of the furniture that is put in
+  std::optional<std::int64_t> random_rooms;   ///< instead of a world
+  std::optional<std::uint64_t> random_world;  ///< seed of a world, instead of one
+  std::string world_kind;                     ///< of it; empty: the seed chooses
+  int world_rooms = 0;                        ///< of it; 0: the seed chooses
+  std::string format = "clf";                 ///< of the mission: the end of its file's name
   Path out;
 };
 

@@ -275,11 +275,24 @@ void add_plan(Parameters& all, Settings& settings) {
   stage.add("png-dpi", settings.png_dpi, "dots per inch of PNG pictures", 20.0, 1200.0);
 }
 
+void add_faults(List& stage, OdometryFaults& faults) {
+  stage.add("odometry-slip", faults.slip_share,
+            "share of the driven length on which wheels spin, half a metre at a time", 0.0, 1.0);
+  stage.add("odometry-lag", faults.lag_s, "s; by which odometry is older than ranges", 0.0, 10.0);
+  stage.add("pushes", faults.pushes_per_hour,
+            "an hour; the robot is shoved, and its wheels do not notice", 0.0, 3600.0);
+  stage.add("push-length", faults.push_m, "m; of a push, at most", 0.0, 10.0);
+  stage.add("push-turn", faults.push_deg, "deg; of a push, at most, either way", 0.0, 180.0);
+  stage.add("encoder-dropouts", faults.dropouts_per_hour,
+            "an hour; one wheel's encoder counts nothing for a while", 0.0, 3600.0);
+  stage.add("encoder-dropout-time", faults.dropout_s, "s; how long", 0.0, 60.0);
+}
+
 void add_simulation(Parameters& all, Settings& settings) {
   SimulationOptions& simulation = settings.simulation;
   List stage(all, Stage::simulation);
   stage.add("seed", simulation.seed, "decides everything that is random", 0.0, kLargestSeed);
-  stage.choice("sensor", simulation.sensor, "ring of 16 sonars, or laser of 181 beams",
+  stage.choice("sensor", simulation.sensor, "ring of sonars, or laser",
                std::map<std::string, SensorKind>{{"sonar", SensorKind::sonar},
                                                  {"laser", SensorKind::laser}});
   stage.add("speed", simulation.speed_m_per_s, "m/s", 0.01, 10.0);
@@ -297,6 +310,21 @@ void add_simulation(Parameters& all, Settings& settings) {
             "deg/sqrt(m); random walk of the heading", 0.0, 45.0);
   stage.add("odometry-turn-error", simulation.odometry.turn_share,
             "share by which odometry reports turns larger", -0.5, 0.5);
+  add_faults(stage, simulation.faults);
+  stage.add("sonars", simulation.sonars, "in the ring; up to 8 look ahead, 16 are a Pioneer's", 3,
+            16);
+  stage.add("sonar-range", simulation.sonar_max_range_m,
+            "m; simulated sonars hear nothing at or beyond it", 0.5, 100.0);
+  stage.add("sonar-opening", simulation.sonar_cone_deg,
+            "deg; full opening angle of a simulated sonar", 0.0, 90.0);
+  stage.add("laser-range", simulation.laser_max_range_m,
+            "m; a simulated laser sees nothing at or beyond it", 0.5, 1000.0);
+  stage.add("laser-view", simulation.laser_view_deg, "deg; from the first beam to the last", 1.0,
+            360.0);
+  stage.add("laser-beams", simulation.laser_beams, "evenly spread over the view", 2, 10000);
+  stage.flag("laser-behind", simulation.laser_behind, "a second such laser looks back");
+  stage.add("laser-silent-walls", simulation.laser.silent_share,
+            "share of the walls, in stretches of 2 m, that are black or glass", 0.0, 1.0);
   stage.add("sonar-noise", simulation.sonar.range_noise_m, "m; standard deviation of a range", 0.0,
             1.0);
   stage.add("sonar-dropout", simulation.sonar.dropout_share, "share of lost echoes", 0.0, 1.0);
@@ -311,8 +339,8 @@ void add_simulation(Parameters& all, Settings& settings) {
   stage.add("laser-dropout", simulation.laser.dropout_share, "share of lost beams", 0.0, 1.0);
   stage.add("people", simulation.people,
             "how many walk about, are seen by the sensor and make way for the robot", 0.0, 1000.0);
-  stage.add("max-time", settings.explore.max_time_s, "s; the robot's own drive ends then", 1.0,
-            1e6);
+  stage.add("max-time", settings.explore.max_time_s,
+            "s; the robot's own drive, or a tour, ends then", 1.0, 1e6);
   stage.choice("explore-on", settings.explore.on_odometry,
                "the pose that the exploring robot believes",
                std::map<std::string, bool>{{"truth", false}, {"odometry", true}});

@@ -16,6 +16,7 @@
 #include "roomatlas/io/trajectories/tum.hpp"
 #include "roomatlas/simulate/explore.hpp"
 #include "roomatlas/simulate/furnish.hpp"
+#include "roomatlas/simulate/random_world.hpp"
 #include "roomatlas/simulate/tour.hpp"
 #include "roomatlas/simulate/world.hpp"
 
@@ -24,8 +25,22 @@ namespace {
 
 constexpr std::size_t kIssuesShown = 10;
 
+std::optional<RandomWorldKind> kind_named(const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  std::string names;
+  for (int i = 0; i < kRandomWorldKinds; ++i) {
+    const auto kind = static_cast<RandomWorldKind>(i);
+    if (name == to_string(kind)) return kind;
+    names += std::string(i > 0 ? ", " : "") + to_string(kind);
+  }
+  throw UsageError("--world-kind: expected one of " + names + ", not '" + name + "'");
+}
+
 FloorPlan sound_world(const SimulateArguments& arguments) {
-  FloorPlan world = read_world(arguments.world, arguments.file);
+  FloorPlan world = arguments.random_world
+                        ? random_world({*arguments.random_world, kind_named(arguments.world_kind),
+                                        arguments.world_rooms})
+                        : read_world(arguments.world, arguments.file);
   require_sound(world);
   show(world.issues, 0, kIssuesShown);
   show(check_world(world), 0, kIssuesShown);
@@ -118,8 +133,13 @@ FloorPlan furnished_for(const Task& task, FloorPlan world, std::uint64_t seed,
 }
 
 void simulate(const Settings& settings, const SimulateArguments& arguments) {
-  if (arguments.world.empty() == !arguments.random_rooms) {
-    throw UsageError("simulate: expected either WORLD or --random-rooms N");
+  const int sources = (arguments.world.empty() ? 0 : 1) + (arguments.random_rooms ? 1 : 0) +
+                      (arguments.random_world ? 1 : 0);
+  if (sources != 1) {
+    throw UsageError("simulate: expected either WORLD, --random-rooms N or --random-world SEED");
+  }
+  if (!arguments.random_world && (!arguments.world_kind.empty() || arguments.world_rooms != 0)) {
+    throw UsageError("simulate: --world-kind and --world-rooms are of --random-world SEED");
   }
   if (arguments.random_rooms)
     return simulate_rooms(settings, *arguments.random_rooms, arguments.out);
@@ -134,6 +154,8 @@ void simulate(const Settings& settings, const SimulateArguments& arguments) {
   if (arguments.tour) {
     task.drive = tour(world, task.explore.world_from_start->position(),
                       {settings.simulation.footprint, TourOptions{}.view_m});
+    task.drive =
+        driven_within(std::move(task.drive), settings.explore.max_time_s, settings.simulation);
   }
   make_folder(arguments.out);
   const std::string log = "mission." + arguments.format;

@@ -21,6 +21,7 @@
 #include "roomatlas/io/maps/read_world.hpp"
 #include "roomatlas/simulate/explore.hpp"
 #include "roomatlas/simulate/furnish.hpp"
+#include "roomatlas/simulate/random_world.hpp"
 #include "roomatlas/simulate/simulate.hpp"
 #include "roomatlas/simulate/tour.hpp"
 

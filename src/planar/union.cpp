@@ -40,6 +40,19 @@ std::vector<Polygon> union_of(const std::vector<Polygon>& polygons) {
   return all.grid.to_metres(map.trace(group, 1).front());
 }
 
+std::vector<Polygon> difference_of(const std::vector<Polygon>& first,
+                                   const std::vector<Polygon>& second) {
+  const Gridded all = gridded(first, second);
+  const planar::PlanarMap map(all.shapes_mm, all.grid.fine());
+  const int split = static_cast<int>(first.size());
+  std::vector<int> group;
+  for (int region = 0; region < map.region_count(); ++region) {
+    const std::span<const int> over = map.covering(region);
+    group.push_back(!over.empty() && over.back() < split ? 0 : -1);
+  }
+  return all.grid.to_metres(map.trace(group, 1).front());
+}
+
 double overlap_area(const std::vector<Polygon>& first, const std::vector<Polygon>& second) {
   const Gridded all = gridded(first, second);
   const planar::PlanarMap map(all.shapes_mm, all.grid.fine());

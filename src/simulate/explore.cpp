@@ -74,6 +74,7 @@ ExploreSummary explore(const FloorPlan& world, const SimulationOptions& simulati
     if (contact) motions.clear();
     if (contact && !in_contact) ++summary.collisions;
     in_contact = contact;
+    (void)robot.is_pushed();  // it goes on from wherever it is
     step = robot.step(motions);
     summary.duration_s += 1.0 / simulation.rate_hz;
     if (!contact) summary.path_length_m += std::abs(steering->length_m);

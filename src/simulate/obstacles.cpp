@@ -101,6 +101,7 @@ std::vector<std::size_t> ObstacleIndex::edges_near(const Point2& center, double 
 Obstacles ObstacleIndex::within(const Point2& center, double radius_m) const {
   Obstacles near;
   for (const std::size_t i : edges_near(center, radius_m)) near.edges.push_back(edges_[i]);
+  near.of_building = near.edges.size();
   const auto [min_x, min_y] = bucket_of(center - Point2::Constant(radius_m));
   const auto [max_x, max_y] = bucket_of(center + Point2::Constant(radius_m));
   for (int x = min_x; x <= max_x; ++x) {
@@ -132,7 +133,8 @@ std::optional<RayHit> cast_ray(const std::vector<Segment2>& edges, const Point2&
   if (nearest == nullptr) return std::nullopt;
   const Point2 along = nearest->b - nearest->a;
   const double cosine = std::abs(cross(direction, along)) / along.norm();
-  return RayHit{range_m, std::acos(std::min(cosine, 1.0))};
+  return RayHit{range_m, std::acos(std::min(cosine, 1.0)),
+                static_cast<std::size_t>(nearest - edges.data())};
 }
 
 double distance(const Segment2& first, const Segment2& second) {

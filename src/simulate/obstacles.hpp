@@ -21,6 +21,7 @@ namespace roomatlas {
 /// What stops a beam.
 struct Obstacles {
   std::vector<Segment2> edges;
+  std::size_t of_building = 0;  ///< the first so many edges are no people
   std::vector<Point2> corners;  ///< convex ones that stand free, such as door jambs
 };
 
@@ -48,6 +49,7 @@ class ObstacleIndex {
 struct RayHit {
   double range_m = 0.0;
   double incidence_rad = 0.0;  ///< from the edge's normal, [0, pi/2]
+  std::size_t edge = 0;        ///< its place in the list
 };
 
 /// @param direction a unit vector

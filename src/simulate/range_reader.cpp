@@ -14,6 +14,7 @@ constexpr int kRaysPerCone = 9;  // odd: one along the axis. 2.5 degrees apart i
 constexpr double kCornerCone = 1.5;  // near by, the lobe is wider; else the two front cones of a
                                      // Pioneer would leave a blind strip straight ahead
 constexpr double kBehindCornerM = 1e-6;  // what hides a corner is nearer than it by more
+constexpr double kBehindGlassM = 1e-6;   // where a ray goes on; less meets the same face again
 constexpr double kLeastRange_m = 0.001;  // readings that are not positive mean "no measurement"
 
 /// The smallest float that is not under `range_m`, so that a reading "at or beyond" the maximum
@@ -67,9 +68,27 @@ std::optional<double> echo_m(const Obstacles& obstacles, const Pose2& world_from
   return corner_m && (!nearest_m || *corner_m < *nearest_m) ? corner_m : nearest_m;
 }
 
+std::optional<double> echo_past_glass_m(const Obstacles& obstacles, const Pose2& world_from_beam,
+                                        double max_range_m, const SilentWalls& silent) {
+  const Point2 along = direction(world_from_beam.theta_rad);
+  double from_m = 0.0;
+  for (;;) {
+    const Point2 origin = world_from_beam.position() + from_m * along;
+    const auto hit = cast_ray(obstacles.edges, origin, along, max_range_m - from_m);
+    if (!hit) return std::nullopt;
+    const double range_m = from_m + hit->range_m;
+    if (hit->edge >= obstacles.of_building) return range_m;
+    const WallSurface surface = silent.at(world_from_beam.position() + range_m * along);
+    if (surface == WallSurface::plain) return range_m;
+    if (surface == WallSurface::black) return std::nullopt;
+    from_m = range_m + kBehindGlassM;
+  }
+}
+
 RangeReader::RangeReader(const SimulationOptions& options)
     : sonar_(options.sonar),
       laser_(options.laser),
+      silent_(options.laser.silent_share, options.seed),
       range_noise_(options.seed, "sonar range"),
       dropout_(options.seed, "sonar dropout"),
       crosstalk_(options.seed, "crosstalk") {}
@@ -92,7 +111,11 @@ std::vector<float> RangeReader::read(const Obstacles& obstacles, const Pose2& wo
   const bool is_sonar = sensor.kind == SensorKind::sonar;
   Echoes echoes_m;
   for (const Pose2& robot_from_beam : sensor.robot_from_beam) {
-    echoes_m.push_back(echo_m(obstacles, world_from_robot * robot_from_beam, sensor, sonar_));
+    const Pose2 world_from_beam = world_from_robot * robot_from_beam;
+    echoes_m.push_back(
+        !is_sonar && silent_.exist()
+            ? echo_past_glass_m(obstacles, world_from_beam, sensor.max_range_m, silent_)
+            : echo_m(obstacles, world_from_beam, sensor, sonar_));
   }
   if (is_sonar) echoes_m = with_crosstalk(echoes_m);
 

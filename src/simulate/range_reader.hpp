@@ -6,6 +6,7 @@
 #include "roomatlas/core/geometry.hpp"
 #include "roomatlas/mission/mission.hpp"
 #include "roomatlas/simulate/simulate.hpp"
+#include "silent_walls.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -20,6 +21,12 @@ namespace roomatlas {
 /// where there is no echo.
 [[nodiscard]] std::optional<double> echo_m(const Obstacles& obstacles, const Pose2& world_from_beam,
                                            const RangeSensor& sensor, const SonarErrors& errors);
+
+/// The range that one beam of a laser measures without noise where walls may be black or glass.
+[[nodiscard]] std::optional<double> echo_past_glass_m(const Obstacles& obstacles,
+                                                      const Pose2& world_from_beam,
+                                                      double max_range_m,
+                                                      const SilentWalls& silent);
 
 /// Reads a ring of sonars or a laser in the world. A lost reading, and one without an echo, is the
 /// maximum range.
@@ -37,6 +44,7 @@ class RangeReader {
 
   SonarErrors sonar_;
   LaserErrors laser_;
+  SilentWalls silent_;
   RandomStream range_noise_;
   RandomStream dropout_;
   RandomStream crosstalk_;

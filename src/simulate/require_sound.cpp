@@ -26,6 +26,10 @@ void require_sound(const SimulationOptions& options) {
   require(positive(options.sonar_max_range_m), "sonar_max_range_m > 0");
   require(positive(options.laser_max_range_m), "laser_max_range_m > 0");
   require(within(options.sonar_cone_deg, 0.0, 179.0), "sonar_cone_deg in [0, 179]");
+  require(options.sonars >= 3 && options.sonars <= 16, "sonars in [3, 16]");
+  require(options.laser_view_deg > 0.0 && options.laser_view_deg <= 360.0,
+          "laser_view_deg in (0, 360]");
+  require(options.laser_beams >= 2 && options.laser_beams <= 10000, "laser_beams in [2, 10000]");
   require(options.people >= 0 && options.people <= 1000, "people in [0, 1000]");
   require(positive(options.footprint.length_m), "footprint.length_m > 0");
   require(positive(options.footprint.width_m), "footprint.width_m > 0");
@@ -38,6 +42,15 @@ void require_sound(const SimulationOptions& options) {
           "heading_noise_deg_per_sqrt_m in [0, 90]");
   require(within(odometry.turn_share, -0.5, 0.5), "turn_share in [-0.5, 0.5]");
 
+  const OdometryFaults& faults = options.faults;
+  require(within(faults.slip_share, 0.0, 1.0), "slip_share in [0, 1]");
+  require(within(faults.lag_s, 0.0, 10.0), "lag_s in [0, 10]");
+  require(within(faults.pushes_per_hour, 0.0, 3600.0), "pushes_per_hour in [0, 3600]");
+  require(within(faults.push_m, 0.0, 10.0), "push_m in [0, 10]");
+  require(within(faults.push_deg, 0.0, 180.0), "push_deg in [0, 180]");
+  require(within(faults.dropouts_per_hour, 0.0, 3600.0), "dropouts_per_hour in [0, 3600]");
+  require(within(faults.dropout_s, 0.0, 60.0), "dropout_s in [0, 60]");
+
   const SonarErrors& sonar = options.sonar;
   require(within(sonar.range_noise_m, 0.0, 10.0), "range_noise_m in [0, 10]");
   require(within(sonar.dropout_share, 0.0, 1.0), "dropout_share in [0, 1]");
@@ -46,6 +59,7 @@ void require_sound(const SimulationOptions& options) {
   require(within(sonar.corner_echo_m, 0.0, 100.0), "corner_echo_m in [0, 100]");
   require(within(options.laser.range_noise_m, 0.0, 10.0), "laser range_noise_m in [0, 10]");
   require(within(options.laser.dropout_share, 0.0, 1.0), "laser dropout_share in [0, 1]");
+  require(within(options.laser.silent_share, 0.0, 1.0), "laser silent_share in [0, 1]");
 }
 
 }  // namespace roomatlas

@@ -7,6 +7,9 @@
 namespace roomatlas {
 namespace {
 
+constexpr double kSecondsPerHour = 3600.0;
+constexpr int kPushTries = 8;  // for a direction in which there is room
+
 double reach_of(const RobotFootprint& footprint) {
   return std::hypot(footprint.length_m, footprint.width_m) / 2.0;
 }
@@ -48,8 +51,9 @@ Robot::Robot(const FloorPlan& world, const SimulationOptions& options,
       obstacles_(world),
       people_(world, options, world_from_start.position()),
       sensor_(std::make_shared<const RangeSensor>(range_sensor(options))),
-      odometer_(options.odometry, options.seed),
+      odometer_(options),
       reader_(options),
+      pushes_(options.seed, "pushes"),
       world_from_robot_(world_from_start) {}
 
 SimulatedStep Robot::start() { return sense({}); }
@@ -65,6 +69,7 @@ bool Robot::would_touch(const std::vector<Motion>& motions) const {
 
 SimulatedStep Robot::step(const std::vector<Motion>& motions) {
   OdometryStep odometry;
+  odometer_.tick();
   for (const Motion& motion : motions) {
     const Odometer::Increment reported = odometer_.add(motion.length_m, motion.turn_rad);
     odometry.speed_m_per_s += reported.length_m * options_.rate_hz;
@@ -76,9 +81,46 @@ SimulatedStep Robot::step(const std::vector<Motion>& motions) {
   return sense(odometry);
 }
 
+bool Robot::is_clear(const Segment2& way) const {
+  const double reach_m = reach_of(options_.footprint);
+  const Obstacles near = obstacles_.within(way.a, (way.b - way.a).norm() + reach_m);
+  return std::none_of(near.edges.begin(), near.edges.end(),
+                      [&](const Segment2& edge) { return distance(way, edge) <= reach_m; });
+}
+
+bool Robot::is_pushed() {
+  const OdometryFaults& faults = options_.faults;
+  if (faults.pushes_per_hour <= 0.0) return false;
+  const double each_period = faults.pushes_per_hour / (kSecondsPerHour * options_.rate_hz);
+  if (pushes_.uniform() >= each_period) return false;
+  for (int attempt = 0; attempt < kPushTries; ++attempt) {
+    const double way_rad = 2.0 * kPi * pushes_.uniform();
+    const Point2 to = world_from_robot_.position() +
+                      faults.push_m * (0.5 + 0.5 * pushes_.uniform()) * direction(way_rad);
+    const double turn_rad = radians(faults.push_deg) * (2.0 * pushes_.uniform() - 1.0);
+    if (!is_clear({world_from_robot_.position(), to})) continue;
+    world_from_robot_ = {to.x(), to.y(), wrap_angle(world_from_robot_.theta_rad + turn_rad)};
+    return true;
+  }
+  return false;
+}
+
+/// Before the mission began odometry stood still.
+Pose2 Robot::late_odometry() {
+  const double periods = options_.faults.lag_s * options_.rate_hz;
+  const auto whole = static_cast<std::size_t>(periods);
+  odom_from_robot_.push_front(odometer_.odom_from_robot());
+  if (odom_from_robot_.size() > whole + 2) odom_from_robot_.pop_back();
+  const std::size_t last = odom_from_robot_.size() - 1;
+  if (whole >= last) return odom_from_robot_[last];
+  return interpolate(odom_from_robot_[whole], odom_from_robot_[whole + 1],
+                     periods - static_cast<double>(whole));
+}
+
 SimulatedStep Robot::sense(OdometryStep odometry) {
   odometry.timestamp_s = options_.start_timestamp_s + periods_ / options_.rate_hz;
-  odometry.odom_from_robot = odometer_.odom_from_robot();
+  odometry.odom_from_robot =
+      options_.faults.lag_s > 0.0 ? late_odometry() : odometer_.odom_from_robot();
   auto near = obstacles_.within(world_from_robot_.position(),
                                 sensor_->max_range_m + reach_of(options_.footprint));
   const std::vector<Segment2> people = people_.edges();

@@ -8,6 +8,7 @@
 #include "roomatlas/simulate/simulate.hpp"
 #include "route.hpp"
 
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -33,10 +34,16 @@ class Robot {
   /// none: they make way.
   [[nodiscard]] bool would_touch(const std::vector<Motion>& motions) const;
 
+  /// Whether the robot was shoved aside since the last call: where it is now, its straight way
+  /// back is clear. Its wheels did not notice. Never without `faults.pushes_per_hour`.
+  [[nodiscard]] bool is_pushed();
+
   [[nodiscard]] const Pose2& world_from_robot() const { return world_from_robot_; }
 
  private:
   [[nodiscard]] SimulatedStep sense(OdometryStep odometry);
+  [[nodiscard]] Pose2 late_odometry();
+  [[nodiscard]] bool is_clear(const Segment2& way) const;
 
   SimulationOptions options_;
   ObstacleIndex obstacles_;
@@ -44,6 +51,8 @@ class Robot {
   std::shared_ptr<const RangeSensor> sensor_;
   Odometer odometer_;
   RangeReader reader_;
+  RandomStream pushes_;
+  std::deque<Pose2> odom_from_robot_;  ///< of the last periods, the latest first
   Pose2 world_from_robot_;
   double periods_ = 0.0;
 };

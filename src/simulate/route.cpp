@@ -48,7 +48,33 @@ Route route_along(const std::vector<Leg>& legs, const SimulationOptions& options
   return route;
 }
 
-double duration_s(const Route& route) { return end_s(route.back()); }
+Route way_back(const Pose2& world_from_robot, const Pose2& world_from_goal,
+               const SimulationOptions& options) {
+  const double turn_rate_rad_per_s = radians(options.turn_rate_deg_per_s);
+  const Point2 along = world_from_goal.position() - world_from_robot.position();
+  const double length_m = along.norm();
+  const double way_rad =
+      length_m > 0.0 ? std::atan2(along.y(), along.x()) : world_from_robot.theta_rad;
+  Route route;
+  Pose2 pose = world_from_robot;
+  double now_s = 0.0;
+  const auto add = [&](double duration_s, double driven_m, double turn_rad) {
+    if (duration_s <= 0.0) return;
+    route.push_back({now_s, duration_s, pose, driven_m, turn_rad});
+    pose = pose * Pose2{driven_m, 0.0, turn_rad};
+    now_s = end_s(route.back());
+  };
+  const auto turn_to = [&](double heading_rad) {
+    const double turn_rad = wrap_angle(heading_rad - pose.theta_rad);
+    add(std::abs(turn_rad) / turn_rate_rad_per_s, 0.0, turn_rad);
+  };
+  turn_to(way_rad);
+  add(length_m / options.speed_m_per_s, length_m, 0.0);
+  turn_to(world_from_goal.theta_rad);
+  return route;
+}
+
+double duration_s(const Route& route) { return route.empty() ? 0.0 : end_s(route.back()); }
 
 Pose2 world_from_robot_at(const Route& route, double time_s) {
   const auto motion = std::find_if(route.begin(), std::prev(route.end()),

@@ -37,6 +37,11 @@ using Route = std::vector<Motion>;
 
 [[nodiscard]] Route route_along(const std::vector<Leg>& legs, const SimulationOptions& options);
 
+/// Turns, drives straight to another pose and turns there as that one stands. What lies between is
+/// not looked at.
+[[nodiscard]] Route way_back(const Pose2& world_from_robot, const Pose2& world_from_goal,
+                             const SimulationOptions& options);
+
 [[nodiscard]] double duration_s(const Route& route);
 
 /// The robot's true pose; before the start or after the end of the route, its first or last.

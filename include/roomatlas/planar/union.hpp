@@ -11,6 +11,10 @@ namespace roomatlas {
 /// with holes, outer rings counter-clockwise, largest first.
 [[nodiscard]] std::vector<Polygon> union_of(const std::vector<Polygon>& polygons);
 
+/// What the first polygons cover and none of the second do, likewise.
+[[nodiscard]] std::vector<Polygon> difference_of(const std::vector<Polygon>& first,
+                                                 const std::vector<Polygon>& second);
+
 /// Area in square metres that both sets cover (each set counted as its union).
 [[nodiscard]] double overlap_area(const std::vector<Polygon>& first,
                                   const std::vector<Polygon>& second);

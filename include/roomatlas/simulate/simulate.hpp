@@ -23,6 +23,19 @@ struct OdometryErrors {
 enum class OdometryPreset { mild, typical, hard };
 [[nodiscard]] OdometryErrors odometry_errors(OdometryPreset preset);
 
+/// What goes wrong now and then, and what every robot has but no model of its noise. All rates 0:
+/// nothing of it.
+struct OdometryFaults {
+  double slip_share = 0.0;  ///< of the driven length: wheels spin on stretches of half a metre,
+                            ///< report half as much again, and turn by up to 20 degrees a metre
+  double lag_s = 0.0;       ///< by which odometry is older than the ranges beside it
+  double pushes_per_hour = 0.0;    ///< the robot is shoved and turned, and its wheels do not notice
+  double push_m = 0.2;             ///< at most
+  double push_deg = 15.0;          ///< at most, either way
+  double dropouts_per_hour = 0.0;  ///< one wheel's encoder counts nothing for a while
+  double dropout_s = 0.3;          ///< how long
+};
+
 struct SonarErrors {
   double range_noise_m = 0.02;       ///< standard deviation
   double dropout_share = 0.02;       ///< readings lost at random, [0, 1]
@@ -36,6 +49,8 @@ struct SonarErrors {
 struct LaserErrors {
   double range_noise_m = 0.01;   ///< standard deviation
   double dropout_share = 0.002;  ///< beams lost at random, [0, 1]
+  double silent_share = 0.0;  ///< of the walls, in stretches of about 2 m: half of them are black
+                              ///< and give no echo, half are glass, behind which it goes on
 };
 
 struct SimulationOptions {
@@ -47,16 +62,24 @@ struct SimulationOptions {
   SensorKind sensor = SensorKind::sonar;
   double sonar_max_range_m = 5.0;  ///< at or beyond: no echo
   double sonar_cone_deg = 20.0;    ///< full opening angle; wider hears jambs earlier
+  int sonars = 16;                 ///< in the ring, 3 to 16; few look ahead
   double laser_max_range_m = 8.0;  ///< at or beyond: no echo
+  double laser_view_deg = 180.0;   ///< from the first beam to the last, (0, 360]
+  int laser_beams = 181;           ///< evenly spread over the view, at least 2
+  bool laser_behind = false;       ///< a second such laser looks back; both are one reading
   int people = 0;  ///< who walk about, are seen by the sensor and make way for the robot
   RobotFootprint footprint;
   OdometryErrors odometry;
+  OdometryFaults faults;
   SonarErrors sonar;
   LaserErrors laser;
 };
 
 /// A scripted drive: way-points in world metres, driven in straight lines and turns on the spot.
 using Drive = std::vector<Point2>;
+
+/// The first way-points of a drive, as many as are reached within `time_s`; two at least.
+[[nodiscard]] Drive driven_within(Drive drive, double time_s, const SimulationOptions& options);
 
 /// Of a person, who is round.
 constexpr double kPersonRadius_m = 0.2;
@@ -79,8 +102,13 @@ struct SimulatedStep {
 /// (+-90, +-50, +-30, +-10 degrees, and the same behind), on the rim of the robot.
 [[nodiscard]] RangeSensor pioneer_sonar_ring(const SimulationOptions& options);
 
-/// A laser scanner that looks ahead: 181 beams without width from -90 to 90 degrees, on the robot's
-/// axis, 0.1 m ahead of its middle.
+/// A ring of `options.sonars` on the rim of the robot, clockwise. Up to 8 look ahead, evenly from
+/// 90 to -90 degrees; more are the Pioneer's front and the rest evenly behind; 16 are its whole
+/// ring.
+[[nodiscard]] RangeSensor sonar_ring(const SimulationOptions& options);
+
+/// A laser scanner that looks ahead, on the robot's axis, 0.1 m ahead of its middle, by the
+/// options' beams without width; where they say so, a second one as far behind it looks back.
 [[nodiscard]] RangeSensor front_laser(const SimulationOptions& options);
 
 /// The sensor that `options` choose.
@@ -89,6 +117,7 @@ struct SimulatedStep {
 /// Drives the robot through the world and hands each step to `sink`, in order.
 /// @param world walls, furniture and the leaves of open doors are obstacles; doors are gaps in the
 ///   walls
+/// A robot that was pushed returns to the drive first.
 /// Throws InputError when the drive has fewer than two points or passes through a wall (it names
 /// the leg).
 void simulate(const FloorPlan& world, const Drive& drive, const SimulationOptions& options,
