@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace roomatlas::bench {
+
+enum class Stratum { laser, sonar, hard };
+
+[[nodiscard]] const char* to_string(Stratum stratum);
+
+/// One mission: a building, a sensor and an odometry, as words for `roomatlas simulate`.
+using Words = std::vector<std::string>;
+
+struct DrawnCase {
+  std::uint64_t seed = 0;  ///< of the run
+  std::uint64_t number = 0;
+  Stratum stratum = Stratum::laser;
+  std::string building;             ///< kind of the world, or the map's name
+  std::string sensor;               ///< "laser", "two lasers" or "sonar"
+  std::vector<std::string> faults;  ///< what makes it hard, a word each
+  std::string format = "clf";
+  Words simulate;  ///< without -o
+};
+
+/// Case `number` of the run `seed`; strata take turns.
+/// @param data folder of recorded data, whose maps and plans are drawn too
+[[nodiscard]] DrawnCase drawn_case(std::uint64_t seed, std::uint64_t number,
+                                   const std::filesystem::path& data);
+
+}  // namespace roomatlas::bench
