@@ -4,15 +4,17 @@
 // stdout, each case on stderr as soon as it is known, all figures in
 // out/everywhere/SEED/cases.jsonl.
 //
-//   bench_everywhere [--seed S] [--from N] [--count N] [--stratum laser|sonar|hard] [--jobs N]
+//   bench_everywhere [--seed S] [--from N] [--count N] [--stratum NAME] [--jobs N]
 //                    [--max-minutes M] [--keep]
 //     --seed         of the run; without it the day's date, so that tomorrow has other cases
 //     --from         first case (0)
 //     --count        of cases (300)
-//     --stratum      those of one stratum alone
+//     --stratum      laser, sonar, hard or recorded: its cases alone
 //     --jobs         cases at once, each in a process of its own (2)
 //     --max-minutes  no case begins later (480)
 //     --keep         missions and maps stay in out/everywhere/SEED/CASE
+//
+// ROOMATLAS_PROGRAM names another build of the program to be judged.
 //
 // Cases that cases.jsonl has already are not run again.
 #include <sys/resource.h>
@@ -71,6 +73,7 @@ Stratum stratum_named(const std::string& name) {
   if (name == "laser") return Stratum::laser;
   if (name == "sonar") return Stratum::sonar;
   if (name == "hard") return Stratum::hard;
+  if (name == "recorded") return Stratum::recorded;
   refuse("no stratum '" + name + "'");
 }
 

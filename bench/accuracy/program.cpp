@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
 
 namespace roomatlas::bench {
@@ -15,7 +16,8 @@ namespace {
 /// Takes the place of this process; only ever called in a child.
 [[noreturn]] void become_roomatlas(const std::vector<std::string>& arguments,
                                    const std::filesystem::path& log) {
-  std::vector<char*> words = {const_cast<char*>(ROOMATLAS_PROGRAM)};
+  const char* other = std::getenv("ROOMATLAS_PROGRAM");
+  std::vector<char*> words = {const_cast<char*>(other != nullptr ? other : ROOMATLAS_PROGRAM)};
   for (const std::string& argument : arguments)
     words.push_back(const_cast<char*>(argument.c_str()));
   words.push_back(nullptr);

@@ -16,7 +16,8 @@ struct Finished {
   std::string complaint;  ///< its last line on stderr
 };
 
-/// Runs the built `roomatlas` with these arguments and waits for it. What it prints goes to `log`.
+/// Runs the built `roomatlas`, or what ROOMATLAS_PROGRAM names, with these arguments and waits for
+/// it. What it prints goes to `log`.
 [[nodiscard]] Finished run_roomatlas(const std::vector<std::string>& arguments,
                                      const std::filesystem::path& log);
 

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "case_run.hpp"
 
+#include <unistd.h>
+
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 
 #include "accuracy/program.hpp"
 #include "judge.hpp"
+#include "recorded_data.hpp"
+#include "roomatlas/correct/place.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/io/trajectories/tum.hpp"
 
@@ -23,6 +28,20 @@ std::string line_of(const Words& words) {
   std::string line = "roomatlas";
   for (const std::string& word : words) line += " " + word;
   return line;
+}
+
+Json json_of(const LogChange& change) {
+  if (change.log.empty()) return nullptr;
+  return {{"log", change.log},
+          {"every_beam", change.every_beam},
+          {"view_deg", change.view_deg},
+          {"max_range_m", change.max_range_m},
+          {"range_noise_m", change.range_noise_m},
+          {"bias_deg_per_m", change.odometry.bias_deg_per_m},
+          {"turn_gain", change.odometry.turn_gain},
+          {"length_scale", change.odometry.length_scale},
+          {"noise_deg_per_sqrt_m", change.odometry.noise_deg_per_sqrt_m},
+          {"lag_s", change.odometry.lag_s}};
 }
 
 /// What the program told and warned of, without its progress.
@@ -58,7 +77,8 @@ bool is_trusted(const Json& row) {
   const Json& summary = row.at("summary");
   if (!summary.is_object() || !summary.contains(verdict)) return false;
   if (summary.at(verdict) != "better") return false;
-  if (row.at("sensor") == "sonar") return !says(row.at("said"), "loops not verified");
+  const bool is_sonar = row.at("sensor") == "sonar" || says(row.at("said"), "info: sonars:");
+  if (is_sonar) return !says(row.at("said"), "loops not verified");
   return row.at("own").at("loops").get<int>() > 0;
 }
 
@@ -75,13 +95,43 @@ bool simulate(const DrawnCase& drawn, const fs::path& mission, Json& row) {
   return false;
 }
 
+/// Where the log as it is says that the robot was: mapped once a run.
+Trajectory reference_of(const fs::path& log, const fs::path& folder) {
+  const fs::path kept = folder / "reference.gpkg";
+  if (!fs::exists(kept)) {
+    const fs::path own = folder / (std::to_string(getpid()) + ".gpkg");
+    fs::create_directories(folder);
+    for (const Words& words : {Words{"map", log.string(), "-q", "-o", own.string()},
+                               Words{"assemble", own.string(), "-q"}}) {
+      const Finished finished = run_roomatlas(words, own.string() + ".messages");
+      if (finished.exit_code != 0) throw std::runtime_error("reference: " + finished.complaint);
+    }
+    fs::rename(own, kept);
+  }
+  const GeoPackageStore store(kept, GeoPackageStore::Mode::read);
+  return place(store, store.correction()).corrected;
+}
+
+void change_log(const DrawnCase& drawn, const fs::path& folder, Json& row) {
+  const fs::path log = recorded_data() / drawn.change.log;
+  const Trajectory reference = reference_of(log, folder.parent_path() / drawn.building);
+  const fs::path mission = folder / "mission";
+  fs::create_directories(mission);
+  write_changed_log(log, drawn.change, mission / "mission.clf");
+  write_tum(mission / "truth.tum", reference);
+  row["drawn"] = true;
+}
+
 void build(const DrawnCase& drawn, const fs::path& folder, Json& row) {
   const fs::path mission = folder / "mission";
   const fs::path map = folder / "map";
-  const Words words = {"build",   (mission / ("mission." + drawn.format)).string(),
-                       "--truth", (mission / "truth.tum").string(),
-                       "--truth", (mission / "truth.geojson").string(),
-                       "-o",      map.string()};
+  const fs::path world = mission / "truth.geojson";
+  Words words = {"build", (mission / ("mission." + drawn.format)).string()};
+  for (const fs::path& truth : {mission / "truth.tum", world}) {
+    if (fs::exists(truth)) words.insert(words.end(), {"--truth", truth.string()});
+  }
+  words.insert(words.end(), drawn.build.begin(), drawn.build.end());
+  words.insert(words.end(), {"-o", map.string()});
   row["commands"].push_back(line_of(words));
   const Finished finished = run_roomatlas(words, folder / "build.messages");
   row["exit_code"] = finished.exit_code;
@@ -94,8 +144,8 @@ void build(const DrawnCase& drawn, const fs::path& folder, Json& row) {
     if (finished.exit_code != kNoRoom) return;
   }
   const GeoPackageStore store(map / "building.gpkg", GeoPackageStore::Mode::read);
-  row["truth"] =
-      judged_by_truth(store, read_tum(mission / "truth.tum"), read_plan(mission / "truth.geojson"));
+  row["truth"] = judged_by_truth(store, read_tum(mission / "truth.tum"),
+                                 fs::exists(world) ? read_plan(world) : FloorPlan{});
   row["own"] = own_figures(store);
   row["right"] = finished.exit_code == 0 && row["truth"]["right"].get<bool>();
 }
@@ -103,11 +153,17 @@ void build(const DrawnCase& drawn, const fs::path& folder, Json& row) {
 }  // namespace
 
 Json description_of(const DrawnCase& drawn) {
-  return {
-      {"case", drawn.number},       {"seed", drawn.seed},     {"stratum", to_string(drawn.stratum)},
-      {"building", drawn.building}, {"sensor", drawn.sensor}, {"faults", drawn.faults},
-      {"simulate", drawn.simulate}, {"right", false},         {"trusted", false},
-      {"commands", Json::array()}};
+  return {{"change", json_of(drawn.change)},
+          {"case", drawn.number},
+          {"seed", drawn.seed},
+          {"stratum", to_string(drawn.stratum)},
+          {"building", drawn.building},
+          {"sensor", drawn.sensor},
+          {"faults", drawn.faults},
+          {"simulate", drawn.simulate},
+          {"right", false},
+          {"trusted", false},
+          {"commands", Json::array()}};
 }
 
 Json run_case(const DrawnCase& drawn, const fs::path& folder) {
@@ -115,7 +171,12 @@ Json run_case(const DrawnCase& drawn, const fs::path& folder) {
   try {
     fs::remove_all(folder);
     fs::create_directories(folder);
-    if (simulate(drawn, folder / "mission", row)) build(drawn, folder, row);
+    if (drawn.stratum == Stratum::recorded) {
+      change_log(drawn, folder, row);
+      build(drawn, folder, row);
+    } else if (simulate(drawn, folder / "mission", row)) {
+      build(drawn, folder, row);
+    }
   } catch (const std::exception& error) {
     row["failure"] = std::string("judging: ") + error.what();
   }

@@ -12,6 +12,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kGeneratedShare = 0.7;  // of buildings; the rest are real plans
+constexpr std::uint64_t kTurns = 10;     // cases, of which the last is a recorded log
+constexpr double kRareLog = 0.1;         // how often the long one is taken
 constexpr double kLabelledShare = 0.9;   // of real plans; the rest have no rooms told
 
 const std::vector<std::string>& kinds() {
@@ -159,6 +161,36 @@ class Writer {
   bool is_plan_ = false;
 };
 
+/// Altered in some of the ways in which a simulated mission is drawn.
+void change_a_log(Draw& draw, DrawnCase& drawn) {
+  LogChange& change = drawn.change;
+  const bool is_rare = draw.happens(kRareLog);
+  const std::vector<std::string> usual = {"fr079", "aces"};
+  drawn.building = is_rare ? "mit-killian" : draw.one_of(usual);
+  change.log = "logs/" + drawn.building + "/" + drawn.building +
+               (is_rare ? ".reconstructed.clf.gz" : ".clf.gz");
+  drawn.sensor = "laser";
+  const auto fault = [&](const std::string& name, bool happens) {
+    if (happens) drawn.faults.push_back(name);
+    return happens;
+  };
+  if (fault("few beams", draw.happens(0.4))) {
+    change.every_beam = static_cast<std::size_t>(draw.whole(2, 8));
+  }
+  if (fault("narrow view", draw.happens(0.25))) change.view_deg = draw.between(60.0, 150.0);
+  if (fault("short range", draw.happens(0.4))) change.max_range_m = draw.between(4.0, 12.0);
+  if (fault("range noise", draw.happens(0.4))) change.range_noise_m = draw.between(0.01, 0.05);
+  if (fault("odometry", draw.happens(0.7))) {
+    change.odometry.bias_deg_per_m = draw.either_sign(draw.between(0.0, 4.0));
+    change.odometry.length_scale = 1.0 + draw.either_sign(draw.between(0.0, 0.05));
+    change.odometry.turn_gain = 1.0 + draw.either_sign(draw.between(0.0, 0.05));
+    change.odometry.noise_deg_per_sqrt_m = draw.between(0.0, 2.0);
+  }
+  if (fault("lag", draw.happens(0.15))) change.odometry.lag_s = draw.between(0.1, 0.5);
+  change.seed = draw.whole(1, 1000000);
+  if (fault("as sonar", draw.happens(0.2))) drawn.build.push_back("--as-sonar");
+}
+
 }  // namespace
 
 const char* to_string(Stratum stratum) {
@@ -169,6 +201,8 @@ const char* to_string(Stratum stratum) {
       return "ordinary sonar";
     case Stratum::hard:
       return "hard";
+    case Stratum::recorded:
+      return "recorded";
   }
   return "";
 }
@@ -177,9 +211,14 @@ DrawnCase drawn_case(std::uint64_t seed, std::uint64_t number, const std::filesy
   DrawnCase drawn;
   drawn.seed = seed;
   drawn.number = number;
-  drawn.stratum = static_cast<Stratum>(number % 3);
+  drawn.stratum =
+      number % kTurns == kTurns - 1 ? Stratum::recorded : static_cast<Stratum>(number % kTurns % 3);
   const bool is_hard = drawn.stratum == Stratum::hard;
   Draw draw(seed, number);
+  if (drawn.stratum == Stratum::recorded) {
+    change_a_log(draw, drawn);
+    return drawn;
+  }
   Writer writer(draw, drawn);
   writer.building(data);
   const bool is_laser = is_hard ? draw.happens(0.5) : drawn.stratum == Stratum::laser;

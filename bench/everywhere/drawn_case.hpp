@@ -6,13 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "recorded_log.hpp"
+
 namespace roomatlas::bench {
 
-enum class Stratum { laser, sonar, hard };
+enum class Stratum { laser, sonar, hard, recorded };
 
 [[nodiscard]] const char* to_string(Stratum stratum);
 
-/// One mission: a building, a sensor and an odometry, as words for `roomatlas simulate`.
+/// One mission: a building, a sensor and an odometry, as words for `roomatlas simulate`, or a
+/// recorded log and what is done to it.
 using Words = std::vector<std::string>;
 
 struct DrawnCase {
@@ -23,10 +26,13 @@ struct DrawnCase {
   std::string sensor;               ///< "laser", "two lasers" or "sonar"
   std::vector<std::string> faults;  ///< what makes it hard, a word each
   std::string format = "clf";
-  Words simulate;  ///< without -o
+  Words simulate;    ///< without -o; empty for a recorded log
+  LogChange change;  ///< of a recorded log
+  Words build;       ///< more flags of `roomatlas build`
 };
 
-/// Case `number` of the run `seed`; strata take turns.
+/// Case `number` of the run `seed`; strata take turns, every tenth
+/// case is a recorded log.
 /// @param data folder of recorded data, whose maps and plans are drawn too
 [[nodiscard]] DrawnCase drawn_case(std::uint64_t seed, std::uint64_t number,
                                    const std::filesystem::path& data);

@@ -10,9 +10,11 @@
 
 namespace roomatlas::bench {
 
-// A visit is at its place within these after the whole trajectory was laid on the truth.
-constexpr double kRightPosition_m = 0.25;
-constexpr double kRightHeading_deg = 2.0;
+// A map is right where these hold after the whole trajectory was laid on the truth.
+constexpr double kRightPosition_m = 0.25;  // of every visit: a room put twice is wrong however many
+                                           // of its visits are right
+constexpr double kRightHeading_deg = 2.0;  // of every room, mean over its visits by their poses:
+                                           // one of a few readings tells no direction
 
 /// How far a store's trajectory and visits are from where the robot truly was, after a rigid
 /// least-squares fit of the whole trajectory: figures, and one entry a visit in "visits".
