@@ -3,17 +3,18 @@
 
 #include <cmath>
 
+#include "roomatlas/core/floored.hpp"
+
 namespace roomatlas {
 
-double wrap_angle(double angle_rad) {
-  if (angle_rad >= -kPi && angle_rad < kPi) return angle_rad;
+double wrap_from_afar(double angle_rad) {
   const double wrapped = angle_rad - 2.0 * kPi * std::floor((angle_rad + kPi) / (2.0 * kPi));
   return wrapped >= kPi ? -kPi : wrapped;  // rounding may land on +pi
 }
 
 double wrap_quarter(double angle_rad) {
   constexpr double kQuarter = kPi / 2.0;  // of a turn
-  return angle_rad - kQuarter * std::floor(angle_rad / kQuarter + 0.5);
+  return angle_rad - kQuarter * static_cast<double>(floored(angle_rad / kQuarter + 0.5));
 }
 
 Pose2 operator*(const Pose2& a_from_b, const Pose2& b_from_c) {

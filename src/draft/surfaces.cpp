@@ -39,14 +39,14 @@ struct Hit {
 std::vector<Hit> hits_of(const RangeReading& reading, const Pose2& building_from_robot,
                          double max_range_m) {
   const RangeSensor& sensor = *reading.sensor;
+  const PointTransform place(building_from_robot);
   std::vector<Hit> hits(reading.ranges_m.size());
   for (std::size_t i = 0; i < hits.size(); ++i) {
     const double range_m = reading.ranges_m[i];
     const bool is_hit = std::isfinite(range_m) && range_m > 0.0 && range_m < sensor.max_range_m &&
                         range_m <= max_range_m;
     if (!is_hit) continue;
-    hits[i] = {building_from_robot * (sensor.robot_from_beam[i] * Point2(range_m, 0.0)), range_m,
-               true};
+    hits[i] = {place * (sensor.robot_from_beam[i] * Point2(range_m, 0.0)), range_m, true};
   }
   return hits;
 }
@@ -122,11 +122,12 @@ std::vector<SurfacePoint> surfaces_of(const RangeReading& reading, const Pose2& 
   const RangeSensor& sensor = *reading.sensor;
   const std::vector<Hit> hits = hits_of(reading, building_from_robot, max_range_m);
   const std::vector<Sums> sums = sums_of(hits, sensor, building_from_robot.position());
+  const PointTransform place(building_from_robot);
   for (std::size_t i = 0; i < hits.size(); ++i) {
     if (!hits[i].is_hit) continue;
     const auto normal_rad = normal_at(i, hits, sums);
     if (!normal_rad) continue;
-    const Point2 from = building_from_robot * sensor.robot_from_beam[i].position();
+    const Point2 from = place * sensor.robot_from_beam[i].position();
     const bool is_away = direction(*normal_rad).dot(from - hits[i].at) < 0.0;
     points.push_back({hits[i].at, wrap_angle(*normal_rad + (is_away ? kPi : 0.0)), 1.0});
   }

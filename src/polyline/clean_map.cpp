@@ -41,7 +41,7 @@ bool line_is_clear(const CellMap& map, const Cell& from, const Cell& to) {
   bool clear = true;
   for_each_cell_on_line(from, to, [&](const Cell& cell) {
     if (cell == from) return true;
-    const CellState state = map.at(cell);
+    const CellState state = map.states[map.box.index_of(cell)];  // both ends lie in the box
     clear = state != CellState::occupied;
     return clear && state != CellState::robot_path;
   });
@@ -65,10 +65,17 @@ class PathVisibility {
     if (candidates_.empty()) return false;
     const Candidate nearest = *std::min_element(candidates_.begin(), candidates_.end());
     if (line_is_clear(map_, from, rim_[nearest.rim_index])) return true;
-    std::sort(candidates_.begin(), candidates_.end());
-    return std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
+    // any will do: near ones are seen more often, and sorting them all would cost more than it
+    // saves
+    const auto far =
+        std::partition(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
+          return candidate.squared_distance <= kNear * kNear * nearest.squared_distance;
+        });
+    const auto is_seen = [&](const Candidate& candidate) {
       return line_is_clear(map_, from, rim_[candidate.rim_index]);
-    });
+    };
+    return std::any_of(candidates_.begin(), far, is_seen) ||
+           std::any_of(far, candidates_.end(), is_seen);
   }
 
   /// Squared distance in cells to the nearest cell of the path.
@@ -83,6 +90,8 @@ class PathVisibility {
   }
 
  private:
+  static constexpr int kNear = 2;  ///< times as far as the nearest: looked at first
+
   struct Candidate {
     int squared_distance = 0;
     std::size_t rim_index = 0;

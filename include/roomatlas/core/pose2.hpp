@@ -11,7 +11,7 @@ using Point2 = Eigen::Vector2d;  ///< metres, in the frame that the variable's n
 
 /// Wraps an angle into [-pi, pi). The only place where angles wrap.
 /// @param angle_rad any finite angle; a NaN stays NaN.
-[[nodiscard]] double wrap_angle(double angle_rad);
+[[nodiscard]] inline double wrap_angle(double angle_rad);
 
 /// Wraps an angle into [-pi/4, pi/4): what is left of it modulo 90 degrees.
 [[nodiscard]] double wrap_quarter(double angle_rad);
@@ -19,6 +19,13 @@ using Point2 = Eigen::Vector2d;  ///< metres, in the frame that the variable's n
 constexpr double kPi = 3.14159265358979323846;  ///< half a turn
 [[nodiscard]] constexpr double degrees(double angle_rad) { return angle_rad * 180.0 / kPi; }
 [[nodiscard]] constexpr double radians(double angle_deg) { return angle_deg * kPi / 180.0; }
+
+/// `wrap_angle` of what lies beyond its range.
+[[nodiscard]] double wrap_from_afar(double angle_rad);
+
+inline double wrap_angle(double angle_rad) {
+  return angle_rad >= -kPi && angle_rad < kPi ? angle_rad : wrap_from_afar(angle_rad);
+}
 
 /// A rigid transform of the plane, SE(2). A variable `a_from_b` maps coordinates in frame b to
 /// frame a, and equally is the pose of b's origin in a; so `a_from_b * b_from_c == a_from_c`.
@@ -42,6 +49,11 @@ class PointTransform {
   [[nodiscard]] Point2 operator*(const Point2& point_b) const {
     return {x_m_ + cosine_ * point_b.x() - sine_ * point_b.y(),
             y_m_ + sine_ * point_b.x() + cosine_ * point_b.y()};
+  }
+  /// @param a_from_b the pose that this was made of
+  [[nodiscard]] Pose2 pose(const Pose2& a_from_b, const Pose2& b_from_c) const {
+    const Point2 position = *this * b_from_c.position();
+    return {position.x(), position.y(), wrap_angle(a_from_b.theta_rad + b_from_c.theta_rad)};
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "roomatlas/core/floored.hpp"
 #include "roomatlas/core/pose2.hpp"
 
 namespace roomatlas {
@@ -30,8 +31,8 @@ struct CellFrame {
   double cell_m = 0.1;  ///< side of a cell (paper IV: 10 cm)
 
   [[nodiscard]] Cell cell_of(const Point2& point) const {
-    return {static_cast<int>(std::floor(point.x() / cell_m)),
-            static_cast<int>(std::floor(point.y() / cell_m))};
+    return {static_cast<int>(floored(point.x() / cell_m)),
+            static_cast<int>(floored(point.y() / cell_m))};
   }
   [[nodiscard]] Point2 center_of(const Cell& cell) const {
     return {(cell.x + 0.5) * cell_m, (cell.y + 0.5) * cell_m};

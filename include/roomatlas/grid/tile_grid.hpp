@@ -23,13 +23,8 @@ class TileGrid {
   /// The cell for writing. The reference holds until the next call.
   [[nodiscard]] CellValue& edit(const Cell& cell) {
     const Cell tile = {cell.x >> kShift, cell.y >> kShift};
-    cover(tile);
-    std::int32_t& index = table_[box_.index_of(tile)];
-    if (index < 0) {
-      index = static_cast<std::int32_t>(tiles_.size());
-      tiles_.emplace_back();
-    }
-    return tiles_[static_cast<std::size_t>(index)][inside(cell)];
+    if (tiles_.empty() || tile != edited_) edit_tile(tile);
+    return tiles_[edited_index_][inside(cell)];
   }
 
   /// Visits every cell of every written tile, tiles and cells row by row.
@@ -93,6 +88,18 @@ class TileGrid {
     return index < 0 ? nullptr : &tiles_[static_cast<std::size_t>(index)];
   }
 
+  /// Makes a tile the one that is edited. Rays go through many cells of one.
+  void edit_tile(const Cell& tile) {
+    cover(tile);
+    std::int32_t& index = table_[box_.index_of(tile)];
+    if (index < 0) {
+      index = static_cast<std::int32_t>(tiles_.size());
+      tiles_.emplace_back();
+    }
+    edited_ = tile;
+    edited_index_ = static_cast<std::size_t>(index);
+  }
+
   /// Grows the table of tiles, by some tiles more than needed so that it grows rarely.
   void cover(const Cell& tile) {
     constexpr int kMargin = 8;  // tiles: more wastes table, fewer copies it more often
@@ -112,6 +119,8 @@ class TileGrid {
   CellBox box_;  ///< in tiles
   std::vector<std::int32_t> table_;
   std::vector<Tile> tiles_;
+  Cell edited_;  ///< the tile edited last, where there are any
+  std::size_t edited_index_ = 0;
 };
 
 }  // namespace roomatlas
