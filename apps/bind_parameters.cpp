@@ -144,8 +144,10 @@ std::vector<Line> lines_of(const std::string& toml) {
 
 void bind_parameters(CLI::App& app, Settings& settings) {
   for (const Parameter& parameter : parameters_of(settings)) {
-    std::visit([&](const auto& kind) { return bind(app, parameter, kind); }, parameter.kind)
-        ->group(heading_of(parameter.stage));
+    CLI::Option* option =
+        std::visit([&](const auto& kind) { return bind(app, parameter, kind); }, parameter.kind)
+            ->group(heading_of(parameter.stage));
+    if (parameter.stage == Stage::run) option->configurable(false);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 
@@ -37,6 +38,8 @@ struct Exported {
   std::optional<GeoReference> on_earth;
   std::optional<double> north_deg;
   std::string ogr_driver;
+  std::string plan_svg;          ///< where some format is a drawing ...
+  std::string before_after_svg;  ///< ... and, of a mission
 
   /// False for a plan that was drafted from a finished map.
   [[nodiscard]] bool has_mission() const { return !correction.asrs.empty(); }
@@ -54,6 +57,8 @@ Exported read(const Settings& settings, const Path& store_file, bool measured_wa
                     {},
                     {},
                     store.closures(),
+                    {},
+                    {},
                     {},
                     {},
                     {},
@@ -107,6 +112,16 @@ std::string before_after_svg(const Exported& from) {
                            {"Corrected", from.placed.walls_after, after});
 }
 
+/// The drawings, once for all formats that are drawings.
+void draw(const std::vector<std::string>& formats, const Settings& settings, Exported& from) {
+  const bool is_asked = std::any_of(formats.begin(), formats.end(), [](const std::string& format) {
+    return format == "svg" || format == "png" || format == "pdf";
+  });
+  if (!is_asked) return;
+  from.plan_svg = plan_svg(from, settings);
+  if (from.has_mission()) from.before_after_svg = before_after_svg(from);
+}
+
 /// Corrected poses of the visits, and the measurements between them.
 void write_pose_graph(const Path& file, const Exported& from) {
   const PoseGraph graph = pose_graph_of(from.graph, from.closures, from.correct);
@@ -121,20 +136,20 @@ using Exporter = std::function<void(const Exported&, const Settings&, const Path
 const std::map<std::string, Exporter>& exporters() {
   static const std::map<std::string, Exporter> table = {
       {"svg",
-       [](const Exported& from, const Settings& settings, const Path& out) {
-         write_file(out / "plan.svg", plan_svg(from, settings));
-         if (from.has_mission()) write_file(out / "before_after.svg", before_after_svg(from));
+       [](const Exported& from, const Settings&, const Path& out) {
+         write_file(out / "plan.svg", from.plan_svg);
+         if (from.has_mission()) write_file(out / "before_after.svg", from.before_after_svg);
        }},
       {"png",
        [](const Exported& from, const Settings& settings, const Path& out) {
-         write_png(out / "plan.png", plan_svg(from, settings), settings.png_dpi);
+         write_png(out / "plan.png", from.plan_svg, settings.png_dpi);
          if (!from.has_mission()) return;
-         write_png(out / "before_after.png", before_after_svg(from), settings.png_dpi);
+         write_png(out / "before_after.png", from.before_after_svg, settings.png_dpi);
        }},
       {"pdf",
-       [](const Exported& from, const Settings& settings, const Path& out) {
+       [](const Exported& from, const Settings&, const Path& out) {
          const std::string title = from.plan.title.empty() ? "Floor plan" : from.plan.title;
-         write_pdf(out / "plan.pdf", plan_svg(from, settings), title, date_of(from.metadata));
+         write_pdf(out / "plan.pdf", from.plan_svg, title, date_of(from.metadata));
        }},
       {"geojson",
        [](const Exported& from, const Settings&, const Path& out) {
@@ -203,6 +218,7 @@ void export_all(const Settings& settings, const Path& store_file,
   from.north_deg = options.north_deg();
   from.ogr_driver = options.ogr_driver;
   make_folder(out);
+  draw(formats, settings, from);
   for (const std::string& format : formats) exporters().at(format)(from, settings, out);
 }
 

@@ -2,70 +2,15 @@
 #include "parameters.hpp"
 
 #include <map>
-#include <utility>
 
+#include "parameter_list.hpp"
 #include "settings.hpp"
 
 namespace roomatlas::apps {
 namespace {
 
-/// Adds parameters of one stage.
-class List {
- public:
-  List(Parameters& all, Stage stage) : all_(all), stage_(stage) {}
-
-  template <typename Value>
-  void add(const std::string& name, Value& value, const std::string& meaning, double low,
-           double high) {
-    all_.push_back({stage_, name, meaning, NumberParameter{&value, low, high}});
-  }
-  /// An angle that is given in degrees and kept in radians.
-  void degrees(const std::string& name, double& value_rad, const std::string& meaning, double low,
-               double high) {
-    all_.push_back({stage_, name, meaning, DegreesParameter{&value_rad, low, high}});
-  }
-  void flag(const std::string& name, bool& value, const std::string& meaning) {
-    all_.push_back({stage_, name, meaning, FlagParameter{&value}});
-  }
-  void text(const std::string& name, std::string& value, const std::string& meaning) {
-    all_.push_back({stage_, name, meaning, TextParameter{&value}});
-  }
-  void file(const std::string& name, std::string& value, const std::string& meaning) {
-    all_.push_back({stage_, name, meaning, FileParameter{&value}});
-  }
-  template <typename Choice>
-  void choice(const std::string& name, Choice& value, const std::string& meaning,
-              const std::map<std::string, Choice>& names) {
-    std::string now;
-    for (const auto& [text, choice] : names) {
-      if (choice == value) now = text;
-    }
-    add_choice(name, meaning, names, now, [&value](const Choice& choice) { value = choice; });
-  }
-  /// A name that stands for several values.
-  template <typename Choice, typename Apply>
-  void preset(const std::string& name, const std::map<std::string, Choice>& names,
-              const std::string& meaning, Apply apply) {
-    add_choice(name, meaning, names, "mild", apply);
-  }
-
- private:
-  template <typename Choice, typename Apply>
-  void add_choice(const std::string& name, const std::string& meaning,
-                  const std::map<std::string, Choice>& names, const std::string& now, Apply apply) {
-    ChoiceParameter choice;
-    for (const auto& entry : names) choice.names.push_back(entry.first);
-    choice.now = now;
-    choice.choose = [names, apply](const std::string& text) { apply(names.at(text)); };
-    all_.push_back({stage_, name, meaning, std::move(choice)});
-  }
-
-  Parameters& all_;
-  Stage stage_;
-};
-
 void add_mission(Parameters& all, MissionOptions& mission) {
-  List stage(all, Stage::mission);
+  ParameterList stage(all, Stage::mission);
   stage.add("laser-max-range", mission.laser_max_range_m,
             "m; laser readings at or beyond it are no echo: free space", 0.5, 1000.0);
   stage.add("sonar-max-range", mission.sonar_max_range_m,
@@ -86,7 +31,7 @@ void add_mission(Parameters& all, MissionOptions& mission) {
 
 /// What of a recording of topics is taken.
 void add_recording(Parameters& all, RecordingOptions& recording) {
-  List stage(all, Stage::mission);
+  ParameterList stage(all, Stage::mission);
   stage.text("scan-topic", recording.scan_topics,
              "of a bag: the laser's or cloud's topic; again for several. Empty: by their views");
   stage.text("odom-topic", recording.odometry_topic,
@@ -108,7 +53,7 @@ void add_recording(Parameters& all, RecordingOptions& recording) {
 }
 
 void add_map(Parameters& all, MapOptions& options) {
-  List stage(all, Stage::rooms);
+  ParameterList stage(all, Stage::rooms);
   stage.flag("find-reverse", options.directions.find_reverse,
              "find drives that odometry reports forwards and the readings show backwards");
   stage.flag("localize", options.localize.enabled,
@@ -167,7 +112,7 @@ void add_map(Parameters& all, MapOptions& options) {
 
 void add_correction(Parameters& all, Settings& settings) {
   AssembleOptions& assemble = settings.assemble;
-  List stage(all, Stage::correction);
+  ParameterList stage(all, Stage::correction);
   CorrectOptions& correct = assemble.correct;
   stage.flag("correct-sonars", assemble.correct_sonars,
              "correct a mission with sonars as a whole, by its walls, before its rooms are mapped");
@@ -224,7 +169,7 @@ void add_correction(Parameters& all, Settings& settings) {
 }
 
 void add_plan(Parameters& all, Settings& settings) {
-  List stage(all, Stage::plan);
+  ParameterList stage(all, Stage::plan);
   AssembleOptions& assemble = settings.assemble;
   stage.choice("plan", assemble.plan,
                "drafted: walls inferred as an architect draws them; traced: outlines of the ASRs",
@@ -290,7 +235,7 @@ void add_faults(List& stage, OdometryFaults& faults) {
 
 void add_simulation(Parameters& all, Settings& settings) {
   SimulationOptions& simulation = settings.simulation;
-  List stage(all, Stage::simulation);
+  ParameterList stage(all, Stage::simulation);
   stage.add("seed", simulation.seed, "decides everything that is random", 0.0, kLargestSeed);
   stage.choice("sensor", simulation.sensor, "ring of sonars, or laser",
                std::map<std::string, SensorKind>{{"sonar", SensorKind::sonar},
@@ -346,6 +291,11 @@ void add_simulation(Parameters& all, Settings& settings) {
                std::map<std::string, bool>{{"truth", false}, {"odometry", true}});
 }
 
+void add_run(Parameters& all, Options& options) {
+  ParameterList stage(all, Stage::run);
+  stage.add("jobs", options.jobs, "threads that work at once; 0: one for each core", 0.0, 1024.0);
+}
+
 }  // namespace
 
 const char* heading_of(Stage stage) {
@@ -360,6 +310,8 @@ const char* heading_of(Stage stage) {
       return "Floor plan";
     case Stage::simulation:
       return "Simulation";
+    case Stage::run:
+      return "Run (changes no result, and is kept nowhere)";
   }
   return "";
 }
@@ -372,6 +324,7 @@ Parameters parameters_of(Settings& settings) {
   add_correction(all, settings);
   add_plan(all, settings);
   add_simulation(all, settings);
+  add_run(all, settings);
   return all;
 }
 

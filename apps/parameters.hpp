@@ -16,7 +16,14 @@ struct Settings;
 inline constexpr double kLargestSeed = 1e15;  // every whole number up to here is a double
 
 /// The branch of the options that a parameter stands in.
-enum class Stage { mission, rooms, correction, plan, simulation };
+enum class Stage {
+  mission,
+  rooms,
+  correction,
+  plan,
+  simulation,
+  run,  ///< how the program works, not what comes out: kept in no store and no configuration
+};
 
 /// The heading of the help above a stage's parameters.
 [[nodiscard]] const char* heading_of(Stage stage);

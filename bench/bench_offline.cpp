@@ -38,7 +38,7 @@ class Asrs : public AsrSink, public AsrSource {
   std::vector<Asr> asrs;
 };
 
-/// Of the processor, which other programs disturb least. The offline stage has one thread.
+/// Of the processor, which other programs disturb least; of all threads, of which there is one.
 class Clock {
  public:
   /// Seconds since the last call.
@@ -67,7 +67,8 @@ Row measured(std::int64_t rooms) {
   building.rooms = rooms;
   Asrs source;
   const RandomBuildingSummary summary = random_building(building, source);
-  const Options all;
+  Options all;
+  all.jobs = 1;
   const AssembleOptions& options = all.assemble;
   Row row{rooms, {}};
   Clock clock;

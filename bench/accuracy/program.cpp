@@ -14,10 +14,9 @@ namespace roomatlas::bench {
 namespace {
 
 /// Takes the place of this process; only ever called in a child.
-[[noreturn]] void become_roomatlas(const std::vector<std::string>& arguments,
-                                   const std::filesystem::path& log) {
-  const char* other = std::getenv("ROOMATLAS_PROGRAM");
-  std::vector<char*> words = {const_cast<char*>(other != nullptr ? other : ROOMATLAS_PROGRAM)};
+[[noreturn]] void become(const std::string& program, const std::vector<std::string>& arguments,
+                         const std::filesystem::path& log) {
+  std::vector<char*> words = {const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments)
     words.push_back(const_cast<char*>(argument.c_str()));
   words.push_back(nullptr);
@@ -47,9 +46,15 @@ double seconds_of(const timeval& time) {
 
 Finished run_roomatlas(const std::vector<std::string>& arguments,
                        const std::filesystem::path& log) {
+  const char* other = std::getenv("ROOMATLAS_PROGRAM");
+  return run_program(other != nullptr ? other : ROOMATLAS_PROGRAM, arguments, log);
+}
+
+Finished run_program(const std::string& program, const std::vector<std::string>& arguments,
+                     const std::filesystem::path& log) {
   const auto start = std::chrono::steady_clock::now();
   const pid_t child = fork();
-  if (child == 0) become_roomatlas(arguments, log);
+  if (child == 0) become(program, arguments, log);
   int status = 0;
   rusage usage{};
   if (child < 0 || wait4(child, &status, 0, &usage) != child) return {};

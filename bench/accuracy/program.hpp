@@ -21,4 +21,9 @@ struct Finished {
 [[nodiscard]] Finished run_roomatlas(const std::vector<std::string>& arguments,
                                      const std::filesystem::path& log);
 
+/// The same of another program.
+[[nodiscard]] Finished run_program(const std::string& program,
+                                   const std::vector<std::string>& arguments,
+                                   const std::filesystem::path& log);
+
 }  // namespace roomatlas::bench

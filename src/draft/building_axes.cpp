@@ -38,11 +38,11 @@ class Directions {
     }
   }
 
-  [[nodiscard]] Pose2 axes_from_building() const {
+  [[nodiscard]] Pose2 axes_from_building(int jobs) const {
     if (!first_) return {};
     double along_rad = first_->theta_rad;
     if (!echoes_.empty()) {
-      along_rad = best_direction_rad(echoes_, half_cone_rad_, kVotes_m);
+      along_rad = best_direction_rad(echoes_, half_cone_rad_, kVotes_m, jobs);
     } else if (!surfaces_.empty()) {
       along_rad = main_direction_rad(surfaces_);
     }
@@ -64,7 +64,7 @@ class Directions {
 }  // namespace
 
 Pose2 axes_from_building(const AsrSource& source, const Placement& placement,
-                         const GatherOptions& options) {
+                         const GatherOptions& options, int jobs) {
   Directions directions(options);
   for (const AsrId id : source.ids()) {
     const Asr asr = load_with_readings(source, id);
@@ -72,7 +72,7 @@ Pose2 axes_from_building(const AsrSource& source, const Placement& placement,
       directions.add(asr.readings[k], placement.at(id) * asr.path[k].asr_from_robot);
     }
   }
-  return directions.axes_from_building();
+  return directions.axes_from_building(jobs);
 }
 
 Placement moved(Placement placement, const Pose2& to_from_here) {

@@ -114,12 +114,12 @@ DraftBuildingOptions options_for(const BuildingEvidence& evidence, DraftBuilding
 
 }  // namespace
 
-DraftedBuilding draft_building(const BuildingEvidence& evidence,
-                               const DraftBuildingOptions& chosen) {
+DraftedBuilding draft_building(const BuildingEvidence& evidence, const DraftBuildingOptions& chosen,
+                               int jobs) {
   const DraftBuildingOptions options = options_for(evidence, chosen);
   DraftedBuilding drafted;
   std::vector<WallFace> faces =
-      confirmed_faces(find_wall_faces(evidence, options.faces), evidence, options.walls);
+      confirmed_faces(find_wall_faces(evidence, options.faces, jobs), evidence, options.walls);
   drafted.occupancy = occupancy_of(evidence, faces, options.occupancy);
   drafted.walls = build_walls(std::move(faces), drafted.occupancy, options.walls);
   std::vector<DoorLeaf> leaves;

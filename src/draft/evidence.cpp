@@ -5,8 +5,10 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 #include "roomatlas/asr/load.hpp"
+#include "roomatlas/core/for_each_index.hpp"
 
 namespace roomatlas {
 namespace {
@@ -18,7 +20,16 @@ bool is_worth_it(const Pose2& from, const Pose2& to, double every_m, double ever
          std::abs(wrap_angle(to.theta_rad - from.theta_rad)) >= every_deg * kPi / 180.0;
 }
 
-/// Takes readings in and makes evidence of them.
+/// A reading that is worth it, where the correction puts it.
+struct Placed {
+  const RangeReading* reading = nullptr;
+  Pose2 building_from_robot;
+
+  [[nodiscard]] bool is_sonar() const { return reading->sensor->kind == SensorKind::sonar; }
+};
+
+/// Takes readings in and makes evidence of them, one ASR after the other. Beams that are counted
+/// and surfaces or echoes are apart: each can be taken in a thread of its own.
 class Gatherer {
  public:
   Gatherer(const RobotFootprint& footprint, const GatherOptions& options) : options_(options) {
@@ -27,24 +38,42 @@ class Gatherer {
     evidence_.coarse = ReflectionMap(options.coarse_cell_m);
   }
 
-  void add(AsrId asr, const RangeReading& reading, const Pose2& building_from_robot) {
-    evidence_.building_from_robot.push_back(building_from_robot);
-    evidence_.asr_of_pose.push_back(asr);
-    const bool is_sonar = reading.sensor->kind == SensorKind::sonar;
-    if (is_sonar) evidence_.kind = SensorKind::sonar;
-    const double every_m = is_sonar ? options_.sonar_every_m : options_.laser_every_m;
-    if (last_ && !is_worth_it(*last_, building_from_robot, every_m, options_.every_deg)) return;
-    last_ = building_from_robot;
+  /// Of the readings of an ASR those that are worth it.
+  [[nodiscard]] std::vector<Placed> begin(const Asr& asr, const Pose2& building_from_asr) {
+    std::vector<Placed> worth_it;
+    for (std::size_t i = 0; i < asr.path.size(); ++i) {
+      const Placed placed{&asr.readings[i], building_from_asr * asr.path[i].asr_from_robot};
+      const Pose2& pose = placed.building_from_robot;
+      evidence_.building_from_robot.push_back(pose);
+      evidence_.asr_of_pose.push_back(asr.id);
+      if (placed.is_sonar()) evidence_.kind = SensorKind::sonar;
+      const double every_m = placed.is_sonar() ? options_.sonar_every_m : options_.laser_every_m;
+      if (last_ && !is_worth_it(*last_, pose, every_m, options_.every_deg)) continue;
+      last_ = pose;
+      worth_it.push_back(placed);
+    }
+    return worth_it;
+  }
+
+  void count(const std::vector<Placed>& readings) {
     std::int64_t ignored = 0;  // counted when each room was mapped
-    const RayOptions rays{is_sonar ? options_.sonar_range_m : options_.laser_range_m,
-                          options_.sonar_no_echo_m, 0.0};
-    evidence_.counts.add_sweep(rays_of(reading, building_from_robot, rays, ignored));
-    if (is_sonar) {
+    for (const Placed& one : readings) {
+      const RayOptions rays{one.is_sonar() ? options_.sonar_range_m : options_.laser_range_m,
+                            options_.sonar_no_echo_m, 0.0};
+      evidence_.counts.add_sweep(rays_of(*one.reading, one.building_from_robot, rays, ignored));
+    }
+  }
+
+  void hear_and_see(const std::vector<Placed>& readings) {
+    std::int64_t ignored = 0;
+    for (const Placed& one : readings) {
+      if (!one.is_sonar()) {
+        add_surfaces(*one.reading, one.building_from_robot);
+        continue;
+      }
       const RayOptions far{options_.coarse_range_m, options_.sonar_no_echo_m, 0.0};
-      evidence_.coarse.add_sweep(rays_of(reading, building_from_robot, far, ignored));
-      add_echoes(reading, building_from_robot);
-    } else {
-      add_surfaces(reading, building_from_robot);
+      evidence_.coarse.add_sweep(rays_of(*one.reading, one.building_from_robot, far, ignored));
+      add_echoes(*one.reading, one.building_from_robot);
     }
   }
 
@@ -83,6 +112,7 @@ class Gatherer {
 std::vector<Echo> echoes_of(const RangeReading& reading, const Pose2& building_from_robot,
                             const GatherOptions& options) {
   const RangeSensor& sensor = *reading.sensor;
+  const PointTransform place(building_from_robot);
   std::vector<Echo> echoes;
   for (std::size_t i = 0; i < reading.ranges_m.size(); ++i) {
     const double range_m = reading.ranges_m[i];
@@ -91,22 +121,28 @@ std::vector<Echo> echoes_of(const RangeReading& reading, const Pose2& building_f
     const bool is_near = is_hit && range_m <= options.sonar_range_m;
     const double free_m =
         is_near ? range_m : std::min({range_m, options.sonar_range_m, options.sonar_no_echo_m});
-    echoes.push_back({building_from_robot * sensor.robot_from_beam[i], range_m, is_hit, free_m});
+    echoes.push_back(
+        {place.pose(building_from_robot, sensor.robot_from_beam[i]), range_m, is_hit, free_m});
   }
   return echoes;
 }
 
 BuildingEvidence gather_evidence(const AsrSource& source, const Placement& placement,
                                  const RobotFootprint& footprint, const GatherOptions& options,
-                                 const Progress& progress) {
+                                 const Progress& progress, int jobs) {
   Gatherer gatherer(footprint, options);
   const std::vector<AsrId> ids = source.ids();
+  std::optional<Asr> next;
+  if (!ids.empty()) next = load_with_readings(source, ids.front());
   for (std::size_t i = 0; i < ids.size(); ++i) {
     report(progress, "map building", share_of(i, ids.size()));
-    const Asr asr = load_with_readings(source, ids[i]);
-    for (std::size_t k = 0; k < asr.path.size(); ++k) {
-      gatherer.add(asr.id, asr.readings[k], placement.at(asr.id) * asr.path[k].asr_from_robot);
-    }
+    const Asr asr = std::move(*next);
+    const std::vector<Placed> readings = gatherer.begin(asr, placement.at(asr.id));
+    for_each_index(3, jobs, [&](std::size_t part) {
+      if (part == 0) gatherer.count(readings);
+      if (part == 1) gatherer.hear_and_see(readings);
+      if (part == 2 && i + 1 < ids.size()) next = load_with_readings(source, ids[i + 1]);
+    });
   }
   return gatherer.taken();
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "line_sums.hpp"
+#include "roomatlas/core/for_each_index.hpp"
 #include "sonar_votes.hpp"
 #include "straight_runs.hpp"
 
@@ -34,22 +35,55 @@ constexpr double kSlantedGap_m = 0.4;
 constexpr double kSlantedStep_deg = 5.0;  // between directions that are tried first
 constexpr int kRefinements = 3;
 
-bool lies_on(const WallFace& face, const Point2& at, double near_m) {
-  if (std::abs(at.dot(face.normal()) - face.offset_m) >= near_m) return false;
-  const double along_m = at.dot(face.along());
-  return along_m > face.low_m() - kBeyondEnds_m && along_m < face.high_m() + kBeyondEnds_m;
+/// A face as places are compared with it.
+struct FaceLine {
+  Point2 normal;
+  Point2 along;
+  double normal_rad = 0.0;
+  double offset_m = 0.0;
+  double low_m = 0.0;
+  double high_m = 0.0;
+
+  explicit FaceLine(const WallFace& face)
+      : normal(face.normal()),
+        along(face.along()),
+        normal_rad(face.normal_rad),
+        offset_m(face.offset_m),
+        low_m(face.low_m()),
+        high_m(face.high_m()) {}
+
+  [[nodiscard]] bool has(const Point2& at, double near_m) const {
+    if (std::abs(at.dot(normal) - offset_m) >= near_m) return false;
+    const double along_m = at.dot(along);
+    return along_m > low_m - kBeyondEnds_m && along_m < high_m + kBeyondEnds_m;
+  }
+};
+
+std::vector<FaceLine> lines_of(const std::vector<WallFace>& faces) {
+  std::vector<FaceLine> lines;
+  lines.reserve(faces.size());
+  for (const WallFace& face : faces) lines.emplace_back(face);
+  return lines;
 }
 
 /// Whether a face is what an echo heard: the nearest of it within the cone is as far away. That is
 /// the foot of the perpendicular, or where the cone's edge meets the face.
-bool explains(const WallFace& face, const Echo& echo, double half_cone_rad) {
+bool explains(const FaceLine& face, const Echo& echo, double half_cone_rad) {
+  const Point2 from = echo.building_from_beam.position();
+  constexpr double kRounding_m = 1e-3;  // more than that of the places compared
+  const double reach_m = echo.range_m + kExplained_m + kRounding_m;
+  if (std::abs(from.dot(face.normal) - face.offset_m) > reach_m) return false;  // most are
   const double axis_rad = echo.building_from_beam.theta_rad;
   const double off_rad = wrap_angle(axis_rad + kPi - face.normal_rad);
   const double aside_rad = std::max(0.0, std::abs(off_rad) - half_cone_rad);
   if (aside_rad > kMostAside_rad) return false;
+  const double along_m = from.dot(face.along);
+  if (along_m < face.low_m - kBeyondEnds_m - reach_m ||
+      along_m > face.high_m + kBeyondEnds_m + reach_m) {
+    return false;
+  }
   const double ray_rad = face.normal_rad + kPi + std::copysign(aside_rad, off_rad);
-  const Point2 heard = echo.building_from_beam.position() + echo.range_m * direction(ray_rad);
-  return lies_on(face, heard, kExplained_m);
+  return face.has(from + echo.range_m * direction(ray_rad), kExplained_m);
 }
 
 double total_support_m(const std::vector<WallFace>& faces) {
@@ -61,26 +95,30 @@ double total_support_m(const std::vector<WallFace>& faces) {
 /// Echoes that vote for faces until one is found that explains them.
 class Voters {
  public:
-  Voters(const BuildingEvidence& evidence, const WallFaceOptions& options)
+  Voters(const BuildingEvidence& evidence, const WallFaceOptions& options, int jobs)
       : echoes_(evidence.echoes),
         half_cone_rad_(evidence.sonar_half_cone_rad),
         counts_(evidence.counts),
-        options_(options) {
+        options_(options),
+        jobs_(jobs) {
     std::erase_if(echoes_, [](const Echo& echo) { return !echo.is_hit; });
   }
 
   [[nodiscard]] std::size_t size() const { return echoes_.size(); }
 
   [[nodiscard]] double best_direction_rad() const {
-    return roomatlas::best_direction_rad(echoes_, half_cone_rad_, options_.sonar_range_m);
+    return roomatlas::best_direction_rad(echoes_, half_cone_rad_, options_.sonar_range_m, jobs_);
   }
 
   /// Faces along a direction of the building.
   [[nodiscard]] std::vector<WallFace> along(double direction_rad, double min_support_m) const {
     std::vector<WallFace> faces;
-    for (int quarter = 0; quarter < 4; ++quarter) {
-      const double normal_rad = wrap_angle(direction_rad + quarter * kPi / 2.0);
-      for (WallFace& face : looking_along(normal_rad, options_.max_gap_m, min_support_m)) {
+    for (auto& of_quarter : results_of<std::vector<WallFace>>(4, jobs_, [&](std::size_t quarter) {
+           const double normal_rad =
+               wrap_angle(direction_rad + static_cast<double>(quarter) * kPi / 2.0);
+           return looking_along(normal_rad, options_.max_gap_m, min_support_m);
+         })) {
+      for (WallFace& face : of_quarter) {
         face.is_regular = true;
         faces.push_back(std::move(face));
       }
@@ -92,7 +130,7 @@ class Voters {
   /// @param known what edges of doors belong to: they are heard from all around, and vote for faces
   ///   that cross their wall
   [[nodiscard]] std::vector<WallFace> slanted(double normal_rad,
-                                              const std::vector<WallFace>& known) const {
+                                              const std::vector<FaceLine>& known) const {
     std::vector<WallFace> faces = looking_along(normal_rad, kSlantedGap_m, kSlanted_m);
     std::erase_if(faces, [&](const WallFace& face) { return own_m(face, known) < kOwn_m; });
     return faces;
@@ -100,21 +138,31 @@ class Voters {
 
   /// @param directions_rad of the building, which slanted faces stay away from
   [[nodiscard]] std::optional<WallFace> longest_slanted(const std::vector<double>& directions_rad,
-                                                        const std::vector<WallFace>& known) const {
-    std::optional<WallFace> best;
-    const auto try_one = [&](double normal_rad) {
-      for (const double known_rad : directions_rad) {
-        if (std::abs(wrap_quarter(normal_rad - known_rad)) < kApart_rad) return;
+                                                        const std::vector<FaceLine>& known) const {
+    const auto longest_of = [&](const std::vector<double>& normals_rad) {
+      std::optional<WallFace> best;
+      for (const auto& faces : results_of<std::vector<WallFace>>(
+               normals_rad.size(), jobs_, [&](std::size_t i) -> std::vector<WallFace> {
+                 const bool is_near = std::any_of(
+                     directions_rad.begin(), directions_rad.end(), [&](double known_rad) {
+                       return std::abs(wrap_quarter(normals_rad[i] - known_rad)) < kApart_rad;
+                     });
+                 return is_near ? std::vector<WallFace>() : slanted(normals_rad[i], known);
+               })) {
+        for (const WallFace& face : faces) {
+          if (!best || face.support_m() > best->support_m()) best = face;
+        }
       }
-      for (const WallFace& face : slanted(normal_rad, known)) {
-        if (!best || face.support_m() > best->support_m()) best = face;
-      }
+      return best;
     };
-    for (double deg = -180.0; deg < 180.0; deg += kSlantedStep_deg) try_one(deg * kPi / 180.0);
+    std::vector<double> all_rad;
+    for (double deg = -180.0; deg < 180.0; deg += kSlantedStep_deg) {
+      all_rad.push_back(deg * kPi / 180.0);
+    }
+    std::optional<WallFace> best = longest_of(all_rad);
     for (int round = 0; best && round < kRefinements; ++round) {
       const WallFace coarse = *best;
-      best.reset();
-      try_one(fitted_normal_rad(coarse));
+      best = longest_of({fitted_normal_rad(coarse)});
       if (!best) return coarse;
     }
     return best;
@@ -122,38 +170,50 @@ class Voters {
 
   /// Echoes that a face explains vote no more.
   void drop_explained(const std::vector<WallFace>& faces) {
-    std::erase_if(echoes_, [&](const Echo& echo) {
-      return std::any_of(faces.begin(), faces.end(), [&](const WallFace& face) {
-        return explains(face, echo, half_cone_rad_);
-      });
+    constexpr std::size_t kBlock = 4096;  // echoes: enough work to be handed out
+    const std::vector<FaceLine> lines = lines_of(faces);
+    std::vector<char> is_explained(echoes_.size());
+    for_each_index((echoes_.size() + kBlock - 1) / kBlock, jobs_, [&](std::size_t block) {
+      const std::size_t past = std::min(echoes_.size(), (block + 1) * kBlock);
+      for (std::size_t i = block * kBlock; i < past; ++i) {
+        is_explained[i] = std::any_of(lines.begin(), lines.end(), [&](const FaceLine& face) {
+          return explains(face, echoes_[i], half_cone_rad_);
+        });
+      }
     });
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < echoes_.size(); ++i) {
+      if (is_explained[i] == 0) echoes_[kept++] = echoes_[i];
+    }
+    echoes_.resize(kept);
   }
 
  private:
   /// Of the line through the feet of the perpendiculars, which turns as its walls do.
   [[nodiscard]] double fitted_normal_rad(const WallFace& face) const {
     const Point2 middle = face.at((face.low_m() + face.high_m()) / 2.0);
+    const FaceLine line(face);
     LineSums feet;
     for (const SurfacePoint& vote :
          votes_for(face.normal_rad, echoes_, half_cone_rad_, options_.sonar_range_m)) {
-      if (lies_on(face, vote.at, kBand_m)) feet.add(vote.at - middle);
+      if (line.has(vote.at, kBand_m)) feet.add(vote.at - middle);
     }
     const double turn_rad = feet.line().direction_rad - (face.normal_rad + kPi / 2.0);
     return wrap_angle(face.normal_rad + std::remainder(turn_rad, kPi));
   }
 
   /// How much of a face reflects away from those that are known.
-  [[nodiscard]] double own_m(const WallFace& face, const std::vector<WallFace>& known) const {
+  [[nodiscard]] double own_m(const WallFace& face, const std::vector<FaceLine>& known) const {
+    const Point2 normal = face.normal();
     double sum_m = 0.0;
     for (const Interval& seen : face.seen) {
       for (double along_m = seen.low_m; along_m < seen.high_m; along_m += kStep_m) {
         const Point2 at = face.at(along_m);
-        const bool is_near = std::any_of(known.begin(), known.end(), [&](const WallFace& one) {
-          return lies_on(one, at, kNear_m);
-        });
+        const bool is_near = std::any_of(known.begin(), known.end(),
+                                         [&](const FaceLine& one) { return one.has(at, kNear_m); });
         double most = 0.0;
         for (const double across_m : kAcross_m) {
-          const Point2 beside = at + across_m * face.normal();
+          const Point2 beside = at + across_m * normal;
           most = std::max(most, counts_.at(counts_.frame().cell_of(beside)).reflected_share());
         }
         if (!is_near && most >= kReflectedShare) sum_m += kStep_m;
@@ -174,6 +234,7 @@ class Voters {
   double half_cone_rad_;
   const ReflectionMap& counts_;
   const WallFaceOptions& options_;
+  int jobs_;
 };
 
 /// The directions of the building that echoes follow, the main one first.
@@ -198,14 +259,15 @@ std::vector<double> directions_rad_of(Voters voters, const WallFaceOptions& opti
 
 /// Long faces that are not along the main direction.
 std::vector<WallFace> long_aslant(const std::vector<double>& directions_rad, Voters voters) {
-  std::vector<WallFace> known = voters.along(directions_rad.front(), kLong_m);
+  const std::vector<WallFace> main = voters.along(directions_rad.front(), kLong_m);
+  std::vector<FaceLine> known = lines_of(main);
   std::vector<WallFace> faces;
   const auto take = [&](const std::vector<WallFace>& found) {
     voters.drop_explained(found);
-    known.insert(known.end(), found.begin(), found.end());
+    for (const WallFace& face : found) known.emplace_back(face);
     faces.insert(faces.end(), found.begin(), found.end());
   };
-  voters.drop_explained(known);
+  voters.drop_explained(main);
   for (std::size_t wing = 1; wing < directions_rad.size(); ++wing) {
     take(voters.along(directions_rad[wing], kLong_m));
   }
@@ -218,9 +280,9 @@ std::vector<WallFace> long_aslant(const std::vector<double>& directions_rad, Vot
 
 }  // namespace
 
-std::vector<WallFace> sonar_faces(const BuildingEvidence& evidence,
-                                  const WallFaceOptions& options) {
-  Voters voters(evidence, options);
+std::vector<WallFace> sonar_faces(const BuildingEvidence& evidence, const WallFaceOptions& options,
+                                  int jobs) {
+  Voters voters(evidence, options, jobs);
   const std::vector<double> directions_rad = directions_rad_of(voters, options);
   if (directions_rad.empty()) return {};
   std::vector<WallFace> faces = long_aslant(directions_rad, voters);

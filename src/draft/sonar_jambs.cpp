@@ -30,11 +30,13 @@ struct Heard {
 std::vector<Heard> heard_at(const WallFace& face, double middle_m,
                             const BuildingEvidence& evidence) {
   std::vector<Heard> heard;
+  const Point2 normal = face.normal();
+  const Point2 along = face.along();
   for (const Echo& echo : evidence.echoes) {
     const Point2 from = echo.building_from_beam.position();
-    const double off_m = from.dot(face.normal()) - face.offset_m;
+    const double off_m = from.dot(normal) - face.offset_m;
     if (off_m < 0.1 || off_m > kFarthest_m) continue;
-    const double along_m = from.dot(face.along());
+    const double along_m = from.dot(along);
     if (std::abs(along_m - middle_m) > kWidest_m) continue;
     // Positive turns towards larger positions along the face.
     const double axis_rad =

@@ -17,6 +17,6 @@ namespace roomatlas {
 
 /// The direction modulo 90 degrees for which votes agree best, in [0, pi/2).
 [[nodiscard]] double best_direction_rad(const std::vector<Echo>& echoes, double half_cone_rad,
-                                        double max_range_m);
+                                        double max_range_m, int jobs);
 
 }  // namespace roomatlas

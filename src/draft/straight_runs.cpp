@@ -105,9 +105,16 @@ class RunSearch {
   }
   /// Columns of a band in which there is enough.
   std::vector<int> columns_at(int row, int first, int last) {
+    std::vector<double> sums(static_cast<std::size_t>(last - first + 1), 0.0);
+    for (int r = std::max(0, row - half_rows_); r <= std::min(rows_ - 1, row + half_rows_); ++r) {
+      const float* const weights = &at(r, first);
+      for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += weights[i];
+    }
     std::vector<int> columns;
     for (int column = first; column <= last; ++column) {
-      if (band_weight(row, column) >= options_.min_hits) columns.push_back(column);
+      if (sums[static_cast<std::size_t>(column - first)] >= options_.min_hits) {
+        columns.push_back(column);
+      }
     }
     return columns;
   }

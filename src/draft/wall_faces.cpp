@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "roomatlas/core/for_each_index.hpp"
 #include "slanted_faces.hpp"
 #include "sonar_faces.hpp"
 #include "straight_runs.hpp"
@@ -25,17 +27,23 @@ constexpr double kWingWidth_rad = 3.0 * kPi / 180.0;
 constexpr std::size_t kFewest = 100;   // surfaces that may have a direction
 constexpr double kLaserBand_m = 0.04;  // off a wall's line
 
-bool explains(const WallFace& face, const SurfacePoint& surface) {
-  if (std::abs(surface.at.dot(face.normal()) - face.offset_m) >= kNearFace_m) return false;
+/// @param normal, along the face's
+bool explains(const WallFace& face, const Point2& normal, const Point2& along,
+              const SurfacePoint& surface) {
   if (std::abs(wrap_angle(surface.normal_rad - face.normal_rad)) >= kNearFace_rad) return false;
-  const double along_m = surface.at.dot(face.along());
+  if (std::abs(surface.at.dot(normal) - face.offset_m) >= kNearFace_m) return false;
+  const double along_m = surface.at.dot(along);
   return along_m > face.low_m() - kBeyondEnds_m && along_m < face.high_m() + kBeyondEnds_m;
 }
 
 void drop_explained(const std::vector<WallFace>& faces, std::vector<SurfacePoint>& surfaces) {
+  std::vector<std::pair<Point2, Point2>> axes;
+  for (const WallFace& face : faces) axes.emplace_back(face.normal(), face.along());
   std::erase_if(surfaces, [&](const SurfacePoint& surface) {
-    return std::any_of(faces.begin(), faces.end(),
-                       [&](const WallFace& face) { return explains(face, surface); });
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      if (explains(faces[i], axes[i].first, axes[i].second, surface)) return true;
+    }
+    return false;
   });
 }
 
@@ -51,25 +59,27 @@ std::vector<WallFace> regular(std::vector<WallFace> faces) {
 }
 
 std::vector<WallFace> faces_along(double direction_rad, const std::vector<SurfacePoint>& surfaces,
-                                  const RunOptions& runs, double max_turn_rad) {
+                                  const RunOptions& runs, double max_turn_rad, int jobs) {
   std::vector<WallFace> faces;
-  for (int quarter = 0; quarter < 4; ++quarter) {
-    const double normal_rad = wrap_angle(direction_rad + quarter * kQuarter);
-    append(regular(straight_runs(looking(surfaces, normal_rad, max_turn_rad), normal_rad, runs)),
-           faces);
+  for (auto& of_quarter : results_of<std::vector<WallFace>>(4, jobs, [&](std::size_t quarter) {
+         const double normal_rad =
+             wrap_angle(direction_rad + static_cast<double>(quarter) * kQuarter);
+         return straight_runs(looking(surfaces, normal_rad, max_turn_rad), normal_rad, runs);
+       })) {
+    append(regular(std::move(of_quarter)), faces);
   }
   return faces;
 }
 
 std::vector<WallFace> laser_faces(std::vector<SurfacePoint> surfaces,
-                                  const WallFaceOptions& options) {
+                                  const WallFaceOptions& options, int jobs) {
   if (surfaces.empty()) return {};
   const double max_turn_rad = options.max_turn_deg * kPi / 180.0;
   RunOptions runs{options.bin_along_m, kLaserBand_m,          static_cast<double>(options.min_hits),
                   options.max_gap_m,   options.min_support_m, true};
   const double main_rad = main_direction_rad(surfaces);
   const auto all = static_cast<double>(surfaces.size());
-  std::vector<WallFace> faces = faces_along(main_rad, surfaces, runs, max_turn_rad);
+  std::vector<WallFace> faces = faces_along(main_rad, surfaces, runs, max_turn_rad, jobs);
   drop_explained(faces, surfaces);
   runs.min_support_m = options.min_wing_support_m;
   for (int wing = 0; wing < options.max_wings && surfaces.size() >= kFewest; ++wing) {
@@ -79,7 +89,7 @@ std::vector<WallFace> laser_faces(std::vector<SurfacePoint> surfaces,
     });
     if (static_cast<double>(along) < options.wing_share * all) break;
     if (std::abs(wrap_quarter(wing_rad - main_rad)) < kWingApart_rad) break;
-    std::vector<WallFace> of_wing = faces_along(wing_rad, surfaces, runs, max_turn_rad);
+    std::vector<WallFace> of_wing = faces_along(wing_rad, surfaces, runs, max_turn_rad, jobs);
     if (of_wing.empty()) break;
     drop_explained(of_wing, surfaces);
     append(std::move(of_wing), faces);
@@ -207,11 +217,11 @@ double main_direction_rad(const std::vector<SurfacePoint>& surfaces) {
 }
 
 std::vector<WallFace> find_wall_faces(const BuildingEvidence& evidence,
-                                      const WallFaceOptions& options) {
+                                      const WallFaceOptions& options, int jobs) {
   if (evidence.kind == SensorKind::laser) {
-    return snapped(laser_faces(evidence.surfaces, options), options);
+    return snapped(laser_faces(evidence.surfaces, options, jobs), options);
   }
-  std::vector<WallFace> faces = snapped(sonar_faces(evidence, options), options);
+  std::vector<WallFace> faces = snapped(sonar_faces(evidence, options, jobs), options);
   trim_at_corners(evidence.counts, faces);
   return faces;
 }

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "placed_graph.hpp"
+#include "roomatlas/core/for_each_index.hpp"
 #include "roomatlas/core/issue.hpp"
 #include "roomatlas/core/progress.hpp"
 #include "wider_matches.hpp"
@@ -26,11 +27,12 @@ class LoopCloser {
  public:
   LoopCloser(const std::vector<Asr>& asrs, const std::vector<AsrShape>& shapes,
              const RoomGraph& driven, const CorrectOptions& correct, const ClosureOptions& options,
-             const Progress& progress)
+             const Progress& progress, int jobs)
       : asrs_(asrs),
         shapes_(shapes),
         options_(options),
         progress_(progress),
+        jobs_(jobs),
         passage_robust_sigmas_(correct.passage_robust_sigmas),
         placed_(options.robust_sigmas) {
     std::map<AsrId, std::size_t> index_of;
@@ -92,13 +94,16 @@ class LoopCloser {
     if (near.size() > static_cast<std::size_t>(options_.max_candidates)) {
       near.resize(static_cast<std::size_t>(options_.max_candidates));
     }
+    const auto matches = results_of<MapMatch>(near.size(), jobs_, [&](std::size_t k) {
+      const auto& [pair, between] = near[k];
+      return SearchableMap(shapes_[pair.first].map, options_.match)
+          .find(shapes_[pair.second].points, placed_.first_from_second(pair),
+                window_of(between, options_));
+    });
     bool any = false;
-    for (const auto& [pair, between] : near) {
-      const MapMatch match = SearchableMap(shapes_[pair.first].map, options_.match)
-                                 .find(shapes_[pair.second].points, placed_.first_from_second(pair),
-                                       window_of(between, options_));
-      if (verdict_on(match, options_.min_agreeing) != ClosureVerdict::accepted) continue;
-      placed_.add(pair, match);
+    for (std::size_t k = 0; k < near.size(); ++k) {
+      if (verdict_on(matches[k], options_.min_agreeing) != ClosureVerdict::accepted) continue;
+      placed_.add(near[k].first, matches[k]);
       any = true;
     }
     if (any) placed_.solve();
@@ -114,21 +119,12 @@ class LoopCloser {
     }
     std::vector<Uncertainty> uncertainties(pairs.size());
     if (!is_last) uncertainties = placed_.uncertainties(pairs);
+    const std::vector<MapMatch> matches = matches_of(pairs, uncertainties);
     closures_.clear();
     pairs_ = pairs;
-    std::optional<SearchableMap> map;
-    std::size_t map_of = asrs_.size();
     for (std::size_t k = 0; k < pairs.size(); ++k) {
-      report(progress_, "match rooms again", share_of(k, pairs.size()));
-      if (map_of != pairs[k].first) {
-        map.emplace(shapes_[pairs[k].first].map, options_.match);
-        map_of = pairs[k].first;
-      }
-      const MapMatch match =
-          map->find(shapes_[pairs[k].second].points, placed_.first_from_second(pairs[k]),
-                    window_of(uncertainties[k], options_));
-      closures_.push_back({asrs_[pairs[k].first].id, asrs_[pairs[k].second].id, match,
-                           verdict_on(match, options_.again_min_agreeing), false});
+      closures_.push_back({asrs_[pairs[k].first].id, asrs_[pairs[k].second].id, matches[k],
+                           verdict_on(matches[k], options_.again_min_agreeing), false});
     }
     try_given();
     if (is_last) leave_out_best();
@@ -138,6 +134,28 @@ class LoopCloser {
       placed_.add(pairs_[k], closures_[k].match);
     }
     placed_.solve();
+  }
+
+  /// Matches pairs that stand in the order of their first rooms, each room's map made once.
+  [[nodiscard]] std::vector<MapMatch> matches_of(
+      const std::vector<Pair>& pairs, const std::vector<Uncertainty>& uncertainties) const {
+    std::vector<std::size_t> begins;  // of the pairs of each first room
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      if (k == 0 || pairs[k].first != pairs[k - 1].first) begins.push_back(k);
+    }
+    begins.push_back(pairs.size());
+    std::vector<MapMatch> matches(pairs.size());
+    const auto match_all_of = [&](std::size_t room) {
+      const SearchableMap map(shapes_[pairs[begins[room]].first].map, options_.match);
+      for (std::size_t k = begins[room]; k < begins[room + 1]; ++k) {
+        matches[k] = map.find(shapes_[pairs[k].second].points, placed_.first_from_second(pairs[k]),
+                              window_of(uncertainties[k], options_));
+      }
+    };
+    for_each_index(begins.size() - 1, jobs_, match_all_of, [&](std::size_t room) {
+      report(progress_, "match rooms again", share_of(begins[room], pairs.size()));
+    });
+    return matches;
   }
 
   /// Rooms that lie on each other and contradict each other: some of them lie elsewhere. They are
@@ -176,17 +194,24 @@ class LoopCloser {
 
   /// Of the contradicted pairs those that fit elsewhere.
   [[nodiscard]] std::vector<WiderMatch> search_wider() const {
-    std::vector<WiderMatch> found;
+    std::vector<std::size_t> contradicted;
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
-      if (closures_[k].verdict != ClosureVerdict::contradicted) continue;
-      const auto [first, second, apart_m] = pairs_[k];
-      const MapMatch match = SearchableMap(shapes_[first].map, options_.match)
-                                 .find(shapes_[second].points, placed_.first_from_second(pairs_[k]),
-                                       options_.max_window);
+      if (closures_[k].verdict == ClosureVerdict::contradicted) contradicted.push_back(k);
+    }
+    const auto matches = results_of<MapMatch>(contradicted.size(), jobs_, [&](std::size_t i) {
+      const Pair& pair = pairs_[contradicted[i]];
+      return SearchableMap(shapes_[pair.first].map, options_.match)
+          .find(shapes_[pair.second].points, placed_.first_from_second(pair), options_.max_window);
+    });
+    std::vector<WiderMatch> found;
+    for (std::size_t i = 0; i < contradicted.size(); ++i) {
+      const std::size_t k = contradicted[i];
+      const MapMatch& match = matches[i];
       if (verdict_on(match, options_.min_agreeing) != ClosureVerdict::accepted) continue;
       const Closure there{0, 0, match, ClosureVerdict::accepted, false};
-      found.push_back({k, match, there.score() - closures_[k].score(), placed_.pose(second),
-                       placed_.pose(first) * match.first_from_second});
+      found.push_back({k, match, there.score() - closures_[k].score(),
+                       placed_.pose(pairs_[k].second),
+                       placed_.pose(pairs_[k].first) * match.first_from_second});
     }
     return found;
   }
@@ -253,6 +278,7 @@ class LoopCloser {
   const std::vector<AsrShape>& shapes_;
   const ClosureOptions& options_;
   const Progress& progress_;
+  int jobs_;
   double passage_robust_sigmas_;
   PlacedGraph placed_;
   std::set<AsrId> lost_before_;
@@ -266,8 +292,8 @@ class LoopCloser {
 
 ClosedLoops close_loops(const std::vector<Asr>& asrs, const std::vector<AsrShape>& shapes,
                         const RoomGraph& driven, const CorrectOptions& correct,
-                        const ClosureOptions& options, const Progress& progress) {
-  return LoopCloser(asrs, shapes, driven, correct, options, progress).run();
+                        const ClosureOptions& options, const Progress& progress, int jobs) {
+  return LoopCloser(asrs, shapes, driven, correct, options, progress, jobs).run();
 }
 
 }  // namespace roomatlas

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
+
+#include "roomatlas/asr/shared_source.hpp"
+#include "roomatlas/core/for_each_index.hpp"
 
 namespace roomatlas {
 namespace {
@@ -21,16 +25,21 @@ std::map<AsrId, std::set<AsrId>> overlapping(const std::vector<AsrShape>& shapes
   return of;
 }
 
+/// A visit's faces, told once for all that it lies on.
+struct Seen {
+  double cell_m = 0.0;
+  std::vector<Face> faces;
+};
+
 /// The faces of all shapes in the frame of one.
 LocalMap faces_around(const Pose2& building_from_map, const std::set<AsrId>& ids,
-                      const std::map<AsrId, const AsrShape*>& shape_of, const Placement& placement,
-                      double min_hits) {
-  LocalMap map(shape_of.at(*ids.begin())->map.frame().cell_m);
+                      const std::map<AsrId, Seen>& seen_by, const Placement& placement) {
+  LocalMap map(seen_by.at(*ids.begin()).cell_m);
   for (const AsrId id : ids) {
     const Pose2 map_from_asr = inverse(building_from_map) * placement.at(id);
     const PointTransform place(map_from_asr);
     const PointTransform turn({0.0, 0.0, map_from_asr.theta_rad});
-    for (const Face& face : shape_of.at(id)->map.faces(min_hits)) {
+    for (const Face& face : seen_by.at(id).faces) {
       map.add(Face{place * face.position, turn * face.normal, face.hits});
     }
   }
@@ -57,15 +66,24 @@ std::vector<Pose2> matched_path(const Asr& asr, const LocalMap& map,
 
 Paths feed_back(const AsrSource& source, const std::vector<AsrShape>& shapes,
                 const std::vector<Closure>& closures, const Placement& placement,
-                const FeedBackOptions& options) {
-  std::map<AsrId, const AsrShape*> shape_of;
-  for (const AsrShape& shape : shapes) shape_of[shape.id] = &shape;
-  Paths paths;
-  for (const auto& [id, ids] : overlapping(shapes, closures)) {
-    const LocalMap map =
-        faces_around(placement.at(id), ids, shape_of, placement, options.min_face_hits);
-    paths[id] = matched_path(source.get(id, AsrDetail::readings), map, options);
+                const FeedBackOptions& options, int jobs) {
+  auto found = results_of<std::vector<Face>>(shapes.size(), jobs, [&](std::size_t i) {
+    return shapes[i].map.faces(options.min_face_hits);
+  });
+  std::map<AsrId, Seen> seen_by;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    seen_by[shapes[i].id] = {shapes[i].map.frame().cell_m, std::move(found[i])};
   }
+  const auto around = overlapping(shapes, closures);
+  const std::vector<std::pair<AsrId, std::set<AsrId>>> all(around.begin(), around.end());
+  const SharedSource shared(source);
+  auto matched = results_of<std::vector<Pose2>>(all.size(), jobs, [&](std::size_t i) {
+    const auto& [id, ids] = all[i];
+    return matched_path(shared.get(id, AsrDetail::readings),
+                        faces_around(placement.at(id), ids, seen_by, placement), options);
+  });
+  Paths paths;
+  for (std::size_t i = 0; i < all.size(); ++i) paths[all[i].first] = std::move(matched[i]);
   return paths;
 }
 

@@ -77,12 +77,12 @@ MappedBuilding building_of(MissionKind kind, const AsrSource& source, const Asse
   const Placement placement = placement_of(corrected.correction);
   if (kind != MissionKind::paper && assemble.plan == PlanStyle::drafted) {
     const GatherOptions& gather = assemble.draft.evidence;
-    const Pose2 axes = axes_from_building(source, placement, gather);
+    const Pose2 axes = axes_from_building(source, placement, gather, options.jobs);
     const BuildingEvidence evidence =
-        gather_evidence(source, moved(placement, axes), footprint, gather, progress);
+        gather_evidence(source, moved(placement, axes), footprint, gather, progress, options.jobs);
     report(progress, "draft", 0.0);
-    return moved(mapped_building_of(draft_building(evidence, assemble.draft), evidence, map),
-                 inverse(axes));
+    DraftedBuilding drafted = draft_building(evidence, assemble.draft, options.jobs);
+    return moved(mapped_building_of(std::move(drafted), evidence, map), inverse(axes));
   }
   return rooms_by_outlines(source, corrected.graph, placement, footprint,
                            {assemble.rooms, map, assemble.map_again}, progress);

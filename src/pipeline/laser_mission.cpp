@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A mission with a laser: rooms found again by their walls.
 #include "roomatlas/asr/load.hpp"
+#include "roomatlas/asr/shared_source.hpp"
+#include "roomatlas/core/for_each_index.hpp"
 #include "roomatlas/loops/close_loops.hpp"
 #include "strategies.hpp"
 
 namespace roomatlas {
 namespace {
 
-/// The maps of all ASRs, from readings that are loaded for one ASR at a time.
+/// The maps of all ASRs, from readings that are loaded for as many ASRs at a time as there are
+/// jobs.
 std::vector<AsrShape> shapes_of(const AsrSource& source, const Options& options) {
-  std::vector<AsrShape> shapes;
-  for (const AsrId id : source.ids()) {
-    shapes.push_back(shape_of(load_with_readings(source, id), options.map.localize,
-                              options.assemble.closures.match));
-  }
-  return shapes;
+  const std::vector<AsrId> ids = source.ids();
+  const SharedSource shared(source);
+  return results_of<AsrShape>(ids.size(), options.jobs, [&](std::size_t i) {
+    return shape_of(shared.load_with_readings(ids[i]), options.map.localize,
+                    options.assemble.closures.match);
+  });
 }
 
 PassageEdge edge_of(const Closure& closure) {
@@ -39,8 +42,8 @@ CorrectedMission correct_laser_mission(const AsrSource& source, const Options& o
   CorrectedMission result;
   result.are_rooms_matched = true;
   result.graph = build_graph(asrs);
-  ClosedLoops loops =
-      close_loops(asrs, shapes, result.graph, assemble.correct, assemble.closures, progress);
+  ClosedLoops loops = close_loops(asrs, shapes, result.graph, assemble.correct, assemble.closures,
+                                  progress, options.jobs);
   for (const Closure& closure : loops.closures) {
     if (closure.verdict == ClosureVerdict::accepted) add_edge(result.graph, edge_of(closure));
   }
@@ -49,7 +52,7 @@ CorrectedMission correct_laser_mission(const AsrSource& source, const Options& o
   result.correction = correct(asrs, result.graph, assemble.correct, loops.placement);
   if (assemble.feed_back.enabled) {
     result.paths = feed_back(source, shapes, result.closures, placement_of(result.correction),
-                             assemble.feed_back);
+                             assemble.feed_back, options.jobs);
   }
   return result;
 }

@@ -22,6 +22,11 @@ double heard_off_axis(const ConeReturn& from, double half_cone_rad, const ConeLi
   return std::clamp(off, -half_cone_rad, half_cone_rad);
 }
 
+void turn_to(double normal_rad, ConeLine& line) {
+  line.normal_rad = normal_rad;
+  line.normal = direction(normal_rad);
+}
+
 /// The line through points by total least squares, its normal away from `behind`.
 ConeLine line_through(std::span<const ConeReturn> returns, const Point2& middle,
                       const Point2& behind) {
@@ -34,12 +39,9 @@ ConeLine line_through(std::span<const ConeReturn> returns, const Point2& middle,
     xy += d.x() * d.y();
     yy += d.y() * d.y();
   }
-  ConeLine line;
-  line.normal_rad = wrap_angle(0.5 * std::atan2(2.0 * xy, xx - yy) + kPi / 2.0);
-  if (direction(line.normal_rad).dot(middle - behind) < 0.0) {
-    line.normal_rad = wrap_angle(line.normal_rad + kPi);
-  }
-  line.offset_m = direction(line.normal_rad).dot(middle);
+  ConeLine line{wrap_angle(0.5 * std::atan2(2.0 * xy, xx - yy) + kPi / 2.0)};
+  if (line.normal.dot(middle - behind) < 0.0) turn_to(wrap_angle(line.normal_rad + kPi), line);
+  line.offset_m = line.normal.dot(middle);
   return line;
 }
 
@@ -56,12 +58,14 @@ struct Equations {
 /// The residual of a return is (normal . p - offset) / cos(off), p the point of the echo and
 /// `off` the angle between echo and normal; along the perpendicular p turns with the normal, and
 /// the derivative by the angle is that of the sonar's own distance.
-Equations equations_at(std::span<const ConeReturn> returns, double half_cone_rad,
+/// @param half_cone of unit length: cosine and sine of its angle
+Equations equations_at(std::span<const ConeReturn> returns, const Point2& half_cone,
                        const ConeLine& line, const Point2& pivot) {
-  const Point2 normal = direction(line.normal_rad);
+  const Point2& normal = line.normal;
   const Point2 tangent(-normal.y(), normal.x());
-  const double cos_half = std::cos(half_cone_rad);
-  const double sin_half = std::sin(half_cone_rad);
+  const double cos_half = half_cone.x();
+  const double sin_half = half_cone.y();
+  const double pivot_along = normal.dot(pivot);
   Equations sums;
   for (const ConeReturn& one : returns) {
     const Point2& axis = one.axis;
@@ -76,7 +80,7 @@ Equations equations_at(std::span<const ConeReturn> returns, double half_cone_rad
     const double cos_off = std::max(normal.dot(echo), kLeastCosOff);
     const Point2 arm = one.sonar - pivot;
     const Point2 point = arm + one.range_m * echo;
-    const double residual = (normal.dot(point) + normal.dot(pivot) - line.offset_m) / cos_off;
+    const double residual = (normal.dot(point) + pivot_along - line.offset_m) / cos_off;
     const double j0 = tangent.dot(inside ? arm : point) / cos_off;
     const double j1 = -1.0 / cos_off;
     sums.h00 += j0 * j0;
@@ -93,7 +97,7 @@ Equations equations_at(std::span<const ConeReturn> returns, double half_cone_rad
 
 std::optional<double> range_to_line(const ConeReturn& from, double half_cone_rad,
                                     const ConeLine& line) {
-  const double distance_m = line.offset_m - direction(line.normal_rad).dot(from.sonar);
+  const double distance_m = line.offset_m - line.normal.dot(from.sonar);
   const double off = std::abs(wrap_angle(from.axis_rad - line.normal_rad));
   const double off_edge = std::max(0.0, off - half_cone_rad);
   if (distance_m <= 0.0 || off_edge > kMaxOffEdgeRad) return std::nullopt;
@@ -116,17 +120,18 @@ std::optional<ConeLine> fit_line(std::span<const ConeReturn> returns, double hal
   middle /= static_cast<double>(returns.size());
   behind /= static_cast<double>(returns.size());
   ConeLine line = line_through(returns, middle, behind);
+  const Point2 half_cone = direction(half_cone_rad);
   for (int step = 0; step < kMaxSteps; ++step) {
-    const Equations sums = equations_at(returns, half_cone_rad, line, middle);
+    const Equations sums = equations_at(returns, half_cone, line, middle);
     line.sigma_m = std::sqrt(sums.squares / static_cast<double>(returns.size()));
     const double determinant = sums.h00 * sums.h11 - sums.h01 * sums.h01;
     const double turn = -(sums.h11 * sums.g0 - sums.h01 * sums.g1) / determinant;
     const double shift = -(sums.h00 * sums.g1 - sums.h01 * sums.g0) / determinant;
     if (!(std::abs(turn) < kTooFar && std::abs(shift) < kTooFar)) return std::nullopt;
     // the offset moves with the turn, since the line turns about the pivot
-    const double at_pivot = line.offset_m - direction(line.normal_rad).dot(middle) + shift;
-    line.normal_rad = wrap_angle(line.normal_rad + turn);
-    line.offset_m = at_pivot + direction(line.normal_rad).dot(middle);
+    const double at_pivot = line.offset_m - line.normal.dot(middle) + shift;
+    turn_to(wrap_angle(line.normal_rad + turn), line);
+    line.offset_m = at_pivot + line.normal.dot(middle);
     if (std::abs(turn) < kSettled && std::abs(shift) < kSettled) break;
   }
   return line;

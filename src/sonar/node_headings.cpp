@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <cstdint>
 #include <optional>
-#include <utility>
+#include <vector>
+
+#include "square_index.hpp"
 
 namespace roomatlas {
 namespace {
@@ -23,7 +25,6 @@ constexpr double kShare = 0.2;        // of what a return would say alone: neigh
 
 struct Wall {
   Point2 middle;
-  Point2 normal;
   Point2 along;
   double half_length_m = 0.0;
   ConeLine line;
@@ -32,50 +33,56 @@ struct Wall {
 /// The walls as the batch left them, by the squares that they pass through.
 class Walls {
  public:
-  Walls(std::span<const SeenWall> walls, std::span<const Pose2> map_from_node) {
-    for (const SeenWall& seen : walls) {
-      const Pose2& node = map_from_node[seen.node];
-      Wall wall;
-      wall.middle = node * seen.middle_node;
-      wall.line.normal_rad = wrap_angle(node.theta_rad + seen.normal_rad);
-      wall.normal = direction(wall.line.normal_rad);
-      wall.along = {-wall.normal.y(), wall.normal.x()};
-      wall.line.offset_m = wall.normal.dot(wall.middle);
-      wall.half_length_m = seen.length_m / 2.0;
-      add(wall);
-    }
-  }
+  Walls(std::span<const SeenWall> walls, std::span<const Pose2> map_from_node)
+      : walls_(placed(walls, map_from_node)), near_(squares_of(walls_)) {}
 
   template <typename Visit>
   void for_each_near(const Point2& at, Visit visit) const {
-    const Tile tile = tile_of(at);
+    const Square square = square_of(at, kTileM);
     for (int dx = -1; dx <= 1; ++dx) {
       for (int dy = -1; dy <= 1; ++dy) {
-        const auto found = tiles_.find({tile.first + dx, tile.second + dy});
-        if (found == tiles_.end()) continue;
-        for (const std::size_t i : found->second) visit(walls_[i]);
+        for (const std::uint32_t i : near_.at({square.x + dx, square.y + dy})) visit(walls_[i]);
       }
     }
   }
 
  private:
-  using Tile = std::pair<int, int>;
-  static Tile tile_of(const Point2& point) {
-    return {static_cast<int>(std::floor(point.x() / kTileM)),
-            static_cast<int>(std::floor(point.y() / kTileM))};
+  static std::vector<Wall> placed(std::span<const SeenWall> walls,
+                                  std::span<const Pose2> map_from_node) {
+    std::vector<Wall> result;
+    for (const SeenWall& seen : walls) {
+      const Pose2& node = map_from_node[seen.node];
+      Wall wall;
+      wall.middle = node * seen.middle_node;
+      wall.line = {wrap_angle(node.theta_rad + seen.normal_rad)};
+      wall.along = {-wall.line.normal.y(), wall.line.normal.x()};
+      wall.line.offset_m = wall.line.normal.dot(wall.middle);
+      wall.half_length_m = seen.length_m / 2.0;
+      result.push_back(wall);
+    }
+    return result;
   }
-  void add(const Wall& wall) {
+  static std::vector<SquareIndex::Entry> squares_of(const std::vector<Wall>& walls) {
+    std::vector<SquareIndex::Entry> entries;
+    for (std::uint32_t i = 0; i < walls.size(); ++i) add_squares(walls[i], i, entries);
+    return entries;
+  }
+  static void add_squares(const Wall& wall, std::uint32_t item,
+                          std::vector<SquareIndex::Entry>& entries) {
     const int steps = static_cast<int>(std::ceil(2.0 * wall.half_length_m / (kTileM / 2.0))) + 1;
+    const std::size_t first = entries.size();
     for (int i = 0; i <= steps; ++i) {
       const double at_m = wall.half_length_m * (2.0 * i / steps - 1.0);
-      std::vector<std::size_t>& here = tiles_[tile_of(wall.middle + at_m * wall.along)];
-      if (here.empty() || here.back() != walls_.size()) here.push_back(walls_.size());
+      const Square square = square_of(wall.middle + at_m * wall.along, kTileM);
+      const bool is_there =
+          std::any_of(entries.begin() + static_cast<std::ptrdiff_t>(first), entries.end(),
+                      [&](const SquareIndex::Entry& entry) { return entry.square == square; });
+      if (!is_there) entries.push_back({square, item});
     }
-    walls_.push_back(wall);
   }
 
   std::vector<Wall> walls_;
-  std::map<Tile, std::vector<std::size_t>> tiles_;
+  SquareIndex near_;
 };
 
 /// What a return says of the heading: how much too long it is, and how that grows with a turn.
@@ -91,7 +98,7 @@ std::optional<Evidence> evidence_of(const ConeReturn& heard, double half_cone_ra
   int count = 0;
   walls.for_each_near(heard.sonar + heard.range_m * heard.axis, [&](const Wall& wall) {
     // a wall is heard at its distance or farther: most are ruled out without its sines
-    const double distance_m = wall.line.offset_m - wall.normal.dot(heard.sonar);
+    const double distance_m = wall.line.offset_m - wall.line.normal.dot(heard.sonar);
     if (distance_m <= 0.0 || distance_m > heard.range_m + kGateM) return;
     if (std::abs(wrap_angle(wall.line.normal_rad - heard.axis_rad)) > kMaxOffRad) return;
     const auto expected_m = range_to_line(heard, half_cone_rad, wall.line);
@@ -176,10 +183,11 @@ std::vector<Pose2> with_headings_of_returns(std::span<const RangeReading> readin
   for (std::size_t i = 0; i < readings.size(); ++i) {
     const RangeSensor& sensor = *readings[i].sensor;
     if (sensor.kind != SensorKind::sonar) continue;
+    const PointTransform place(map_from_robot[i]);
     for (std::size_t beam = 0; beam < sensor.robot_from_beam.size(); ++beam) {
       const double range_m = readings[i].ranges_m[beam];
       if (!(range_m > kMinRangeM && range_m < std::min(kMaxRangeM, sensor.max_range_m))) continue;
-      const Pose2 pose = map_from_robot[i] * sensor.robot_from_beam[beam];
+      const Pose2 pose = place.pose(map_from_robot[i], sensor.robot_from_beam[beam]);
       const ConeReturn heard{pose.position(), pose.theta_rad, range_m};
       const auto evidence = evidence_of(heard, sensor.half_cone_rad, walls);
       if (evidence) turns.add(problem.node_of[i], *evidence);

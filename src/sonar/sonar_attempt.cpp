@@ -21,11 +21,10 @@ constexpr double kBetterM = 10.0;
 /// One batch from the given poses, and its score.
 Attempt solve_from(const SonarMission& mission, const Idea& idea, const std::vector<Pose2>& start,
                    SonarBatchOptions batch_options) {
-  if (mission.before_attempt) mission.before_attempt();
   Attempt attempt;
   const DrivenPath& path = idea.problem.path;
   SonarProblem problem = sonar_problem(mission.readings, path, mission.directions, start,
-                                       idea.directions_rad, mission.options.segments);
+                                       idea.directions_rad, mission.options.segments, mission.jobs);
   for (DrivenStep& step : problem.batch.steps) step.turn_sigma_rad *= idea.doubt;
   if (idea.is_odometry) batch_options.heading_weight = 0.0;
   const SonarBatchResult solved = solve_sonar_batch(problem.batch, batch_options);
@@ -94,8 +93,8 @@ Idea idea_of(const SonarMission& mission, const Calibration& calibration,
   idea.habits = calibration.habits;
   idea.doubt = calibration.doubt;
   idea.chain_options = calibration.doubting({});
-  idea.problem =
-      heading_problem(mission.readings, mission.directions, idea.habits, mission.options.segments);
+  idea.problem = heading_problem(mission.readings, mission.directions, idea.habits,
+                                 mission.options.segments, mission.jobs);
   idea.heading = mission_heading(idea.problem.nodes, idea.problem.sightings, idea.directions_rad,
                                  idea.chain_options);
   return idea;

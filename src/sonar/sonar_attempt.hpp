@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mission_heading.hpp"
+#include "roomatlas/core/for_each_index.hpp"
 #include "roomatlas/sonar/sonar_trajectory.hpp"
 #include "sonar_batch.hpp"
 #include "sonar_calibration.hpp"
@@ -22,7 +23,27 @@ struct SonarMission {
   const DriveDirections& directions;
   const SonarTrajectoryOptions& options;
   const std::function<void()>& before_attempt;  ///< may be empty; what it throws ends the work
+  int jobs = 1;                                 ///< threads at once, see `for_each_index`
+
+  /// The same in one thread: for work that is done beside other work.
+  [[nodiscard]] SonarMission alone() const {
+    return {readings, directions, options, before_attempt, 1};
+  }
 };
+
+/// The results of independent attempts, as many at once as the mission has jobs; `make(alone, i)`
+/// takes the mission in one thread.
+template <typename Result, typename Make>
+[[nodiscard]] std::vector<Result> tried(const SonarMission& mission, std::size_t count,
+                                        const Make& make) {
+  const SonarMission alone = mission.alone();
+  const SonarMission& used = count > 1 ? alone : mission;
+  return results_of<Result>(
+      count, mission.jobs, [&](std::size_t i) { return make(used, i); },
+      [&](std::size_t) {
+        if (mission.before_attempt) mission.before_attempt();
+      });
+}
 
 /// A trajectory, and what its visits say of each other's walls.
 struct Attempt {

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <optional>
+#include <vector>
+
+#include "roomatlas/core/for_each_index.hpp"
 
 namespace roomatlas {
 namespace {
@@ -43,55 +45,65 @@ class Search {
  public:
   Search(std::span<const RangeReading> readings, const DriveDirections& directions,
          const WallSegmentOptions& segments, const SightingChainOptions& chain,
-         const Calibration& start)
+         const Calibration& start, int jobs)
       : readings_(readings),
         directions_(directions),
         segments_(segments),
         chain_(chain),
+        jobs_(jobs),
         best_(start) {
-    score_ = score(best_);
+    score_ = score(best_, problem_of(best_, jobs_));
   }
 
   /// Tries changes of one habit about the best so far.
   void along(double OdometryHabits::*habit, std::initializer_list<double> changes) {
-    const Calibration around = best_;
-    for (const double change : changes) {
-      Calibration candidate = around;
-      candidate.habits.*habit += change;
-      const double now = score(candidate);
-      if (now <= score_) continue;
-      score_ = now;
-      best_ = candidate;
+    std::vector<Calibration> candidates(changes.size(), best_);
+    std::transform(changes.begin(), changes.end(), candidates.begin(), candidates.begin(),
+                   [&](double change, Calibration candidate) {
+                     candidate.habits.*habit += change;
+                     return candidate;
+                   });
+    const auto scores = results_of<double>(candidates.size(), jobs_, [&](std::size_t i) {
+      return score(candidates[i], problem_of(candidates[i], 1));
+    });
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (scores[i] <= score_) continue;
+      score_ = scores[i];
+      best_ = candidates[i];
     }
   }
   /// Decides anew how much to doubt odometry: more than usual only where that is clearly likelier.
-  void doubt(std::initializer_list<double> doubts) {
-    best_.doubt = 1.0;
-    score_ = score(best_);
-    const double as_usual = score_;
-    for (const double doubt : doubts) {
-      Calibration candidate = best_;
-      candidate.doubt = doubt;
-      const double now = score(candidate);
-      if (now > score_ && now > as_usual + kClearly) {
-        score_ = now;
-        best_ = candidate;
-      }
+  void doubt(const std::vector<double>& doubts) {
+    const HeadingProblem problem = problem_of(best_, jobs_);
+    std::vector<Calibration> candidates(1 + doubts.size(), best_);
+    candidates[0].doubt = 1.0;
+    for (std::size_t i = 0; i < doubts.size(); ++i) candidates[1 + i].doubt = doubts[i];
+    const auto scores = results_of<double>(
+        candidates.size(), jobs_, [&](std::size_t i) { return score(candidates[i], problem); });
+    score_ = scores[0];
+    best_ = candidates[0];
+    for (std::size_t i = 1; i < candidates.size(); ++i) {
+      if (!(scores[i] > score_ && scores[i] > scores[0] + kClearly)) continue;
+      score_ = scores[i];
+      best_ = candidates[i];
     }
   }
   /// Looks for wings at an angle, so that the habits are not made to bend them.
   void find_directions() {
-    const HeadingProblem problem = heading_problem(readings_, directions_, best_.habits, segments_);
-    walls_rad_ = building_directions(problem, best_.doubting(chain_));
-    score_ = score(best_);
+    const HeadingProblem problem = problem_of(best_, jobs_);
+    walls_rad_ = building_directions(problem, best_.doubting(chain_), jobs_);
+    score_ = score(best_, problem);
   }
   [[nodiscard]] const Calibration& best() const { return best_; }
 
  private:
+  [[nodiscard]] HeadingProblem problem_of(const Calibration& calibration, int jobs) const {
+    return heading_problem(readings_, directions_, calibration.habits, segments_, jobs);
+  }
   /// Log evidence, with a weak prior against habits.
-  [[nodiscard]] double score(const Calibration& calibration) const {
+  /// @param problem of the same habits
+  [[nodiscard]] double score(const Calibration& calibration, const HeadingProblem& problem) const {
     const OdometryHabits& habits = calibration.habits;
-    const HeadingProblem problem = heading_problem(readings_, directions_, habits, segments_);
     const double bias = degrees(habits.bias_rad_per_m) / kBiasSigma;
     const double gain = (habits.turn_gain - 1.0) / kGainSigma;
     const double lag = habits.lag_s / kLagSigmaS;
@@ -105,6 +117,7 @@ class Search {
   const DriveDirections& directions_;
   const WallSegmentOptions& segments_;
   const SightingChainOptions& chain_;
+  int jobs_;
   std::vector<double> walls_rad_ = {0.0};
   Calibration best_;
   double score_ = 0.0;
@@ -114,11 +127,11 @@ class Search {
 
 HeadingProblem heading_problem(std::span<const RangeReading> readings,
                                const DriveDirections& directions, const OdometryHabits& habits,
-                               const WallSegmentOptions& segments) {
+                               const WallSegmentOptions& segments, int jobs) {
   HeadingProblem problem;
   problem.path = driven_path(readings, directions, habits);
   const DrivenPath& path = problem.path;
-  problem.segments = wall_segments(readings, path.odom_from_robot, path.path_m, segments);
+  problem.segments = wall_segments(readings, path.odom_from_robot, path.path_m, segments, jobs);
   problem.node_readings = nodes_along(path, kNodeM, kNodeRad);
   for (const std::size_t i : problem.node_readings) {
     problem.nodes.push_back({path.path_m[i], path.turned_rad[i]});
@@ -137,16 +150,16 @@ HeadingProblem heading_problem(std::span<const RangeReading> readings,
 Calibration calibrate_odometry(std::span<const RangeReading> readings,
                                const DriveDirections& directions,
                                const WallSegmentOptions& segments,
-                               const SightingChainOptions& chain) {
+                               const SightingChainOptions& chain, int jobs) {
   // The steps reach as far as the worst recorded logs, 3.3 degrees a metre and a gain of 0.95, and
   // farther: a heading that slips looks for its gain beyond them.
-  Search coarse(beginning(readings, kCoarseWayM), directions, segments, chain, {});
+  Search coarse(beginning(readings, kCoarseWayM), directions, segments, chain, {}, jobs);
   const auto deg = [](double value) { return radians(value); };
   coarse.along(
       &OdometryHabits::bias_rad_per_m,
       {deg(-4.0), deg(-3.5), deg(-3.0), deg(-2.5), deg(-2.0), deg(-1.5), deg(-1.0), deg(-0.5),
        deg(0.5), deg(1.0), deg(1.5), deg(2.0), deg(2.5), deg(3.0), deg(3.5), deg(4.0)});
-  Search search(beginning(readings, kEnoughWayM), directions, segments, chain, coarse.best());
+  Search search(beginning(readings, kEnoughWayM), directions, segments, chain, coarse.best(), jobs);
   search.along(&OdometryHabits::bias_rad_per_m, {deg(-0.25), deg(0.25)});
   search.find_directions();
   search.doubt({1.6, 2.4});  // may be the other habits, until they are found
@@ -160,27 +173,28 @@ Calibration calibrate_odometry(std::span<const RangeReading> readings,
   return search.best();
 }
 
-std::vector<double> building_directions(const HeadingProblem& problem, SightingChainOptions chain) {
+std::vector<double> building_directions(const HeadingProblem& problem, SightingChainOptions chain,
+                                        int jobs) {
   chain.states = 90;                  // enough for a comparison
   constexpr std::size_t kMost = 3;    // more would fit anything
   constexpr double kFirstDeg = 10.0;  // nearer ones are one direction, seen with noise
   constexpr double kStepDeg = 5.0;    // a wing's walls are found up to 2.5 degrees beside it
+  std::vector<double> tried_rad;
+  for (double deg = kFirstDeg; deg <= 90.0 - kFirstDeg; deg += kStepDeg) {
+    tried_rad.push_back(radians(deg));
+  }
   std::vector<double> directions_rad = {0.0};
   double evidence = heading_evidence(problem.nodes, problem.sightings, directions_rad, chain);
   while (directions_rad.size() < kMost) {
-    double best = evidence + kClearly;
-    std::optional<double> another_rad;
-    for (double deg = kFirstDeg; deg <= 90.0 - kFirstDeg; deg += kStepDeg) {
+    const auto found = results_of<double>(tried_rad.size(), jobs, [&](std::size_t i) {
       std::vector<double> candidate = directions_rad;
-      candidate.push_back(radians(deg));
-      const double now = heading_evidence(problem.nodes, problem.sightings, candidate, chain);
-      if (now <= best) continue;
-      best = now;
-      another_rad = radians(deg);
-    }
-    if (!another_rad) break;
-    directions_rad.push_back(*another_rad);
-    evidence = best;
+      candidate.push_back(tried_rad[i]);
+      return heading_evidence(problem.nodes, problem.sightings, candidate, chain);
+    });
+    const auto best = std::max_element(found.begin(), found.end());  // the first of equal ones
+    if (*best <= evidence + kClearly) break;
+    directions_rad.push_back(tried_rad[static_cast<std::size_t>(best - found.begin())]);
+    evidence = *best;
   }
   return directions_rad;
 }

@@ -30,22 +30,23 @@ struct Calibration {
   }
 };
 
+/// @param jobs here and below: threads at once, see `for_each_index`
 [[nodiscard]] HeadingProblem heading_problem(std::span<const RangeReading> readings,
                                              const DriveDirections& directions,
                                              const OdometryHabits& habits,
-                                             const WallSegmentOptions& segments);
+                                             const WallSegmentOptions& segments, int jobs);
 
 /// The habits, and the doubt in what is left, under which the walls say most for one heading:
 /// coordinate by coordinate over a coarse grid, then finer.
 [[nodiscard]] Calibration calibrate_odometry(std::span<const RangeReading> readings,
                                              const DriveDirections& directions,
                                              const WallSegmentOptions& segments,
-                                             const SightingChainOptions& chain);
+                                             const SightingChainOptions& chain, int jobs);
 
 /// The directions, modulo 90 degrees, that the building's walls follow: 0, and others as long as
 /// each makes the walls clearly more likely. A wing at an angle is one of them; without it, the
 /// heading would be bent to make the wing's walls follow the rest.
 [[nodiscard]] std::vector<double> building_directions(const HeadingProblem& problem,
-                                                      SightingChainOptions chain);
+                                                      SightingChainOptions chain, int jobs);
 
 }  // namespace roomatlas

@@ -29,21 +29,36 @@ std::array<PairResidual, 3> step_residuals(const Pose2& map_from_first,
   return residuals;
 }
 
-PairResidual across_residual(const Pose2& map_from_first, const SeenWall& first,
-                             const Pose2& map_from_second, const SeenWall& second, double along_m) {
-  const Point2 normal = direction(map_from_first.theta_rad + first.normal_rad);
-  const Point2 to_middle = map_from_first * first.middle_node - map_from_first.position();
-  const Point2 point_node =
-      second.middle_node + along_m * turned_left(direction(second.normal_rad));
-  const Point2 to_point = map_from_second * point_node - map_from_second.position();
-  const Point2 between =
-      map_from_second.position() + to_point - map_from_first.position() - to_middle;
+PlacedWall placed(const SeenWall& wall, const Pose2& map_from_node,
+                  const PointTransform& transform) {
+  PlacedWall at;
+  at.normal_rad = map_from_node.theta_rad + wall.normal_rad;
+  at.normal = direction(at.normal_rad);
+  at.node = map_from_node.position();
+  at.to_middle = transform * wall.middle_node - at.node;
+  at.turned = at.normal.dot(turned_left(at.to_middle));
+  return at;
+}
+
+Point2 point_on(const SeenWall& wall, double along_m) {
+  return wall.middle_node + along_m * turned_left(direction(wall.normal_rad));
+}
+
+PairResidual across_residual(const PlacedWall& first, const Point2& second, const Point2& point) {
+  const Point2& normal = first.normal;
+  const Point2 to_point = point - second;
+  const Point2 between = second + to_point - first.node - first.to_middle;
   PairResidual residual;
   residual.value = normal.dot(between);
-  residual.by_first = {-normal.x(), -normal.y(),
-                       turned_left(normal).dot(between) - normal.dot(turned_left(to_middle))};
+  residual.by_first = {-normal.x(), -normal.y(), turned_left(normal).dot(between) - first.turned};
   residual.by_second = {normal.x(), normal.y(), normal.dot(turned_left(to_point))};
   return residual;
+}
+
+PairResidual across_residual(const Pose2& map_from_first, const SeenWall& first,
+                             const Pose2& map_from_second, const SeenWall& second, double along_m) {
+  return across_residual(placed(first, map_from_first, PointTransform(map_from_first)),
+                         map_from_second.position(), map_from_second * point_on(second, along_m));
 }
 
 }  // namespace roomatlas

@@ -22,8 +22,28 @@ struct PairResidual {
                                                          const Pose2& map_from_second,
                                                          const Pose2& first_from_second);
 
-/// How far a point of the second wall lies beyond the first wall's line, metres. The point is
-/// `along_m` from the second's middle.
+/// A wall where its node stands: what its pairs ask of it, worked out once for all of them.
+struct PlacedWall {
+  double normal_rad = 0.0;  ///< not wrapped
+  Point2 normal;
+  Point2 node;          ///< position
+  Point2 to_middle;     ///< from the node to the wall's middle
+  double turned = 0.0;  ///< how the middle moves along the normal as the node turns
+};
+/// @param transform the same as `map_from_node`
+[[nodiscard]] PlacedWall placed(const SeenWall& wall, const Pose2& map_from_node,
+                                const PointTransform& transform);
+
+/// A point of a wall, in its node's frame. @param along_m from the wall's middle
+[[nodiscard]] Point2 point_on(const SeenWall& wall, double along_m);
+
+/// How far a point of a second wall lies beyond the first wall's line, metres.
+/// @param second position of the second wall's node
+/// @param point in the map
+[[nodiscard]] PairResidual across_residual(const PlacedWall& first, const Point2& second,
+                                           const Point2& point);
+
+/// The same for poses as they come. The point is `along_m` from the second's middle.
 [[nodiscard]] PairResidual across_residual(const Pose2& map_from_first, const SeenWall& first,
                                            const Pose2& map_from_second, const SeenWall& second,
                                            double along_m);

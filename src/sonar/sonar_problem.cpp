@@ -49,7 +49,7 @@ DrivenStep step_between(const DrivenPath& path, const std::vector<double>& undec
 SonarProblem sonar_problem(Readings readings, const DrivenPath& path,
                            const DriveDirections& directions, const std::vector<Pose2>& start,
                            const std::vector<double>& directions_rad,
-                           const WallSegmentOptions& options) {
+                           const WallSegmentOptions& options, int jobs) {
   SonarProblem problem;
   problem.node_readings = nodes_along(path, kNodeM, kNodeRad);
   const auto& nodes = problem.node_readings;
@@ -62,7 +62,7 @@ SonarProblem sonar_problem(Readings readings, const DrivenPath& path,
     if (node + 1 < nodes.size() && nodes[node + 1] <= i) ++node;
     problem.node_of.push_back(node);
   }
-  problem.segments = wall_segments(readings, start, path.path_m, options);
+  problem.segments = wall_segments(readings, start, path.path_m, options, jobs);
   for (const WallSegment& segment : problem.segments) {
     const std::size_t node = problem.node_of[segment.reading];
     const Pose2 node_from_robot =

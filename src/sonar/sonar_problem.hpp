@@ -21,11 +21,12 @@ struct SonarProblem {
 /// @param start poses to extract the walls at and to start from, one a reading
 /// @param directions_rad of the building's walls, modulo 90 degrees: each wall is held to follow
 ///   the nearest
+/// @param jobs threads at once, see `for_each_index`
 [[nodiscard]] SonarProblem sonar_problem(std::span<const RangeReading> readings,
                                          const DrivenPath& path, const DriveDirections& directions,
                                          const std::vector<Pose2>& start,
                                          const std::vector<double>& directions_rad,
-                                         const WallSegmentOptions& options);
+                                         const WallSegmentOptions& options, int jobs);
 
 /// Poses of all readings from those of the nodes: as driven, and what is missing at the next node
 /// spread over the way there.

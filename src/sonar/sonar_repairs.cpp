@@ -92,22 +92,29 @@ void repair_slips(const SonarMission& mission, Idea& idea, std::vector<Attempt>&
   };
   for (bool repaired = true; repaired;) {
     repaired = false;
-    for (const HeadingSlip& slip :
-         find_slips(idea.problem.nodes, idea.problem.sightings, idea.directions_rad,
-                    idea.chain_options, idea.attempt.correction_rad, kLeastLogOdds)) {
-      if (is_refuted(slip)) continue;
-      if (++tries > kMostTries) return;
-      Attempt attempt = solve(mission, idea, name_of(slip, idea), slipped(idea, slip));
-      result.variants.push_back(attempt.variant);
-      repaired = is_better(attempt, idea.attempt);
-      if (repaired) {
-        std::swap(attempt, idea.attempt);
-        result.chosen = result.variants.size() - 1;
-        ++result.slips_repaired;
+    std::vector<HeadingSlip> slips =
+        find_slips(idea.problem.nodes, idea.problem.sightings, idea.directions_rad,
+                   idea.chain_options, idea.attempt.correction_rad, kLeastLogOdds);
+    std::erase_if(slips, is_refuted);  // no two of the others are one
+    for (std::size_t next = 0; next < slips.size() && !repaired;) {
+      if (tries == kMostTries) return;
+      const std::size_t count =
+          std::min({thread_count(mission.jobs), slips.size() - next, kMostTries - tries});
+      auto attempts = tried<Attempt>(mission, count, [&](const SonarMission& alone, std::size_t i) {
+        const HeadingSlip& slip = slips[next + i];
+        return solve(alone, idea, name_of(slip, idea), slipped(idea, slip));
+      });
+      for (std::size_t i = 0; i < count && !repaired; ++i, ++next, ++tries) {
+        result.variants.push_back(attempts[i].variant);
+        repaired = is_better(attempts[i], idea.attempt);
+        if (repaired) {
+          std::swap(attempts[i], idea.attempt);
+          result.chosen = result.variants.size() - 1;
+          ++result.slips_repaired;
+        }
+        others.push_back(std::move(attempts[i]));
+        refuted.push_back(repaired ? undone(slips[next]) : slips[next]);
       }
-      others.push_back(std::move(attempt));
-      refuted.push_back(repaired ? undone(slip) : slip);
-      if (repaired) break;
     }
   }
 }
@@ -125,10 +132,15 @@ void refine(const SonarMission& mission, Idea& idea, SonarTrajectory& result) {
   wide.start_scale_m = 2.0;  // a corridor's width: more takes its sides for one wall
   SonarBatchOptions near;
   near.start_scale_m = 0.5;  // nearer than the wall of the room next door
-  (void)offer(solve(mission, idea, "from 2 m", heading_rad, wide));
-  (void)offer(solve(mission, idea, "from 0.5 m", heading_rad, near));
+  for (Attempt& attempt : tried<Attempt>(mission, 2, [&](const SonarMission&alone, std::size_t i) {
+         return i == 0 ? solve(alone, idea, "from 2 m", heading_rad, wide)
+                       : solve(alone, idea, "from 0.5 m", heading_rad, near);
+       })) {
+    (void)offer(std::move(attempt));
+  }
   constexpr int kMostTimes = 2;  // time alone
   for (int times = 0; times < kMostTimes; ++times) {
+    if (mission.before_attempt) mission.before_attempt();
     Idea learnt = with_learnt_habits(mission, idea);
     if (!offer(solve_again(mission, learnt, "walls extracted anew", near))) {
       break;

@@ -114,43 +114,61 @@ std::string name_of(const std::vector<double>& walls_rad) {
   return "walls in " + std::to_string(walls_rad.size()) + " directions";
 }
 
-void consider(const SonarMission& mission, Idea idea, std::string name, Choice& choice,
+/// An idea to be worked out and solved.
+struct Consideration {
+  std::string name;
+  Calibration calibration;
+  std::vector<double> directions_rad;
+  bool is_odometry = false;
+};
+
+/// Independent of each other, and offered in their order.
+void consider(const SonarMission& mission, const std::vector<Consideration>& all, Choice& choice,
               SonarTrajectory& result) {
-  idea.attempt = solve(mission, idea, std::move(name), idea.heading.correction_rad);
-  choice.offer(std::move(idea), result);
+  const auto solved = [&](const SonarMission& alone, std::size_t i) {
+    const Consideration& one = all[i];
+    Idea idea = idea_of(alone, one.calibration, one.directions_rad);
+    if (one.is_odometry) {
+      std::fill(idea.heading.correction_rad.begin(), idea.heading.correction_rad.end(), 0.0);
+      idea.is_odometry = true;
+    }
+    idea.attempt = solve(alone, idea, one.name, idea.heading.correction_rad);
+    return idea;
+  };
+  for (Idea& idea : tried<Idea>(mission, all.size(), solved)) {
+    choice.offer(std::move(idea), result);
+  }
 }
 
 /// Headings by the building's walls, where these follow directions, and odometry's own.
 Choice choose_heading(const SonarMission& mission, const Calibration& likely,
                       SonarTrajectory& result) {
-  const HeadingProblem problem = heading_problem(mission.readings, mission.directions,
-                                                 likely.habits, mission.options.segments);
+  const HeadingProblem problem = heading_problem(
+      mission.readings, mission.directions, likely.habits, mission.options.segments, mission.jobs);
   const SightingChainOptions chain = likely.doubting({});
-  const std::vector<double> walls_rad = building_directions(problem, chain);
-  Choice choice;
+  const std::vector<double> walls_rad = building_directions(problem, chain, mission.jobs);
+  std::vector<Consideration> all;
   if (walls_follow_directions(problem, walls_rad, chain)) {
     // all of them first: wings at an angle are believed
-    if (walls_rad.size() > 1) {
-      consider(mission, idea_of(mission, likely, walls_rad), name_of(walls_rad), choice, result);
-    }
-    consider(mission, idea_of(mission, likely, {0.0}), name_of({0.0}), choice, result);
+    if (walls_rad.size() > 1) all.push_back({name_of(walls_rad), likely, walls_rad});
+    all.push_back({name_of({0.0}), likely, {0.0}});
   }
-  Idea odometry = idea_of(mission, {}, {0.0});
-  std::fill(odometry.heading.correction_rad.begin(), odometry.heading.correction_rad.end(), 0.0);
-  odometry.is_odometry = true;
-  consider(mission, std::move(odometry), "odometry's own heading", choice, result);
+  all.push_back({"odometry's own heading", {}, {0.0}, true});
+  Choice choice;
+  consider(mission, all, choice, result);
   return choice;
 }
 
 void consider_other_habits(const SonarMission& mission, const Calibration& likely, Choice& choice,
                            SonarTrajectory& result) {
-  const std::vector<double> walls_rad = choice.best->directions_rad;
+  std::vector<Consideration> all;
   for (const Change& change : kChanges) {
     Calibration changed = likely;
     changed.habits.bias_rad_per_m += radians(change.bias_deg_per_m);
     changed.habits.turn_gain += change.turn_gain;
-    consider(mission, idea_of(mission, changed, walls_rad), change.name, choice, result);
+    all.push_back({change.name, changed, choice.best->directions_rad});
   }
+  consider(mission, all, choice, result);
 }
 
 }  // namespace
@@ -158,7 +176,7 @@ void consider_other_habits(const SonarMission& mission, const Calibration& likel
 SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
                                          const DriveDirections& directions,
                                          const SonarTrajectoryOptions& options,
-                                         const std::function<void()>& before_attempt) {
+                                         const std::function<void()>& before_attempt, int jobs) {
   if (directions.of_step.size() != readings.size()) {
     throw std::invalid_argument("correct_sonar_trajectory: not one direction of drive a reading");
   }
@@ -167,8 +185,10 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
   result.drives_reversed = directions.drives_reversed;
   result.undecided_m = directions.undecided_m.back();
   Calibration likely;
-  if (options.calibrate) likely = calibrate_odometry(readings, directions, options.segments, {});
-  const SonarMission mission{readings, directions, options, before_attempt};
+  if (options.calibrate) {
+    likely = calibrate_odometry(readings, directions, options.segments, {}, jobs);
+  }
+  const SonarMission mission{readings, directions, options, before_attempt, jobs};
   Choice choice = choose_heading(mission, likely, result);
   if (options.calibrate && !choice.best->is_odometry &&
       !is_verified(*choice.best, choice.others, options)) {

@@ -7,6 +7,8 @@
 #include <map>
 #include <utility>
 
+#include "roomatlas/core/for_each_index.hpp"
+
 namespace roomatlas {
 namespace {
 
@@ -47,19 +49,24 @@ struct Beam {
   double max_range_m = 0.0;
 };
 
+/// @param places those of the key readings, as transforms
 Beam heard_by(std::size_t beam, const KeyReadings& keys, std::span<const RangeReading> readings,
-              std::span<const Pose2> map_from_robot, const WallSegmentOptions& options) {
+              std::span<const Pose2> map_from_robot, std::span<const PointTransform> places,
+              const WallSegmentOptions& options) {
   const RangeSensor& sensor = *readings[keys.front()].sensor;
   Beam result{&keys, {}, sensor.half_cone_rad, std::min(options.max_range_m, sensor.max_range_m)};
-  for (const std::size_t i : keys) {
+  result.returns.reserve(keys.size());
+  const ConeReturn nothing;
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    const std::size_t i = keys[k];
     const double range_m = readings[i].ranges_m[beam];
     const bool usable = range_m > options.min_range_m && range_m < result.max_range_m;
-    ConeReturn one;
-    if (usable) {
-      const Pose2 pose = map_from_robot[i] * sensor.robot_from_beam[beam];
-      one = {pose.position(), pose.theta_rad, range_m};
+    if (!usable) {
+      result.returns.push_back(nothing);
+      continue;
     }
-    result.returns.push_back(one);
+    const Pose2 pose = places[k].pose(map_from_robot[i], sensor.robot_from_beam[beam]);
+    result.returns.push_back({pose.position(), pose.theta_rad, range_m});
   }
   return result;
 }
@@ -135,7 +142,7 @@ class Grower {
   }
 
   [[nodiscard]] std::optional<WallSegment> finished() const {
-    const Point2 normal = direction(line_.normal_rad);
+    const Point2& normal = line_.normal;
     const Point2 tangent(-normal.y(), normal.x());
     double least = std::numeric_limits<double>::max();
     double most = std::numeric_limits<double>::lowest();
@@ -175,12 +182,21 @@ class Grower {
 std::vector<WallSegment> wall_segments(std::span<const RangeReading> readings,
                                        std::span<const Pose2> map_from_robot,
                                        std::span<const double> path_m,
-                                       const WallSegmentOptions& options) {
+                                       const WallSegmentOptions& options, int jobs) {
   std::vector<WallSegment> segments;
   for (const auto& [sensor, keys] : key_readings(readings, map_from_robot, options)) {
-    for (std::size_t beam = 0; beam < sensor->robot_from_beam.size(); ++beam) {
-      const Beam heard = heard_by(beam, keys, readings, map_from_robot, options);
-      Grower(heard, map_from_robot, path_m, options).grow_all(segments);
+    std::vector<PointTransform> places;
+    places.reserve(keys.size());
+    for (const std::size_t i : keys) places.emplace_back(map_from_robot[i]);
+    const auto along_beam = [&](std::size_t beam) {
+      std::vector<WallSegment> of_beam;
+      const Beam heard = heard_by(beam, keys, readings, map_from_robot, places, options);
+      Grower(heard, map_from_robot, path_m, options).grow_all(of_beam);
+      return of_beam;
+    };
+    for (const auto& of_beam :
+         results_of<std::vector<WallSegment>>(sensor->robot_from_beam.size(), jobs, along_beam)) {
+      segments.insert(segments.end(), of_beam.begin(), of_beam.end());
     }
   }
   // by reading, then by content: the sensors' addresses must not decide the order

@@ -10,9 +10,10 @@ namespace roomatlas {
 /// origin and looks along x, as nearly as that goes. However the mission's frame is turned, the
 /// building's cells then lie alike, and so do the cells of a building aslant and of a straight one.
 /// @returns the pose of the mission's frame in that one; the identity without readings
+/// @param jobs threads at once, see `for_each_index`
 /// @throws InputError for an ASR without its readings
 [[nodiscard]] Pose2 axes_from_building(const AsrSource& source, const Placement& placement,
-                                       const GatherOptions& options);
+                                       const GatherOptions& options, int jobs = 1);
 
 /// Each ASR as it lies in another frame.
 [[nodiscard]] Placement moved(Placement placement, const Pose2& to_from_here);

@@ -53,8 +53,9 @@ struct DraftedBuilding {
 /// Drafts a building: faces of walls, walls, rooms, the lines on which their walls run, doors,
 /// furniture, and what is known of each edge. Without a path (`evidence_of_map`) rooms are decided
 /// on the floor as it is, and none is left out for not being entered.
+/// @param jobs threads at once, see `for_each_index`
 [[nodiscard]] DraftedBuilding draft_building(const BuildingEvidence& evidence,
-                                             const DraftBuildingOptions& chosen);
+                                             const DraftBuildingOptions& chosen, int jobs = 1);
 
 /// The same as the rooms of a mission: numbered without gaps, with doors in the order of their
 /// first crossing, and each room's outline as far as it was seen free.

@@ -53,12 +53,14 @@ struct BuildingEvidence {
   std::vector<AsrId> asr_of_pose;          ///< parallel to the path
 };
 
-/// Gathers all readings where the correction puts them. Readings are loaded for one ASR at a time.
+/// Gathers all readings where the correction puts them. Readings are loaded for one ASR at a time,
+/// and those of the next beside.
+/// @param jobs threads at once, see `for_each_index`
 /// @throws InputError for an ASR without its readings
 [[nodiscard]] BuildingEvidence gather_evidence(const AsrSource& source, const Placement& placement,
                                                const RobotFootprint& footprint,
                                                const GatherOptions& options,
-                                               const Progress& progress);
+                                               const Progress& progress, int jobs = 1);
 
 /// What one reading of sonars heard; beams without a range are left out.
 [[nodiscard]] std::vector<Echo> echoes_of(const RangeReading& reading,

@@ -54,8 +54,9 @@ struct WallFaceOptions {
 
 /// Where walls are: faces along the building's directions first, by greedy choice of the longest
 /// runs of surfaces; then slanted and curved ones as pieces of straight line.
+/// @param jobs threads at once, see `for_each_index`
 [[nodiscard]] std::vector<WallFace> find_wall_faces(const BuildingEvidence& evidence,
-                                                    const WallFaceOptions& options);
+                                                    const WallFaceOptions& options, int jobs = 1);
 
 /// The direction modulo 90 degrees that most surfaces follow, in [0, pi/2).
 /// @param surfaces not empty

@@ -23,9 +23,10 @@ struct ClosedLoops {
 /// @param shapes parallel to `asrs`
 /// @param driven the graph of `asrs`, vertices in this order
 /// @throws Interrupted
+/// @param jobs threads at once, see `for_each_index`
 [[nodiscard]] ClosedLoops close_loops(const std::vector<Asr>& asrs,
                                       const std::vector<AsrShape>& shapes, const RoomGraph& driven,
                                       const CorrectOptions& correct, const ClosureOptions& options,
-                                      const Progress& progress = {});
+                                      const Progress& progress = {}, int jobs = 1);
 
 }  // namespace roomatlas

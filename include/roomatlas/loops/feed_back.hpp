@@ -29,8 +29,9 @@ struct FeedBackOptions {
 /// @param closures those accepted tell which ASRs lie on each other
 /// @returns one path an ASR, in its frame and one pose a reading; readings that match too little
 ///   keep their pose
+/// @param jobs threads at once, see `for_each_index`; so many ASRs' readings are loaded at a time
 [[nodiscard]] Paths feed_back(const AsrSource& source, const std::vector<AsrShape>& shapes,
                               const std::vector<Closure>& closures, const Placement& placement,
-                              const FeedBackOptions& options);
+                              const FeedBackOptions& options, int jobs = 1);
 
 }  // namespace roomatlas

@@ -58,6 +58,8 @@ struct Options {
   MissionOptions mission;
   MapOptions map;
   AssembleOptions assemble;
+  int jobs = 0;  ///< threads that work at once, see `thread_count`; 0: one for each core. More take
+                 ///< more memory; the results are the same to the byte
 };
 
 }  // namespace roomatlas

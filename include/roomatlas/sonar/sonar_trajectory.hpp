@@ -65,11 +65,14 @@ struct SonarTrajectory {
 /// is as good as odometry with the heading corrected. Deterministic; readings in file order, their
 /// times need not ascend. An empty mission gives an empty trajectory; lasers are not used.
 /// @param directions of the same readings, see `find_drive_directions`
-/// @param before_attempt called before each batch, of which there are up to thirty; to give up, it
-///   throws
+/// @param before_attempt called in this thread before its batches, of which there are up to thirty;
+///   to give up, it throws
+/// @param jobs threads at once, see `for_each_index`. Slips that may be tried are tried ahead, so
+///   that several threads may work more than one; what is chosen is what one would choose
 /// @throws std::invalid_argument where there is not one direction a reading
 [[nodiscard]] SonarTrajectory correct_sonar_trajectory(
     std::span<const RangeReading> readings, const DriveDirections& directions,
-    const SonarTrajectoryOptions& options, const std::function<void()>& before_attempt = {});
+    const SonarTrajectoryOptions& options, const std::function<void()>& before_attempt = {},
+    int jobs = 1);
 
 }  // namespace roomatlas

@@ -24,7 +24,8 @@ struct ConeReturn {
 struct ConeLine {
   double normal_rad = 0.0;  ///< [-pi, pi)
   double offset_m = 0.0;
-  double sigma_m = 0.0;  ///< root mean square of the range residuals
+  double sigma_m = 0.0;                   ///< root mean square of the range residuals
+  Point2 normal = direction(normal_rad);  ///< of unit length; asked for with each return
 };
 
 /// The range at which a sonar hears a straight wall: the distance d where the perpendicular lies
@@ -70,9 +71,11 @@ struct WallSegmentOptions {
 /// Walls from consecutive returns of each sonar, ordered by reading. Lasers are passed over.
 /// @param map_from_robot one pose a reading, good over a few metres: odometry is enough
 /// @param path_m length of the path up to each reading, not decreasing
+/// @param jobs threads at once, see `for_each_index`
 [[nodiscard]] std::vector<WallSegment> wall_segments(std::span<const RangeReading> readings,
                                                      std::span<const Pose2> map_from_robot,
                                                      std::span<const double> path_m,
-                                                     const WallSegmentOptions& options);
+                                                     const WallSegmentOptions& options,
+                                                     int jobs = 1);
 
 }  // namespace roomatlas

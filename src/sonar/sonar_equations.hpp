@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The normal equations of the batch.
+#pragma once
+
+#include <vector>
+
+#include "roomatlas/solve/block_cholesky.hpp"
+#include "sonar_factors.hpp"
+
+namespace roomatlas {
+
+/// Where in the matrix stands what two nodes say of themselves and of each other. Looked up once
+/// for all residuals between them.
+struct PairPlaces {
+  std::size_t first = 0;   ///< position of the node
+  std::size_t second = 0;  ///< position of the other node
+  BlockPlace of_first;
+  BlockPlace of_second;
+  BlockPlace of_both;  ///< its rows are those of the node with the greater position
+};
+
+/// Normal equations of the nodes for one set of pairs, and of the one scale of all lengths. The
+/// scale touches every node: it stands beside the sparse matrix, not in it.
+class SonarEquations {
+ public:
+  /// @param pairs of nodes that residuals join
+  SonarEquations(std::size_t nodes, const std::vector<NodePair>& pairs)
+      : supernodes_(find_supernodes(nodes, pairs)), matrix_(supernodes_), nodes_(nodes) {}
+
+  void clear();
+
+  /// @param first,second one of the pairs; not one node
+  [[nodiscard]] PairPlaces places_of(std::size_t first, std::size_t second) const;
+
+  /// Adds weight times the square of a residual of one node's heading.
+  void add_heading(std::size_t node, double residual, double weight);
+
+  /// The same of a residual between two nodes.
+  void add(const PairPlaces& places, const PairResidual& residual, double weight) {
+    add_square(places.of_first, residual.by_first, weight);
+    add_square(places.of_second, residual.by_second, weight);
+    if (places.first > places.second) {
+      add_product(places.of_both, residual.by_first, residual.by_second, weight);
+    } else {
+      add_product(places.of_both, residual.by_second, residual.by_first, weight);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      right_side_[3 * places.first + i] -= weight * residual.value * residual.by_first[i];
+      right_side_[3 * places.second + i] -= weight * residual.value * residual.by_second[i];
+    }
+  }
+  /// The same of the turn from the second node to the first, whose derivatives are 1 and -1.
+  void add_turn(const PairPlaces& places, double residual, double weight) {
+    heading_of(places.of_first) += weight;
+    heading_of(places.of_second) += weight;
+    heading_of(places.of_both) -= weight;
+    right_side_[3 * places.first + 2] -= weight * residual;
+    right_side_[3 * places.second + 2] += weight * residual;
+  }
+  /// What a residual that was added says of the scale, too.
+  void add_scale(const PairPlaces& places, const PairResidual& residual, double by_scale,
+                 double weight);
+  void add_scale(double residual, double by_scale, double weight);
+  /// Holds a node where it is.
+  void hold(std::size_t node, double weight);
+
+  /// Moves the poses. @return root mean square of the moves; negative when the system is singular
+  [[nodiscard]] double solve(std::vector<Pose2>& map_from_node, double& length_scale);
+
+ private:
+  [[nodiscard]] std::size_t position(std::size_t node) const {
+    return static_cast<std::size_t>(supernodes_.position[node]);
+  }
+  [[nodiscard]] BlockPlace place(std::size_t row, std::size_t column) const {
+    return matrix_.place(static_cast<std::int32_t>(row), static_cast<std::int32_t>(column));
+  }
+  [[nodiscard]] double& heading_of(const BlockPlace& place) {
+    return matrix_.values()[place.offset + 2 + 2 * std::ptrdiff_t{place.stride}];
+  }
+  /// To a block on the diagonal, of which the lower part alone is read.
+  void add_square(const BlockPlace& place, const std::array<double, 3>& by, double weight) {
+    double* const block = matrix_.values() + place.offset;
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t i = j; i < 3; ++i) {
+        block[i + j * static_cast<std::size_t>(place.stride)] += weight * by[i] * by[j];
+      }
+    }
+  }
+  void add_product(const BlockPlace& place, const std::array<double, 3>& by_row,
+                   const std::array<double, 3>& by_column, double weight) {
+    double* const block = matrix_.values() + place.offset;
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        block[i + j * static_cast<std::size_t>(place.stride)] += weight * by_row[i] * by_column[j];
+      }
+    }
+  }
+  [[nodiscard]] double eliminate_scale();
+
+  Supernodes supernodes_;
+  BlockCholesky<3> matrix_;
+  std::size_t nodes_;
+  std::vector<double> right_side_;
+  std::vector<double> by_scale_;  ///< of the normal matrix, the scale's column
+  double scale_weight_ = 0.0;
+  double scale_right_ = 0.0;
+};
+
+}  // namespace roomatlas
