@@ -2,6 +2,8 @@
 // How a recording's source makes readings of sweeps.
 #include "bags/bag_source.hpp"
 
+#include "text/nearest_name.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -12,9 +14,18 @@ void BagSource::refuse_without_mount(std::size_t topic, const std::string& frame
                                      const std::string& remedy) {
   describe();  // with the frames that are there
   const std::string sensor = topics_[topic].use == Use::range ? "sonar" : "laser";
+  std::vector<std::string> frames = {frame};
+  for (const FrameEdge& edge : poses_->frames().edges()) {
+    frames.insert(frames.end(), {edge.parent, edge.child});
+  }
+  const std::string& base = choice_.base_frame;
+  const bool is_unknown = std::count(frames.begin(), frames.end(), base) == 0;
+  const std::string nearest =
+      is_unknown ? " (no frame is called so; nearest comes " + nearest_name(base, frames) + ")"
+                 : "";
   throw InputError(info_.file + ": " + reader_->topics()[topic].name + ": where its " + sensor +
-                   " sits on the robot is not known: no tf joins the robot's frame " +
-                   choice_.base_frame + " and the " + sensor + "'s " + frame + "; " + remedy);
+                   " sits on the robot is not known: no tf joins the robot's frame " + base +
+                   nearest + " and the " + sensor + "'s " + frame + "; " + remedy);
 }
 
 void BagSource::refuse_laser(std::size_t topic, const std::string& frame) {

@@ -128,7 +128,8 @@ void BagSource::note_poses() {
   warn_of(without_stamp_, "stamps",
           " messages have a stamp of zero: their time is told from when they were recorded");
   warn_of(poses_->unsound(), "transforms",
-          " poses are left out: numbers that are not finite, no unit quaternion, or no frame");
+          " poses are left out: numbers that are not finite, no unit quaternion, no frame, or "
+          "one more than 10000 frames");
   warn_of(poses_->frames().parents_changed(), "transforms",
           " times a frame got another parent: two programs tell where it is, and tf holds the "
           "newer");

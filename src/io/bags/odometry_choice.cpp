@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bags/topic_choice.hpp"
 
+#include "text/nearest_name.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -166,11 +168,41 @@ Candidate named_topic(const Survey& survey, const std::string& name, const std::
   return candidate;
 }
 
+/// An option named a frame that tells no odometry.
+[[noreturn]] void refuse_frame(const Survey& survey, const std::string& named,
+                               const std::string& file) {
+  std::vector<std::string> parents;  // of what can move
+  for (const FrameEdge& edge : survey.frames.edges()) {
+    if (!edge.is_fixed && !is_of_a_map(edge.parent)) parents.push_back(edge.parent);
+  }
+  for (const TopicEvidence& evidence : survey.evidence) {
+    const bool is_odometry = evidence.kind == MessageKind::odometry && !evidence.frames.empty();
+    if (is_odometry) parents.push_back(evidence.frames.front());
+  }
+  const std::string nearest = nearest_name(frame_name(named), parents);
+  throw UsageError(
+      file + ": --odom-frame " + named +
+      ": neither an odometry topic nor tf tells where the robot is in it" +
+      (nearest.empty() ? "; no frame has anything that moves" : "; nearest comes " + nearest));
+}
+
+/// A localizer's correction of odometry jumps, whoever asks for it.
+void refuse_correction(const Candidate& candidate, const std::string& file) {
+  const bool is_correction =
+      is_of_a_map(candidate.frame) && contains_word(candidate.child, {"odom"});
+  if (!is_correction) return;
+  throw UsageError(file + ": --odom-frame " + candidate.frame + ": tf's " + candidate.frame +
+                   " -> " + candidate.child +
+                   " is a localizer's answer, which is no odometry; to compare with it: "
+                   "--truth-topic tf");
+}
+
 std::optional<Candidate> choose(const TopicChoice& choice, const Survey& survey,
                                 const RecordingOptions& options, const std::string& file) {
   const std::string& wanted = options.odometry_topic;
-  const auto in_tf = tf_candidate(choice, survey, options);
   if (wanted == "none") return std::nullopt;
+  const auto in_tf = tf_candidate(choice, survey, options);
+  if (in_tf) refuse_correction(*in_tf, file);
   if (wanted == "tf" || wanted == "/tf") {
     if (in_tf) return in_tf;
     throw UsageError(file + ": --odom-topic tf: no frame above the laser's moves" +
@@ -184,6 +216,7 @@ std::optional<Candidate> choose(const TopicChoice& choice, const Survey& survey,
     if (!frame.empty() && candidate.frame != frame) continue;
     if (!best || is_better(candidate, *best)) best = candidate;
   }
+  if (!best && !options.odometry_frame.empty()) refuse_frame(survey, options.odometry_frame, file);
   return best;
 }
 

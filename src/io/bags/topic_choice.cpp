@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bags/topic_choice.hpp"
 
+#include "text/nearest_name.hpp"
+
 #include "roomatlas/core/median.hpp"
 
 #include <algorithm>
@@ -91,6 +93,30 @@ std::string nearest_topics(const Survey& survey) {
   return "; it has " + std::to_string(survey.topics.size()) + " topics, such as " + text;
 }
 
+void add_once(std::vector<std::size_t>& topics, std::size_t topic) {
+  if (std::count(topics.begin(), topics.end(), topic) == 0) topics.push_back(topic);
+}
+
+/// All sonars, as long as a robot can have so many: each reading is looked up among them.
+void take_sonars(TopicChoice& choice, const Survey& survey) {
+  constexpr std::size_t kMostSonars = 256;
+  std::int64_t left_out = 0;
+  for (std::size_t i = 0; i < survey.evidence.size(); ++i) {
+    const TopicEvidence& evidence = survey.evidence[i];
+    if (!is_usable(evidence) || evidence.kind != MessageKind::range) continue;
+    if (choice.ranges.size() < kMostSonars) {
+      choice.ranges.push_back(i);
+    } else {
+      ++left_out;
+    }
+  }
+  if (left_out == 0) return;
+  choice.issues.push_back(
+      {Severity::warning, "", 0, "sonars",
+       std::to_string(left_out) + " topics of sensor_msgs/Range are left out: " + "more than " +
+           std::to_string(kMostSonars) + " are no robot's; --range-topics names others"});
+}
+
 void choose_scans(TopicChoice& choice, const Survey& survey, const RecordingOptions& options,
                   const std::string& file) {
   for (const std::string& name : names_in(options.scan_topics)) {
@@ -99,7 +125,7 @@ void choose_scans(TopicChoice& choice, const Survey& survey, const RecordingOpti
       throw UsageError(file + ": --scan-topic " + shown(survey.topics[index]) +
                        ": expected sensor_msgs/LaserScan, MultiEchoLaserScan or PointCloud2");
     }
-    choice.scans.push_back(index);
+    add_once(choice.scans, index);
   }
   for (const std::string& name : names_in(options.range_topics)) {
     const std::size_t index = usable_topic(survey, name, "--range-topics", file);
@@ -107,17 +133,14 @@ void choose_scans(TopicChoice& choice, const Survey& survey, const RecordingOpti
       throw UsageError(file + ": --range-topics " + shown(survey.topics[index]) +
                        ": expected sensor_msgs/Range");
     }
-    choice.ranges.push_back(index);
+    add_once(choice.ranges, index);
   }
   if (!choice.scans.empty() || !choice.ranges.empty()) return;
   if (const auto best = best_scan(survey)) {
     choice.scans.push_back(*best);
     return;
   }
-  for (std::size_t i = 0; i < survey.evidence.size(); ++i) {
-    const TopicEvidence& evidence = survey.evidence[i];
-    if (is_usable(evidence) && evidence.kind == MessageKind::range) choice.ranges.push_back(i);
-  }
+  take_sonars(choice, survey);
   if (!choice.ranges.empty()) return;
   throw NotEnoughError(file +
                        ": no topic with ranges: looked for sensor_msgs/LaserScan, "
@@ -227,15 +250,23 @@ std::vector<std::string> names_in(const std::string& list) {
 
 std::size_t topic_named(const Survey& survey, const std::string& name, const char* option,
                         const std::string& file) {
-  const auto plain = [](const std::string& topic) { return frame_name(topic); };
-  std::string all;
+  constexpr std::size_t kMostNamed = 20;
+  std::vector<std::string> names;
   for (std::size_t i = 0; i < survey.topics.size(); ++i) {
-    if (plain(survey.topics[i].name) == plain(name)) return i;
-    constexpr std::size_t kMostNamed = 20;
-    if (i < kMostNamed) all += (i == 0 ? "" : ", ") + survey.topics[i].name;
-    if (i == kMostNamed) all += " ...";
+    const std::string& topic = survey.topics[i].name;
+    if (frame_name(topic) == frame_name(name)) return i;
+    if (names.empty() || names.back() != topic) names.push_back(topic);
   }
-  throw UsageError(file + ": " + option + " " + name + ": no such topic; there are " + all);
+  const std::string nearest = nearest_name(name, names);
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  std::string all;
+  for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i) {
+    all += (i == 0 ? "" : ", ") + names[i];
+  }
+  if (names.size() > kMostNamed) all += " ...";
+  throw UsageError(file + ": " + option + " " + name + ": no such topic; nearest comes " + nearest +
+                   "; there are " + all);
 }
 
 TopicChoice choose_topics(const Survey& survey, const RecordingOptions& options,
