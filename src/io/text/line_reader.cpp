@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_reader.hpp"
 
+#include "text/binary_files.hpp"
+
 #include "roomatlas/core/issue.hpp"
 
 #include <zlib.h>
@@ -87,6 +89,8 @@ void LineReader::check_first_block(const std::string& name) const {
   const auto end = buffer_.begin() + static_cast<std::ptrdiff_t>(filled_);
   const bool has_nul = std::find(buffer_.begin(), end, '\0') != end;
   const auto controls = static_cast<std::size_t>(std::count_if(buffer_.begin(), end, is_control));
+  const std::string kind = binary_kind({buffer_.data(), filled_}, gzdirect(file_->handle) == 0);
+  if (!kind.empty()) throw InputError(name + ": " + kind);
   if (has_nul || controls * kTextPerControl > filled_) {
     throw InputError(name + ": is a binary file; expected text, plain or gzip");
   }

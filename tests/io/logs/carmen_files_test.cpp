@@ -146,6 +146,28 @@ TEST(MissionFile, ThatCannotBeALogIsRefusedWithOneLineThatNamesItAndTheReason) {
               HasSubstr("holds comments only"));
 }
 
+TEST(MissionFile, OfAnotherProgramIsRefusedWithTheRemedy) {
+  const TemporaryFolder folder;
+  for (const std::string name : {"CSensoryFrame", "mrpt::obs::CObservationComment"}) {
+    const std::string object =
+        static_cast<char>(0x80 | name.size()) + name + std::string("\x02\0\0\0\x05", 5);
+    for (const std::string& bytes : {object, gzipped(folder, object)}) {
+      const std::string said = refusal(folder.write("a.rawlog", bytes));
+      EXPECT_THAT(said, HasSubstr("is a rawlog of MRPT"));
+      EXPECT_THAT(said, HasSubstr("rosbag record"));
+    }
+  }
+  // As long as it says it is, but no class's name.
+  EXPECT_THAT(refusal(folder.write("b", std::string("\x84"
+                                                    "C\x01\x02\0",
+                                                    5))),
+              HasSubstr("is a binary file"));
+  for (const std::string magic : {"#ROSBAG V2.0\n", "\x89MCAP0\r\n", "SQLite format 3"}) {
+    EXPECT_THAT(refusal(folder.write("c.gz", gzipped(folder, magic + std::string(99, '\0')))),
+                HasSubstr("unpack it with gunzip"));
+  }
+}
+
 TEST(MissionFile, OfTextWithoutAKnownTagIsRefusedAndTheKnownTagsAreListed) {
   const TemporaryFolder folder;
   const std::string few = refusal(folder.write("fr079.relations", "1 2 0.1 0 0 0 0 0.1\n"));
