@@ -28,10 +28,14 @@ struct BagTopic {
   std::optional<std::int64_t> messages;  ///< where an index says so, before they are read
 };
 
+/// The latest time of recording that is told, where ROS 1's 32 bits of seconds end (2106). Readers
+/// hold theirs between 0 and it: sums and differences of damaged times then are numbers, too.
+inline constexpr std::int64_t kLatestTime_ns = 4'294'967'300'000'000'000;
+
 /// One message, as recorded.
 struct BagMessage {
   std::size_t topic = 0;             ///< index into `topics()`
-  std::int64_t log_time_ns = 0;      ///< when the recorder received it
+  std::int64_t log_time_ns = 0;      ///< when the recorder received it: 0 to `kLatestTime_ns`
   std::span<const std::byte> bytes;  ///< valid until the next call of `next`
 };
 

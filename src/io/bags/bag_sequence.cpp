@@ -15,7 +15,7 @@ class Sequence final : public BagReader {
  public:
   Sequence(const std::string& name, std::vector<BagPart> parts, std::vector<BagTopic> known,
            bool look_into_all, OpenBag open)
-      : parts_(std::move(parts)), open_(std::move(open)), issues_(name) {
+      : name_(name), parts_(std::move(parts)), open_(std::move(open)), issues_(name) {
     const bool is_known = !known.empty();
     for (BagTopic& topic : known) topics_.add(std::move(topic));
     look_into_parts(is_known, look_into_all || !is_known);
@@ -50,6 +50,11 @@ class Sequence final : public BagReader {
 
   [[nodiscard]] Issues issues() const override {
     Issues issues = issues_.list();
+    if (unlisted_ > 0) {
+      issues.push_back({Severity::warning, name_, 0, "",
+                        "topics that are not in the metadata were left out (" +
+                            std::to_string(unlisted_) + " topics): " + unlisted_names_});
+    }
     if (bag_) {
       for (Issue& issue : bag_->issues()) issues.push_back(std::move(issue));
     }
@@ -119,13 +124,17 @@ class Sequence final : public BagReader {
       const auto index = topics_.add(bag_->topics()[i]);
       topic_of_.push_back(index.value_or(0));
       const bool is_new = index && *index >= wanted_.size();
-      if (is_new) {
-        issues_.add(Severity::warning, "the topic " + bag_->topics()[i].name +
-                                           " is not in the metadata: it was left out");
-      }
+      if (is_new) name_unlisted(bag_->topics()[i].name);
       if (index && !is_new && wanted_[*index] != 0) wanted.push_back(i);
     }
     bag_->select(wanted);
+  }
+
+  void name_unlisted(const std::string& topic) {
+    constexpr std::int64_t kMostNamed = 10;
+    if (unlisted_ < kMostNamed) unlisted_names_ += (unlisted_ == 0 ? "" : ", ") + topic;
+    if (unlisted_ == kMostNamed) unlisted_names_ += " ...";
+    ++unlisted_;
   }
 
   void finish_part() {
@@ -134,6 +143,7 @@ class Sequence final : public BagReader {
     bag_.reset();
   }
 
+  std::string name_;
   std::vector<BagPart> parts_;
   OpenBag open_;
   BagIssues issues_;
@@ -142,6 +152,8 @@ class Sequence final : public BagReader {
   std::vector<char> wanted_;
   std::unique_ptr<BagReader> bag_;
   std::vector<std::size_t> topic_of_;  ///< of the part that is read
+  std::int64_t unlisted_ = 0;          ///< topics that the metadata does not have
+  std::string unlisted_names_;
   std::size_t next_part_ = 0;
   std::uint64_t done_bytes_ = 0;
   std::uint64_t total_bytes_ = 0;

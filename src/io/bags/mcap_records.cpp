@@ -68,8 +68,7 @@ BagTopic mcap_topic(const McapChannel& channel, const McapSchemas& schemas) {
 }
 
 std::int64_t mcap_time_ns(std::uint64_t time_ns) {
-  return static_cast<std::int64_t>(
-      std::min<std::uint64_t>(time_ns, std::numeric_limits<std::int64_t>::max()));
+  return static_cast<std::int64_t>(std::min<std::uint64_t>(time_ns, kLatestTime_ns));
 }
 
 void McapFormat::visit(ByteSpan records, RecordVisitor& visitor) const {

@@ -2,6 +2,8 @@
 // The format: wiki.ros.org/Bags/Format/2.0.
 #include "ros1_records.hpp"
 
+#include <algorithm>
+
 namespace roomatlas::io {
 namespace {
 
@@ -58,7 +60,7 @@ std::string_view Ros1Fields::text(std::string_view name) const {
 std::int64_t ros1_time_ns(ByteCursor& cursor) {
   const std::int64_t seconds = cursor.u32();
   const std::int64_t nanoseconds = cursor.u32();
-  return seconds * 1'000'000'000 + nanoseconds;  // 4.3e18 at most
+  return std::min(seconds * 1'000'000'000 + nanoseconds, kLatestTime_ns);
 }
 
 Ros1Record read_ros1_record(BagFile& file, std::uint64_t offset) {

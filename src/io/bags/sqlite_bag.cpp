@@ -149,7 +149,8 @@ class SqliteBag final : public BagReader {
 
   std::int64_t number(const std::string& sql) {
     SQLite::Statement rows(*database_, sql);
-    return rows.executeStep() ? rows.getColumn(0).getInt64() : 0;
+    const std::int64_t number = rows.executeStep() ? rows.getColumn(0).getInt64() : 0;
+    return std::clamp<std::int64_t>(number, 0, kLatestTime_ns);
   }
 
   /// Sorting without an index would hold all: rows then come as they lie.
@@ -180,8 +181,9 @@ class SqliteBag final : public BagReader {
 
   std::optional<BagMessage> take_row() {
     const SQLite::Column data = rows_->getColumn(3);
-    const std::int64_t time_ns = rows_->getColumn(1);
-    at_ = has_time_index_ ? time_ns : rows_->getColumn(2).getInt64();
+    const std::int64_t time_ns =
+        std::clamp<std::int64_t>(rows_->getColumn(1).getInt64(), 0, kLatestTime_ns);
+    at_ = has_time_index_ ? time_ns : std::max<std::int64_t>(0, rows_->getColumn(2).getInt64());
     // Read anew behind damage: up to here they have been handed out.
     if (is_second_try_ && time_ns <= handed_out_to_ns_) return std::nullopt;
     const auto topic = topic_of_.find(rows_->getColumn(0));

@@ -116,6 +116,16 @@ TEST_F(Mcap, NamesAPackingThatIsNotKnown) {
   EXPECT_THAT(text_of(reader->issues()), HasSubstr("3 chunks"));
 }
 
+TEST_F(Mcap, TimesThatCannotBeAreHeldWithinThoseThatCan) {
+  const std::string bytes = kMcapMagic + mcap_header() + mcap_schema(1, "std_msgs/msg/String") +
+                            mcap_channel(1, 1, "/a") + mcap_message(1, 5, "x") +
+                            mcap_message(1, -1, "x") + mcap_record(15, u32(0)) + mcap_footer(0, 0);
+  const auto messages = rest_of(*open(bytes));
+  ASSERT_EQ(messages.size(), 2U);
+  EXPECT_EQ(messages[0].time_ns, 5);
+  EXPECT_EQ(messages[1].time_ns, io::kLatestTime_ns);
+}
+
 TEST_F(Mcap, LargePlainChunkIsReadMessageByMessage) {
   std::string records = mcap_schema(1, "std_msgs/msg/String") + mcap_channel(1, 1, "/a");
   for (int i = 0; i < 20; ++i) records += mcap_message(1, i, std::string(1'000'000, 'x'));

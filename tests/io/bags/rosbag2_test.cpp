@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "io/bags/small_bags.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -132,6 +134,49 @@ TEST(Rosbag2, ReadsFilesOfAllLayouts) {
     // Nothing appears beside it.
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
   }
+}
+
+/// So that nobody's sums of times overflow.
+TEST(Rosbag2, TimesThatCannotBeAreHeldWithinThoseThatCan) {
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+  const TemporaryFolder folder;
+  make_database(folder / "a.db3",
+                {{"/a", -kMost - 1, "x"}, {"/a", -1, "x"}, {"/a", 5, "x"}, {"/a", kMost, "x"}});
+  const auto reader = io::open_bag(folder / "a.db3");
+  std::vector<std::int64_t> times;
+  for (const Message& message : rest_of(*reader)) times.push_back(message.time_ns);
+  EXPECT_THAT(times, testing::ElementsAre(0, 0, 5, io::kLatestTime_ns));
+}
+
+/// Of files that are packed the first alone is looked into before its turn.
+TEST(Rosbag2, TopicsThatItsMetadataDoesNotListAreCountedAndTheFirstAreNamed) {
+  const TemporaryFolder folder;
+  const std::vector<Message> all = recorded();
+  make_database(folder / "bag_0.db3", {all.begin(), all.begin() + 15});
+  make_database(folder / "bag_1.db3", {all.begin() + 15, all.end()});
+  {
+    SQLite::Database db((folder / "bag_1.db3").string(), SQLite::OPEN_READWRITE);
+    SQLite::Transaction inserts(db);
+    for (int i = 0; i < 30'000; ++i) {
+      db.exec("INSERT INTO topics VALUES (" + std::to_string(100 + i) + ", '/more_" +
+              std::to_string(i) + "', 'std_msgs/msg/String', 'cdr', '')");
+    }
+    inserts.commit();
+  }
+  std::vector<std::string> files;
+  for (const std::string name : {"bag_0.db3", "bag_1.db3"}) {
+    files.push_back(name + ".zstd");
+    folder.write(files.back(), packed("zstd", bytes_of(folder / name)));
+    std::filesystem::remove(folder / name);
+  }
+  folder.write("metadata.yaml", metadata(files, "zstd"));
+  const auto reader = io::open_bag(folder.path());
+  EXPECT_EQ(rest_of(*reader).size(), 30U);
+  const std::string said = text_of(reader->issues());
+  EXPECT_THAT(said, HasSubstr("not in the metadata"));
+  EXPECT_THAT(said, HasSubstr("/more_0, /more_1, "));
+  EXPECT_THAT(said, HasSubstr("30000 topics"));
+  EXPECT_LT(said.size(), 1000U);
 }
 
 TEST(Rosbag2, ReadsAFilePackedAsAWhole) {
