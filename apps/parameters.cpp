@@ -220,7 +220,7 @@ void add_plan(Parameters& all, Settings& settings) {
   stage.add("png-dpi", settings.png_dpi, "dots per inch of PNG pictures", 20.0, 1200.0);
 }
 
-void add_faults(List& stage, OdometryFaults& faults) {
+void add_faults(ParameterList& stage, OdometryFaults& faults) {
   stage.add("odometry-slip", faults.slip_share,
             "share of the driven length on which wheels spin, half a metre at a time", 0.0, 1.0);
   stage.add("odometry-lag", faults.lag_s, "s; by which odometry is older than ranges", 0.0, 10.0);
