@@ -176,13 +176,14 @@ class LoopCloser {
   bool believe(const std::vector<WiderMatch>& matches) {
     auto best = std::tuple(placed_, closures_, pairs_);
     double best_score = options_.mend_gain * total_score();
+    const double most_contradicted = options_.mend_relief * contradicted_share();
     bool is_better = false;
     for (const WiderMatch& wider : matches) placed_.add_believed(pairs_[wider.pair], wider.match);
     for (const bool doubt_passages : {false, true}) {
       if (doubt_passages) placed_.doubt_passages(passage_robust_sigmas_);
       placed_.solve();
       match_all_again(false);
-      if (total_score() <= best_score) continue;
+      if (total_score() <= best_score || contradicted_share() > most_contradicted) continue;
       best = std::tuple(placed_, closures_, pairs_);
       best_score = total_score();
       is_better = true;
@@ -221,6 +222,17 @@ class LoopCloser {
     double score = 0.0;
     for (const Closure& closure : closures_) score += closure.score();
     return score;
+  }
+
+  /// Of the points that can tell, of all pairs.
+  [[nodiscard]] double contradicted_share() const {
+    double contradicting = 0.0;
+    double all = 0.0;
+    for (const Closure& closure : closures_) {
+      contradicting += closure.match.contradicting;
+      all += closure.match.contradicting + closure.match.agreeing;
+    }
+    return all > 0.0 ? contradicting / all : 0.0;
   }
 
   [[nodiscard]] std::size_t index_of(AsrId id) const {

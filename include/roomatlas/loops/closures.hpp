@@ -33,9 +33,12 @@ struct ClosureOptions {
   int max_mends = 4;            ///< times that rooms which contradict each other are put where they
                                 ///< fit in `max_window`, and all are matched again
   double mend_gain = 1.05;      ///< all scores together must grow so much by it,
-  double mend_seed = 0.0025;    ///< and those put elsewhere alone by so much of them: to be tried
-  double robust_sigmas = 2.0;   ///< closures off by more lose weight (Cauchy)
-  int without_best = 0;         ///< the best this many accepted closures are left out
+  double mend_relief = 0.9;    ///< ... and the share of points that contradict must shrink so much:
+                               ///< rooms alike that are laid on one another agree more, and no less
+                               ///< contradicts
+  double mend_seed = 0.0025;   ///< and those put elsewhere alone by so much of them: to be tried
+  double robust_sigmas = 2.0;  ///< closures off by more lose weight (Cauchy)
+  int without_best = 0;        ///< the best this many accepted closures are left out
   std::vector<GivenClosure> given;  ///< tried beside those that are found
 };
 
