@@ -284,6 +284,8 @@ void add_simulation(Parameters& all, Settings& settings) {
   stage.add("laser-dropout", simulation.laser.dropout_share, "share of lost beams", 0.0, 1.0);
   stage.add("people", simulation.people,
             "how many walk about, are seen by the sensor and make way for the robot", 0.0, 1000.0);
+  stage.add("moving-doors", simulation.moving_doors_share,
+            "share of the doors that somebody slides open and shut", 0.0, 1.0);
   stage.add("max-time", settings.explore.max_time_s,
             "s; the robot's own drive, or a tour, ends then", 1.0, 1e6);
   stage.choice("explore-on", settings.explore.on_odometry,

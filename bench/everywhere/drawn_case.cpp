@@ -66,6 +66,7 @@ class Writer {
   void life() {
     if (!is_plan_ && draw_.happens(0.5)) add("--furnish", draw_.whole(1, 100000));
     if (draw_.happens(0.4)) add("--people", draw_.whole(1, 6));
+    if (draw_.happens(0.3)) add("--moving-doors", draw_.between(0.1, 0.7));
   }
 
   void laser(bool is_hard) {

@@ -21,7 +21,7 @@ namespace roomatlas {
 /// What stops a beam.
 struct Obstacles {
   std::vector<Segment2> edges;
-  std::size_t of_building = 0;  ///< the first so many edges are no people
+  std::size_t of_building = 0;  ///< the first so many edges do not move
   std::vector<Point2> corners;  ///< convex ones that stand free, such as door jambs
 };
 

@@ -31,6 +31,7 @@ void require_sound(const SimulationOptions& options) {
           "laser_view_deg in (0, 360]");
   require(options.laser_beams >= 2 && options.laser_beams <= 10000, "laser_beams in [2, 10000]");
   require(options.people >= 0 && options.people <= 1000, "people in [0, 1000]");
+  require(within(options.moving_doors_share, 0.0, 1.0), "moving_doors_share in [0, 1]");
   require(positive(options.footprint.length_m), "footprint.length_m > 0");
   require(positive(options.footprint.width_m), "footprint.width_m > 0");
 

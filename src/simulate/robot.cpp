@@ -50,6 +50,7 @@ Robot::Robot(const FloorPlan& world, const SimulationOptions& options,
     : options_(options),
       obstacles_(world),
       people_(world, options, world_from_start.position()),
+      doors_(world, options),
       sensor_(std::make_shared<const RangeSensor>(range_sensor(options))),
       odometer_(options),
       reader_(options),
@@ -77,6 +78,7 @@ SimulatedStep Robot::step(const std::vector<Motion>& motions) {
   }
   world_from_robot_ = after(motions, world_from_robot_);
   people_.step(world_from_robot_.position());
+  doors_.step(world_from_robot_.position());
   periods_ += 1.0;
   return sense(odometry);
 }
@@ -123,8 +125,9 @@ SimulatedStep Robot::sense(OdometryStep odometry) {
       options_.faults.lag_s > 0.0 ? late_odometry() : odometer_.odom_from_robot();
   auto near = obstacles_.within(world_from_robot_.position(),
                                 sensor_->max_range_m + reach_of(options_.footprint));
-  const std::vector<Segment2> people = people_.edges();
-  near.edges.insert(near.edges.end(), people.begin(), people.end());
+  for (const std::vector<Segment2>& moving : {people_.edges(), doors_.edges()}) {
+    near.edges.insert(near.edges.end(), moving.begin(), moving.end());
+  }
   SimulatedStep step;
   step.odometry = odometry;
   step.reading = {odometry.timestamp_s, odometry.odom_from_robot, sensor_,

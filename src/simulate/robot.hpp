@@ -7,6 +7,7 @@
 #include "range_reader.hpp"
 #include "roomatlas/simulate/simulate.hpp"
 #include "route.hpp"
+#include "sliding_doors.hpp"
 
 #include <deque>
 #include <memory>
@@ -48,6 +49,7 @@ class Robot {
   SimulationOptions options_;
   ObstacleIndex obstacles_;
   People people_;
+  SlidingDoors doors_;
   std::shared_ptr<const RangeSensor> sensor_;
   Odometer odometer_;
   RangeReader reader_;

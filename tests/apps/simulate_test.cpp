@@ -101,6 +101,43 @@ TEST(Simulate, FurnitureAndPeopleComeBySeedAndFurnitureIsInTheTruth) {
   EXPECT_NE(content_of(folder / "a" / "mission.clf"), content_of(folder / "alone" / "mission.clf"));
 }
 
+TEST(Simulate, ARandomWorldComesFromItsSeedAndIsTheTruth) {
+  const Folder folder;
+  const std::string world = "--random-world 5 --world-kind wings --world-rooms 6 --max-time 20 ";
+  simulated(world, folder / "a");
+  simulated(world, folder / "b");
+  simulated("--random-world 6 --world-kind wings --world-rooms 6 --max-time 20", folder / "c");
+  EXPECT_TRUE(same_files(folder / "a", folder / "b"));
+  EXPECT_NE(content_of(folder / "a" / "truth.geojson"), content_of(folder / "c" / "truth.geojson"));
+  simulated(world + "--tour --furnish 1", folder / "tour");
+  const Json truth = Json::parse(content_of(folder / "tour" / "truth.geojson"));
+  const auto rooms =
+      std::count_if(truth["features"].begin(), truth["features"].end(),
+                    [](const Json& feature) { return feature["properties"]["kind"] == "room"; });
+  EXPECT_GE(rooms, 3);
+}
+
+TEST(Simulate, ATourEndsAtItsTime) {
+  const Folder folder;
+  simulated(kWorlds + "eight_rooms.geojson --tour --max-time 60", folder / "out");
+  const std::string poses = content_of(folder / "out" / "truth.tum");
+  const auto lines = std::count(poses.begin(), poses.end(), '\n');
+  EXPECT_GT(lines, 400);
+  EXPECT_LE(lines, 602);
+}
+
+TEST(Simulate, WorldsThatAreNoneOrSeveralAreRefused) {
+  const Folder folder;
+  const std::string out = " -o " + (folder / "out").string();
+  const Outcome both = run("-q simulate " + kWorlds + "two_rooms.geojson --random-world 1" + out);
+  EXPECT_NE(both.err.find("--random-world SEED"), std::string::npos) << both.err;
+  const Outcome kind = run("-q simulate --random-world 1 --world-kind castle" + out);
+  EXPECT_NE(kind.err.find("offices"), std::string::npos) << kind.err;
+  const Outcome rooms = run("-q simulate " + kWorlds + "two_rooms.geojson --world-rooms 5" + out);
+  EXPECT_NE(rooms.err.find("--world-rooms"), std::string::npos) << rooms.err;
+  for (const Outcome& outcome : {both, kind, rooms}) EXPECT_EQ(outcome.exit_code, 2);
+}
+
 TEST(Simulate, FurnitureKeepsClearOfADrive) {
   const Folder folder;
   const Outcome outcome =

@@ -12,6 +12,27 @@ namespace {
 using test::rectangle;
 using test::total_area;
 
+TEST(Difference, OfASquareAndItsMiddleIsARingAndOfASquareAndItselfNothing) {
+  const std::vector<Polygon> square = {{rectangle(0, 0, 3, 3), {}}};
+  const auto ring = difference_of(square, {{rectangle(1, 1, 2, 2), {}}});
+  ASSERT_EQ(ring.size(), 1U);
+  EXPECT_EQ(ring.front().holes.size(), 1U);
+  EXPECT_NEAR(area(ring.front()), 8.0, 1e-6);
+  EXPECT_TRUE(difference_of(square, square).empty());
+  EXPECT_TRUE(difference_of({}, square).empty());
+  EXPECT_NEAR(area(difference_of(square, {}).front()), 9.0, 1e-6);
+}
+
+TEST(Difference, IsWhatIsLeftOfTheAreaThatBothCover) {
+  const std::vector<Polygon> first = {{rectangle(0, 0, 4, 1), {}}, {rectangle(1, 0, 2, 5), {}}};
+  const std::vector<Polygon> second = {{rectangle(0.5, 0.5, 3, 2), {}}};
+  double whole_m2 = 0.0;
+  double left_m2 = 0.0;
+  for (const Polygon& part : union_of(first)) whole_m2 += area(part);
+  for (const Polygon& part : difference_of(first, second)) left_m2 += area(part);
+  EXPECT_NEAR(left_m2, whole_m2 - overlap_area(first, second), 1e-6);
+}
+
 TEST(Union, OfNothingIsEmpty) {
   EXPECT_TRUE(union_of({}).empty());
   EXPECT_TRUE(union_of({Polygon{}, Polygon{}}).empty());

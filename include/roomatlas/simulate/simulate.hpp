@@ -68,6 +68,8 @@ struct SimulationOptions {
   int laser_beams = 181;           ///< evenly spread over the view, at least 2
   bool laser_behind = false;       ///< a second such laser looks back; both are one reading
   int people = 0;  ///< who walk about, are seen by the sensor and make way for the robot
+  double moving_doors_share = 0.0;  ///< of the doors without a leaf: somebody slides them open and
+                                    ///< shut; before the robot they are open
   RobotFootprint footprint;
   OdometryErrors odometry;
   OdometryFaults faults;
