@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "parameters.hpp"
+#include "settings.hpp"
 
 namespace roomatlas::apps {
 
@@ -63,5 +64,8 @@ class ParameterList {
   Parameters& all_;
   Stage stage_;
 };
+
+/// Those of the simulator, which map nothing.
+void add_simulation(Parameters& all, Settings& settings);
 
 }  // namespace roomatlas::apps
