@@ -31,8 +31,16 @@ const std::vector<std::string>& labelled_maps() {
   return all;
 }
 
-const std::vector<std::string>& floor_plans() {
-  static const std::vector<std::string> all = {"kth", "uol_bl", "collection1-cropped"};
+/// A nav2 map that has no rooms, from which a start could be told.
+struct FloorPlanMap {
+  std::string name;
+  Words start;  ///< in the middle of its largest free square: x, y in metres, degrees
+};
+
+const std::vector<FloorPlanMap>& floor_plans() {
+  static const std::vector<FloorPlanMap> all = {{"kth", {"-4.62", "-14.32", "0"}},
+                                                {"uol_bl", {"-25.48", "6.82", "0"}},
+                                                {"collection1-cropped", {"-39.6", "18.1", "0"}}};
   return all;
 }
 
@@ -50,8 +58,11 @@ class Writer {
   void building(const fs::path& data) {
     if (draw_.happens(kGeneratedShare)) return generated();
     if (draw_.happens(kLabelledShare)) return labelled(data);
-    drawn_.building = draw_.one_of(floor_plans());
-    word((data / "floorplans" / "navmaps" / (drawn_.building + ".yaml")).string());
+    const FloorPlanMap& map = draw_.one_of(floor_plans());
+    drawn_.building = map.name;
+    word((data / "floorplans" / "navmaps" / (map.name + ".yaml")).string());
+    word("--start");
+    for (const std::string& number : map.start) word(number);
     is_plan_ = true;
   }
 
