@@ -127,9 +127,8 @@ void build(const DrawnCase& drawn, const fs::path& folder, Json& row) {
   const fs::path map = folder / "map";
   const fs::path world = mission / "truth.geojson";
   Words words = {"build", (mission / ("mission." + drawn.format)).string()};
-  for (const fs::path& truth : {mission / "truth.tum", world}) {
-    if (fs::exists(truth)) words.insert(words.end(), {"--truth", truth.string()});
-  }
+  words.insert(words.end(), {"--truth", (mission / "truth.tum").string()});
+  if (drawn.has_rooms) words.insert(words.end(), {"--truth", world.string()});
   words.insert(words.end(), drawn.build.begin(), drawn.build.end());
   words.insert(words.end(), {"-o", map.string()});
   row["commands"].push_back(line_of(words));
@@ -145,7 +144,7 @@ void build(const DrawnCase& drawn, const fs::path& folder, Json& row) {
   }
   const GeoPackageStore store(map / "building.gpkg", GeoPackageStore::Mode::read);
   row["truth"] = judged_by_truth(store, read_tum(mission / "truth.tum"),
-                                 fs::exists(world) ? read_plan(world) : FloorPlan{});
+                                 drawn.has_rooms ? read_plan(world) : FloorPlan{});
   row["own"] = own_figures(store);
   row["right"] = finished.exit_code == 0 && row["truth"]["right"].get<bool>();
 }

@@ -63,19 +63,19 @@ class Writer {
     word((data / "floorplans" / "navmaps" / (map.name + ".yaml")).string());
     word("--start");
     for (const std::string& number : map.start) word(number);
-    is_plan_ = true;
+    drawn_.has_rooms = false;
   }
 
   /// A ring of few sonars, or a laser that sees little, would find no way by itself.
   void drive(bool finds_its_way) {
-    const bool explores = is_plan_ || (finds_its_way && draw_.happens(0.4));
+    const bool explores = !drawn_.has_rooms || (finds_its_way && draw_.happens(0.4));
     if (!explores) word("--tour");
     add("--max-time", draw_.whole(10, drawn_.stratum == Stratum::hard ? 18 : 25) * 60.0);
     add("--speed", draw_.between(0.3, 0.6));
   }
 
   void life() {
-    if (!is_plan_ && draw_.happens(0.5)) add("--furnish", draw_.whole(1, 100000));
+    if (drawn_.has_rooms && draw_.happens(0.5)) add("--furnish", draw_.whole(1, 100000));
     if (draw_.happens(0.4)) add("--people", draw_.whole(1, 6));
     if (draw_.happens(0.3)) add("--moving-doors", draw_.between(0.1, 0.7));
   }
@@ -170,12 +170,12 @@ class Writer {
 
   Draw& draw_;
   DrawnCase& drawn_;
-  bool is_plan_ = false;
 };
 
 /// Altered in some of the ways in which a simulated mission is drawn.
 void change_a_log(Draw& draw, DrawnCase& drawn) {
   LogChange& change = drawn.change;
+  drawn.has_rooms = false;
   const bool is_rare = draw.happens(kRareLog);
   const std::vector<std::string> usual = {"fr079", "aces"};
   drawn.building = is_rare ? "mit-killian" : draw.one_of(usual);

@@ -25,6 +25,7 @@ struct DrawnCase {
   std::string building;             ///< kind of the world, or the map's name
   std::string sensor;               ///< "laser", "two lasers" or "sonar"
   std::vector<std::string> faults;  ///< what makes it hard, a word each
+  bool has_rooms = true;            ///< the truth tells rooms
   std::string format = "clf";
   Words simulate;    ///< without -o; empty for a recorded log
   LogChange change;  ///< of a recorded log
