@@ -8,7 +8,8 @@
 namespace roomatlas {
 
 double wrap_from_afar(double angle_rad) {
-  const double wrapped = angle_rad - 2.0 * kPi * std::floor((angle_rad + kPi) / (2.0 * kPi));
+  const double wrapped =
+      angle_rad - 2.0 * kPi * static_cast<double>(floored((angle_rad + kPi) / (2.0 * kPi)));
   return wrapped >= kPi ? -kPi : wrapped;  // rounding may land on +pi
 }
 

@@ -66,23 +66,37 @@ Equations equations_at(std::span<const ConeReturn> returns, const Point2& half_c
   const double cos_half = half_cone.x();
   const double sin_half = half_cone.y();
   const double pivot_along = normal.dot(pivot);
+  // Of echoes along the normal; mostly 1 to the last bit, and then nothing has to be divided by it.
+  const double cos_inside = normal.dot(normal);
+  const bool is_unit = cos_inside == 1.0;
+  const double j1_inside = -1.0 / cos_inside;
   Equations sums;
   for (const ConeReturn& one : returns) {
     const Point2& axis = one.axis;
     const double along = normal.dot(axis);
     const double across = tangent.dot(axis);  // sine of axis off normal
     const bool inside = along > 0.0 && std::abs(across) <= sin_half;
-    Point2 echo = normal;
-    if (!inside) {  // the edge of the cone towards the normal
-      const double turn = across > 0.0 ? -sin_half : sin_half;
-      echo = {cos_half * axis.x() - turn * axis.y(), turn * axis.x() + cos_half * axis.y()};
-    }
-    const double cos_off = std::max(normal.dot(echo), kLeastCosOff);
     const Point2 arm = one.sonar - pivot;
-    const Point2 point = arm + one.range_m * echo;
-    const double residual = (normal.dot(point) + pivot_along - line.offset_m) / cos_off;
-    const double j0 = tangent.dot(inside ? arm : point) / cos_off;
-    const double j1 = -1.0 / cos_off;
+    double residual = 0.0;
+    double j0 = 0.0;
+    double j1 = j1_inside;
+    if (inside) {
+      residual = normal.dot(Point2(arm + one.range_m * normal)) + pivot_along - line.offset_m;
+      j0 = tangent.dot(arm);
+      if (!is_unit) {
+        residual /= cos_inside;
+        j0 /= cos_inside;
+      }
+    } else {  // the edge of the cone towards the normal
+      const double turn = across > 0.0 ? -sin_half : sin_half;
+      const Point2 echo(cos_half * axis.x() - turn * axis.y(),
+                        turn * axis.x() + cos_half * axis.y());
+      const double cos_off = std::max(normal.dot(echo), kLeastCosOff);
+      const Point2 point = arm + one.range_m * echo;
+      residual = (normal.dot(point) + pivot_along - line.offset_m) / cos_off;
+      j0 = tangent.dot(point) / cos_off;
+      j1 = -1.0 / cos_off;
+    }
     sums.h00 += j0 * j0;
     sums.h01 += j0 * j1;
     sums.h11 += j1 * j1;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "roomatlas/core/for_each_index.hpp"
 #include "square_index.hpp"
 
 namespace roomatlas {
@@ -115,6 +116,27 @@ std::optional<Evidence> evidence_of(const ConeReturn& heard, double half_cone_ra
   return mean;
 }
 
+struct NodeEvidence {
+  std::size_t node = 0;
+  Evidence evidence;
+};
+
+/// What the returns of one reading say.
+void add_evidence(const RangeReading& reading, const Pose2& map_from_robot, std::size_t node,
+                  const Walls& walls, std::vector<NodeEvidence>& found) {
+  const RangeSensor& sensor = *reading.sensor;
+  if (sensor.kind != SensorKind::sonar) return;
+  const PointTransform place(map_from_robot);
+  for (std::size_t beam = 0; beam < sensor.robot_from_beam.size(); ++beam) {
+    const double range_m = reading.ranges_m[beam];
+    if (!(range_m > kMinRangeM && range_m < std::min(kMaxRangeM, sensor.max_range_m))) continue;
+    const Pose2 pose = place.pose(map_from_robot, sensor.robot_from_beam[beam]);
+    const ConeReturn heard{pose.position(), pose.theta_rad, range_m};
+    const auto evidence = evidence_of(heard, sensor.half_cone_rad, walls);
+    if (evidence) found.push_back({node, *evidence});
+  }
+}
+
 /// Least squares of the turns of all nodes: tridiagonal normal equations.
 class Turns {
  public:
@@ -176,22 +198,22 @@ std::vector<Pose2> with_headings_of_returns(std::span<const RangeReading> readin
                                             const SonarProblem& problem,
                                             std::span<const Pose2> map_from_robot,
                                             std::vector<Pose2> map_from_node,
-                                            const SonarBatchOptions& options) {
+                                            const SonarBatchOptions& options, int jobs) {
   const Walls walls(problem.batch.walls, map_from_node);
   Turns turns(map_from_node.size());
   turns.add_batch(problem.batch, options);
-  for (std::size_t i = 0; i < readings.size(); ++i) {
-    const RangeSensor& sensor = *readings[i].sensor;
-    if (sensor.kind != SensorKind::sonar) continue;
-    const PointTransform place(map_from_robot[i]);
-    for (std::size_t beam = 0; beam < sensor.robot_from_beam.size(); ++beam) {
-      const double range_m = readings[i].ranges_m[beam];
-      if (!(range_m > kMinRangeM && range_m < std::min(kMaxRangeM, sensor.max_range_m))) continue;
-      const Pose2 pose = place.pose(map_from_robot[i], sensor.robot_from_beam[beam]);
-      const ConeReturn heard{pose.position(), pose.theta_rad, range_m};
-      const auto evidence = evidence_of(heard, sensor.half_cone_rad, walls);
-      if (evidence) turns.add(problem.node_of[i], *evidence);
-    }
+  constexpr std::size_t kBlock = 256;  // readings: enough work to be handed out
+  const auto blocks = results_of<std::vector<NodeEvidence>>(
+      (readings.size() + kBlock - 1) / kBlock, jobs, [&](std::size_t block) {
+        std::vector<NodeEvidence> found;
+        const std::size_t past = std::min(readings.size(), (block + 1) * kBlock);
+        for (std::size_t i = block * kBlock; i < past; ++i) {
+          add_evidence(readings[i], map_from_robot[i], problem.node_of[i], walls, found);
+        }
+        return found;
+      });
+  for (const auto& block : blocks) {
+    for (const NodeEvidence& one : block) turns.add(one.node, one.evidence);
   }
   const std::vector<double> turn_rad = turns.solve();
   for (std::size_t k = 0; k < map_from_node.size(); ++k) {

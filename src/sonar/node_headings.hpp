@@ -19,10 +19,12 @@ namespace roomatlas {
 /// between them, and before the first, it is odometry's otherwise. Positions stay.
 /// @param map_from_robot, map_from_node as solved
 /// @param options of the batch: how sure its headings are
+/// @param jobs threads at once, see `for_each_index`
 [[nodiscard]] std::vector<Pose2> with_headings_of_returns(std::span<const RangeReading> readings,
                                                           const SonarProblem& problem,
                                                           std::span<const Pose2> map_from_robot,
                                                           std::vector<Pose2> map_from_node,
-                                                          const SonarBatchOptions& options);
+                                                          const SonarBatchOptions& options,
+                                                          int jobs = 1);
 
 }  // namespace roomatlas

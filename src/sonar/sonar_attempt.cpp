@@ -32,7 +32,7 @@ Attempt solve_from(const SonarMission& mission, const Idea& idea, const std::vec
   attempt.strain = solved.strain;
   attempt.map_from_robot = poses_of(path, problem, solved.map_from_node);
   const auto turned = with_headings_of_returns(mission.readings, problem, attempt.map_from_robot,
-                                               solved.map_from_node, batch_options);
+                                               solved.map_from_node, batch_options, mission.jobs);
   attempt.map_from_robot = poses_of(path, problem, turned);
   const Contradiction contradiction =
       contradiction_of(mission.readings, attempt.map_from_robot, path.path_m, problem.segments, {});

@@ -26,7 +26,7 @@ struct SonarProblem {
                                          const DrivenPath& path, const DriveDirections& directions,
                                          const std::vector<Pose2>& start,
                                          const std::vector<double>& directions_rad,
-                                         const WallSegmentOptions& options, int jobs);
+                                         const WallSegmentOptions& options, int jobs = 1);
 
 /// Poses of all readings from those of the nodes: as driven, and what is missing at the next node
 /// spread over the way there.

@@ -88,8 +88,9 @@ class TileGrid {
     return index < 0 ? nullptr : &tiles_[static_cast<std::size_t>(index)];
   }
 
-  /// Makes a tile the one that is edited. Rays go through many cells of one.
-  void edit_tile(const Cell& tile) {
+  /// Makes a tile the one that is edited. Rays go through many cells of one: apart, so that
+  /// `edit` stays small.
+  [[gnu::noinline]] void edit_tile(const Cell& tile) {
     cover(tile);
     std::int32_t& index = table_[box_.index_of(tile)];
     if (index < 0) {
