@@ -24,11 +24,21 @@ void report(const SonarTrajectory& sonars) {
       "contradicts, headings of {:.1f} % of the readings are sure",
       sonars.segments, chosen.pairs, 100.0 * std::max(0.0, chosen.contradiction), chosen.compared_m,
       100.0 * sonars.sure_heading_share);
-  if (!sonars.loops_verified) {
-    spdlog::warn(
-        "loops not verified: what one visit heard as wall, another looked through, or no "
-        "place was visited twice");
+}
+
+/// How far the map can be relied on.
+void report(const Judgement& judgement) {
+  const double percent = std::min(99.0, 100.0 * judgement.probability);
+  spdlog::info(
+      "right with a probability of {:.0f} %; 9 of 10 rooms within {:.2f} m, lengths within "
+      "{:.1f} %, headings within {:.1f} deg",
+      percent, judgement.place_m, 100.0 * judgement.scale_share, judgement.heading_deg);
+  if (judgement.probability >= kTrusted) return;
+  std::string reasons;
+  for (const Doubt& doubt : judgement.doubts) {
+    reasons += (reasons.empty() ? ": " : "; ") + doubt.text;
   }
+  spdlog::warn("this map may be wrong (right with {:.0f} %){}", percent, reasons);
 }
 
 /// The call of the library, which puts all of it into the store.
@@ -59,6 +69,7 @@ std::size_t assemble(const Settings& settings, const Path& store_file) {
   const Assembly assembly = assembled(settings, store_file);
   show(assembly.plan.issues);
   if (assembly.sonars) report(*assembly.sonars);
+  if (assembly.judgement) report(*assembly.judgement);
   if (!assembly.correction.converged) {
     spdlog::warn("the correction did not converge: {}", assembly.correction.message);
   }

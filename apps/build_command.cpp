@@ -49,7 +49,8 @@ void write_results(const Settings& settings, const Path& store, const BuildArgum
   write_summary(store, evaluation, out);
   write_report(settings, store, evaluation, out / "report.html");
   if (settings.json) {
-    fmt::print("{}", to_json(evaluation));
+    fmt::print(
+        "{}", to_json(evaluation, GeoPackageStore(store, GeoPackageStore::Mode::read).judgement()));
   } else {
     print(evaluation);
   }
@@ -84,6 +85,14 @@ void build_from_map(const Settings& settings, const BuildArguments& arguments) {
                        "thresholds and negate those of the map?");
 }
 
+/// All is written by now.
+void require_trust(const Path& store_file) {
+  const auto judgement = GeoPackageStore(store_file, GeoPackageStore::Mode::read).judgement();
+  if (judgement && judgement->probability >= kTrusted) return;
+  throw GateFailed(store_file.string() +
+                   ": the map is doubtful, or could not be judged; it is written nevertheless");
+}
+
 void build_from_log(const Settings& settings, const BuildArguments& arguments) {
   const Path& log = arguments.input;
   const Path& out = arguments.out;
@@ -112,6 +121,7 @@ void build_from_log(const Settings& settings, const BuildArguments& arguments) {
   write_results(settings, store, arguments,
                 {"svg", "pdf", "png", "geojson", "tum", "dot", "graphml", "g2o", "csv", "nav2"});
   require_a_room(rooms, store);
+  if (arguments.strict) require_trust(store);
 }
 
 }  // namespace

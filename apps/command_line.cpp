@@ -24,6 +24,7 @@ namespace {
 /// Files and choices of the command in use.
 struct Arguments {
   Path log;
+  bool is_strict = false;
   Path store;
   AsrId asr = 0;
   double resolution_m = 0.0;
@@ -195,8 +196,8 @@ class Commands {
     positional(info, "LOG", a_.log, "mission log");
 
     CLI::App* build = command("build", "log or map -> floor plan: everything in order", [this] {
-      apps::build(settings_,
-                  {a_.log, a_.resolution_m, a_.out, truth_of(a_), a_.trajectory, a_.exported});
+      apps::build(settings_, {a_.log, a_.resolution_m, a_.out, truth_of(a_), a_.trajectory,
+                              a_.exported, a_.is_strict});
     });
     positional(build, "LOG|MAP", a_.log,
                "mission log, plain or gzip; or a finished map: nav2 YAML, or PNG or PGM");
@@ -206,6 +207,8 @@ class Commands {
     output(build, a_.out, "folder for the results");
     add_truth(build, a_);
     add_export_options(build, a_.exported);
+    build->add_flag("--strict", a_.is_strict, "exit code 5 where the map is doubtful")
+        ->configurable(false);
 
     CLI::App* map = command("map", "online stage: log -> rooms in a store",
                             [this] { apps::map(settings_, a_.log, a_.out); });

@@ -43,6 +43,7 @@ struct BuildArguments {
   std::vector<Path> truth;
   TrajectoryFlags trajectory;
   ExportOptions exported;
+  bool strict = false;  ///< a doubtful map ends with exit code 5
 };
 
 // Each command reads, makes one call of the library, writes and reports. They throw what the

@@ -34,6 +34,7 @@ struct Exported {
   PlacedMission placed;
   RoomGraph graph;
   std::vector<Closure> closures;
+  std::optional<Judgement> judgement;
   CorrectOptions correct;  ///< with which the store was assembled
   std::optional<GeoReference> on_earth;
   std::optional<double> north_deg;
@@ -57,6 +58,7 @@ Exported read(const Settings& settings, const Path& store_file, bool measured_wa
                     {},
                     {},
                     store.closures(),
+                    store.judgement(),
                     {},
                     {},
                     {},
@@ -89,11 +91,11 @@ PlanAnnotations annotations_of(const Exported& from) {
   for (const VisitEstimate& visit : uncertainty.visits) {
     annotations.uncertainty.push_back({visit.at, visit.covariance_m2});
   }
-  annotations.accuracy = plan_accuracy(from.plan, from.correction, uncertainty.typical_m);
-  if (!from.has_mission() &&
-      annotations.accuracy) {  // how well the map's rooms lie to each other, nobody knows
-    annotations.accuracy->between_rooms_m.reset();
-    annotations.accuracy->over_building_m.reset();
+  annotations.accuracy = plan_accuracy(from.plan, from.judgement);
+  if (from.judgement) {
+    for (const RoomJudgement& room : from.judgement->rooms) {
+      if (room.probability < kTrusted) annotations.doubtful_rooms.insert(room.room);
+    }
   }
   annotations.unexplored = unexplored_boundary(from.plan, from.placed.walls_after);
   return annotations;

@@ -10,8 +10,6 @@
 
 #include "roomatlas/correct/place.hpp"
 #include "roomatlas/evaluate/alignment.hpp"
-#include "roomatlas/evaluate/plan_accuracy.hpp"
-#include "roomatlas/loops/visit_graph.hpp"
 
 namespace roomatlas::bench {
 namespace {
@@ -214,13 +212,9 @@ Json judged_by_truth(const GeoPackageStore& store, const Trajectory& truth,
 }
 
 Json own_figures(const GeoPackageStore& store) {
-  const Correction correction = store.correction();
   const std::vector<Closure> closures = store.closures();
   std::map<std::string, int> verdicts;
   for (const Closure& closure : closures) ++verdicts[to_string(closure.verdict)];
-  const VisitUncertainty uncertainty =
-      uncertainty_of(graph_of(store, correction), closures, correction, {});
-  const PlanAccuracy accuracy = plan_accuracy(store.plan(), correction, uncertainty.typical_m);
   Json matches = Json::array();
   for (const Closure& closure : closures) {
     matches.push_back({{"from", closure.from},
@@ -229,13 +223,7 @@ Json own_figures(const GeoPackageStore& store) {
                        {"agreeing", closure.match.agreeing},
                        {"contradicting", closure.match.contradicting}});
   }
-  return {{"closures", verdicts},
-          {"matches", matches},
-          {"within_room_m", json_of(accuracy.within_room_m)},
-          {"between_rooms_m", json_of(accuracy.between_rooms_m)},
-          {"over_building_m", json_of(accuracy.over_building_m)},
-          {"extent_m", accuracy.extent_m},
-          {"loops", accuracy.loops}};
+  return {{"closures", verdicts}, {"matches", matches}};
 }
 
 }  // namespace roomatlas::bench

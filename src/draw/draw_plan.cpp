@@ -112,7 +112,7 @@ std::string draw_plan(const FloorPlan& plan, const PlanAnnotations& annotations,
   pugi::xml_document document;
   pugi::xml_node svg = add_page(document, sheet.size_mm.x(), sheet.size_mm.y(),
                                 plan.title.empty() ? "Floor plan" : plan.title);
-  add_rooms(svg, plan, sheet);
+  add_rooms(svg, plan, annotations.doubtful_rooms, sheet);
   add_furniture(svg, plan, sheet);
   add_walls(svg, plan, sheet);
   add_edges(svg, plan, sheet);

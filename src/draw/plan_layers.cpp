@@ -31,9 +31,12 @@ std::optional<Point2> door_between(const FloorPlan& plan, RoomId first, RoomId s
   return std::nullopt;
 }
 
+constexpr const char* kDoubtfulOpacity = "0.3";  // of a room's tint
+
 }  // namespace
 
-void add_rooms(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
+void add_rooms(pugi::xml_node svg, const FloorPlan& plan, const std::set<RoomId>& doubtful,
+               const Sheet& sheet) {
   pugi::xml_node group = add_layer(svg, "rooms", true,
                                    {{"fill-rule", "evenodd"},
                                     {"stroke", kWallFill},
@@ -45,6 +48,7 @@ void add_rooms(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
                                {"class", to_string(room.kind)},
                                {"fill", tint(room.kind)},
                                {"d", path_of(sheet.to_paper(room.parts))}});
+    if (doubtful.contains(room.id)) path.append_attribute("fill-opacity") = kDoubtfulOpacity;
     add_tooltip(path, room.name + ", " + to_string(room.kind) + ", " + area_text(room.area_m2));
   }
 }

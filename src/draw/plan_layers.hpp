@@ -8,12 +8,14 @@
 
 #include <pugixml.hpp>
 
+#include <set>
 #include <vector>
 
 /// The layers of a plan, each a group with a stable id.
 namespace roomatlas::drawing {
 
-void add_rooms(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet);
+void add_rooms(pugi::xml_node svg, const FloorPlan& plan, const std::set<RoomId>& doubtful,
+               const Sheet& sheet);
 /// Thin outlines, hatched one way against walls and the other way where they stand free.
 void add_furniture(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet);
 /// Solid where walls are thick, lighter where they are partitions.

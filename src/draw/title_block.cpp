@@ -70,6 +70,11 @@ std::string accuracy_text(double accuracy_m) {
   return "\u00b1\u00a0" + fixed(accuracy_m, accuracy_m < 1.0 ? 2 : 1) + "\u00a0m";
 }
 
+/// Whole percents; never 100, which nobody can know.
+std::string percent_text(double probability) {
+  return fixed(std::min(99.0, 100.0 * probability), 0) + "\u00a0%";
+}
+
 /// A name and what is said of it; alone where there is nothing to be said.
 struct Fact {
   std::string name;
@@ -78,21 +83,19 @@ struct Fact {
 
 std::vector<Fact> accuracy_facts(const PlanAccuracy& accuracy) {
   std::vector<Fact> facts;
+  if (accuracy.probability) {
+    facts.push_back({"Map right, probability", percent_text(*accuracy.probability)});
+  }
   if (accuracy.within_room_m) {
-    facts.push_back({"Accuracy in a room", accuracy_text(*accuracy.within_room_m)});
+    facts.push_back({"Walls of a room (1\u00a0\u03c3)", accuracy_text(*accuracy.within_room_m)});
   }
   if (accuracy.between_rooms_m) {
-    facts.push_back({"Accuracy between rooms", accuracy_text(*accuracy.between_rooms_m)});
+    facts.push_back({"Places of rooms (90\u00a0%)", accuracy_text(*accuracy.between_rooms_m)});
   }
   if (accuracy.over_building_m) {
-    facts.push_back({"Accuracy over " + fixed(accuracy.extent_m, 0) + "\u00a0m",
+    facts.push_back({"Over " + fixed(accuracy.extent_m, 0) + "\u00a0m (90\u00a0%)",
                      accuracy_text(*accuracy.over_building_m)});
   }
-  if (facts.empty()) return facts;
-  const bool is_loose = accuracy.loops == 0;
-  facts.push_back({std::string("1 \u03c3, estimated; ") +
-                       (is_loose ? "scale and bending not verified" : "scale not verified"),
-                   ""});
   return facts;
 }
 

@@ -30,6 +30,10 @@ using PlacedAll = std::vector<PlacedEvidence>;
 [[nodiscard]] ConsistencyValue rays_through_walls(const PlacedAll& all,
                                                   const ConsistencyOptions& options);
 
+/// What the others say of each visit's hits.
+[[nodiscard]] std::vector<VisitAgreement> judge_visits(const PlacedAll& all,
+                                                       const ConsistencyOptions& options);
+
 /// Two figures from one look at all hits.
 struct HitFigures {
   ConsistencyValue in_free_space;

@@ -34,22 +34,16 @@ std::optional<double> behind_wall_m(const Segment2& ray, const std::vector<Segme
   return length_m - *first * (length_m + reach_m);
 }
 
-/// Sums over the hits of one ASR in what another one saw.
-struct HitSums {
-  std::int64_t seen = 0;           ///< hits in space that the other saw
-  std::int64_t in_free_space = 0;  ///< of those, far from anything that the other hit
-  std::int64_t compared = 0;       ///< hits near a straight surface, or in free space
-  double apart_m = 0.0;            ///< of those, added up
-
-  void add(const NearHit& near_hit, bool is_free, double reach_m) {
-    if (!near_hit.is_near && !is_free) return;
-    ++seen;
-    if (!near_hit.is_near) ++in_free_space;
-    if (near_hit.is_near && !near_hit.across_m) return;
-    ++compared;
-    apart_m += std::min(near_hit.across_m.value_or(reach_m), reach_m);
-  }
-};
+/// Adds what another visit saw at a hit. @return whether it saw that place
+bool add(const NearHit& near_hit, bool is_free, double reach_m, VisitAgreement& sums) {
+  if (!near_hit.is_near && !is_free) return false;
+  ++sums.seen;
+  if (!near_hit.is_near) ++sums.in_free_space;
+  if (near_hit.is_near && !near_hit.across_m) return true;
+  ++sums.compared;
+  sums.apart_m += std::min(near_hit.across_m.value_or(reach_m), reach_m);
+  return true;
+}
 
 ConsistencyValue mean_of(ConsistencyFigure figure, double sum, std::int64_t count) {
   ConsistencyValue result{figure};
@@ -81,21 +75,39 @@ ConsistencyValue rays_through_walls(const PlacedAll& all, const ConsistencyOptio
   return mean_of(ConsistencyFigure::rays_through_walls, static_cast<double>(through), met);
 }
 
-HitFigures judge_hits(const PlacedAll& all, const ConsistencyOptions& options) {
-  HitSums sums;
+std::vector<VisitAgreement> judge_visits(const PlacedAll& all, const ConsistencyOptions& options) {
+  std::vector<VisitAgreement> visits;
   for (const PlacedEvidence& a : all) {
+    const auto& rays = a.evidence->rays;
+    VisitAgreement& sums = visits.emplace_back();
+    sums.asr = a.evidence->asr;
+    std::vector<bool> is_known(rays.size(), false);
     for (const PlacedEvidence& b : all) {
       if (&a == &b || !near(a.seen, b.seen, options.deep_m)) continue;
       const Pose2 b_from_a = inverse(b.building_from_asr) * a.building_from_asr;
-      const auto& rays = a.evidence->rays;
       for (std::size_t i = 0; i < rays.size(); i += kHitStride) {
         if (!rays[i].is_hit) continue;
         const Segment2 ray = transformed(b_from_a, rays[i].segment);
         const Point2& hit = ray.b;
-        sums.add(b.evidence->seen.nearest_hit(hit, ray.b - ray.a, options.deep_m),
-                 b.evidence->seen.free_rays(hit) >= options.min_free_rays, options.deep_m);
+        if (add(b.evidence->seen.nearest_hit(hit, ray.b - ray.a, options.deep_m),
+                b.evidence->seen.free_rays(hit) >= options.min_free_rays, options.deep_m, sums)) {
+          is_known[i] = true;
+        }
       }
     }
+    for (std::size_t i = 0; i < rays.size(); i += kHitStride) sums.hits += rays[i].is_hit ? 1 : 0;
+    sums.known = std::count(is_known.begin(), is_known.end(), true);
+  }
+  return visits;
+}
+
+HitFigures judge_hits(const PlacedAll& all, const ConsistencyOptions& options) {
+  VisitAgreement sums;
+  for (const VisitAgreement& visit : judge_visits(all, options)) {
+    sums.seen += visit.seen;
+    sums.in_free_space += visit.in_free_space;
+    sums.compared += visit.compared;
+    sums.apart_m += visit.apart_m;
   }
   return {mean_of(ConsistencyFigure::hits_in_free_space, static_cast<double>(sums.in_free_space),
                   sums.seen),

@@ -130,6 +130,12 @@ SelfConsistency self_consistency(const std::vector<AsrEvidence>& evidence,
   return result;
 }
 
+std::vector<VisitAgreement> visit_agreement(const std::vector<AsrEvidence>& evidence,
+                                            const std::map<AsrId, Pose2>& building_from_asr,
+                                            const ConsistencyOptions& options) {
+  return judge_visits(placed_all(evidence, building_from_asr, {}), options);
+}
+
 ConsistencyComparison compare(const SelfConsistency& before, const SelfConsistency& after,
                               const VerdictOptions& options) {
   ConsistencyComparison comparison{before, after, {}, Verdict::undecided};

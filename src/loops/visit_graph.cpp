@@ -149,6 +149,7 @@ VisitUncertainty uncertainty_of(const RoomGraph& graph, const std::vector<Closur
   const OptimizeResult solved = optimize(measured, wanted);
   const std::vector<double> frame_rad = frames_of(measured, solved);
   VisitUncertainty uncertainty;
+  uncertainty.variance_factor = factor;
   double sum_m2 = 0.0;
   for (std::size_t i = 0; i < measured.ids.size(); ++i) {
     const auto component = static_cast<std::size_t>(solved.component[i]);

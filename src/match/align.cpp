@@ -56,19 +56,17 @@ Eigen::Vector3d jacobian_along(const Point2& along, const Point2& turned_point) 
   return {along.x(), along.y(), cross(turned_point, along)};
 }
 
+/// Along the face's normal, or the point's where the face has none. A pair without any direction
+/// says nothing: far along a corridor such points lie beyond the end of what was seen of its walls,
+/// and would hold the sweep back.
 void add_pair(const Face& face, const Point2& at, const Point2& turned_point,
-              const AlignOptions& options, Equations& equations) {
-  const Point2 off = at - face.position;
+              const Point2& turned_normal, const AlignOptions& options, Equations& equations) {
+  const Point2& normal = face.normal.squaredNorm() > 0.0 ? face.normal : turned_normal;
+  if (normal.squaredNorm() == 0.0) return;
+  const double residual = normal.dot(at - face.position);
   const double scale = options.robust_m * options.robust_m;
-  if (face.normal.squaredNorm() > 0.0) {
-    const double residual = face.normal.dot(off);
-    equations.add(jacobian_along(face.normal, turned_point), residual,
-                  1.0 / (1.0 + residual * residual / scale));
-    return;
-  }
-  const double weight = options.corner_weight / (1.0 + off.squaredNorm() / scale);
-  equations.add(jacobian_along(Point2::UnitX(), turned_point), off.x(), weight);
-  equations.add(jacobian_along(Point2::UnitY(), turned_point), off.y(), weight);
+  equations.add(jacobian_along(normal, turned_point), residual,
+                1.0 / (1.0 + residual * residual / scale));
 }
 
 void add_prior(const PosePrior& prior, const Pose2& pose, const AlignOptions& options,
@@ -172,10 +170,11 @@ ScanAlignment align(const LocalMap& map, std::span<const ScanPoint> points,
       ++result.points;
       const Point2 arm = turned(point.position);
       const Point2 at = pose.position() + arm;
-      const Face* face = partner_of(map, at, turned(point.normal), gate_m, options);
+      const Point2 normal = turned(point.normal);
+      const Face* face = partner_of(map, at, normal, gate_m, options);
       if (face == nullptr) continue;
       ++result.matched;
-      add_pair(*face, at, arm, options, equations);
+      add_pair(*face, at, arm, normal, options, equations);
     }
     result.hessian = equations.hessian;
     if (prior) add_prior(*prior, pose, options, equations);

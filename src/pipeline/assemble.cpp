@@ -10,6 +10,7 @@
 #include "roomatlas/asr/with_paths.hpp"
 #include "roomatlas/draft/building_axes.hpp"
 #include "roomatlas/rooms/outline_rooms.hpp"
+#include "roomatlas/trust/judge_map.hpp"
 #include "strategies.hpp"
 
 namespace roomatlas {
@@ -117,13 +118,17 @@ Assembly assemble(const AsrSource& source, const RobotFootprint& footprint, cons
   assembly.room_of_asr = building.room_of_asr;
   assembly.doors = building.doors;
   set_rooms(assembly.graph, assembly.room_of_asr);
-  if (corrected.recorded_again) {
-    assembly.mapped_again = std::move(corrected.recorded_again->asrs);
-  }
   report(progress, "merge", 0.0);
   draw_up(std::move(building), options.assemble, assembly);
   for (const Issues& issues : {unused, lost_on_the_way(assembly.graph)}) {
     assembly.plan.issues.insert(assembly.plan.issues.end(), issues.begin(), issues.end());
+  }
+  report(progress, "judge", 0.0);
+  assembly.judgement = judge_map(
+      map_figures(WithPaths(recorded, assembly.paths), assembly, options.assemble.correct),
+      assembly);
+  if (corrected.recorded_again) {
+    assembly.mapped_again = std::move(corrected.recorded_again->asrs);
   }
   return assembly;
 }

@@ -4,6 +4,7 @@
 #include "put_assembly.hpp"
 #include "roomatlas/merge/carry_over.hpp"
 #include "roomatlas/pipeline/assemble.hpp"
+#include "roomatlas/trust/judge_map.hpp"
 
 namespace roomatlas {
 
@@ -12,6 +13,7 @@ void put_with_former_rooms(AssemblyStore& store, const std::string& configuratio
   assembly.plan.title = store.mission().file;
   const CarriedOver carried = carry_over(store.former_rooms(), assembly.plan, assembly.room_of_asr);
   if (assembly.measured_plan) renumber(*assembly.measured_plan, carried.number);
+  if (assembly.judgement) assembly.judgement = judged_anew(*assembly.judgement, assembly);
   store.put(assembly, configuration);
 }
 

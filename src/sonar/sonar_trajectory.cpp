@@ -65,14 +65,25 @@ double share_with_sure_heading(const Idea& idea) {
   return static_cast<double>(sure) / static_cast<double>(sigmas_rad.size());
 }
 
+constexpr double kLeastTurned = 0.05;  // of the readings; what turns less is a corner of the plan
+
+/// The best score among attempts that wind otherwise, over that of the one kept.
+double rival_score(const Attempt& kept, const std::vector<Attempt>& others) {
+  double best = 0.0;
+  for (const Attempt& other : others) {
+    if (share_turned(other.map_from_robot, kept.map_from_robot) <= kLeastTurned) continue;
+    best = std::max(best, other.score_m / std::max(1.0, kept.score_m));
+  }
+  return best;
+}
+
 /// Whether the heading is sure, enough wall was seen by several visits, they agree about it, and no
 /// attempt that winds otherwise does nearly as well: what it turns must cost it walls.
 bool is_verified(const Idea& idea, const std::vector<Attempt>& others,
                  const SonarTrajectoryOptions& options) {
   const Attempt& kept = idea.attempt;
-  constexpr double kLeastShare = 0.05;  // of the readings; what turns less is a corner of the plan
-  constexpr double kCost = 0.2;         // of the score, for each share of the readings turned: less
-                                        // proves nothing against the other winding
+  constexpr double kCost = 0.2;  // of the score, for each share of the readings turned: less
+                                 // proves nothing against the other winding
   const SonarVariant& variant = kept.variant;
   if (variant.compared_m < options.verified_m || variant.contradiction > options.verified_share ||
       share_with_sure_heading(idea) < options.verified_heading_share) {
@@ -80,7 +91,7 @@ bool is_verified(const Idea& idea, const std::vector<Attempt>& others,
   }
   return std::none_of(others.begin(), others.end(), [&](const Attempt& other) {
     const double share = share_turned(other.map_from_robot, kept.map_from_robot);
-    return share > kLeastShare && other.score_m > (1.0 - kCost * share) * kept.score_m;
+    return share > kLeastTurned && other.score_m > (1.0 - kCost * share) * kept.score_m;
   });
 }
 
@@ -205,6 +216,7 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
   result.log_evidence = best.heading.log_evidence;
   result.segments = best.problem.segments.size();
   result.sure_heading_share = share_with_sure_heading(best);
+  result.rival_score = rival_score(best.attempt, choice.others);
   result.loops_verified = is_verified(best, choice.others, options);
   result.map_from_robot = std::move(best.attempt.map_from_robot);
   const double turn_rad = begin_at(readings.front().odom_from_robot, result.map_from_robot);

@@ -306,16 +306,16 @@ TEST(DraftedPlan, ATagHasNumberNameAreaAndInsideMeasures) {
   EXPECT_EQ(drawn.all("//g[@data-room='2']/rect[@class='number-ring']").size(), 1U);
 }
 
-TEST(DraftedPlan, TheTitleBlockTellsThreeAccuraciesAndWhatIsNotVerified) {
+TEST(DraftedPlan, TheTitleBlockTellsHowFarThePlanCanBeReliedOn) {
   PlanAnnotations notes;
-  notes.accuracy = PlanAccuracy{0.021, 0.05, 0.62, 77.6, 12};
+  notes.accuracy = PlanAccuracy{0.021, 0.05, 0.62, 77.6, 0.934};
   const std::string closed = draw_plan(flat(), notes, {});
   for (const char* text : {"\u00b1\u00a00.02\u00a0m", "\u00b1\u00a00.05\u00a0m",
-                           "\u00b1\u00a00.62\u00a0m", "78\u00a0m", "scale not verified"}) {
+                           "\u00b1\u00a00.62\u00a0m", "78\u00a0m", "93\u00a0%"}) {
     EXPECT_THAT(closed, HasSubstr(text));
   }
-  notes.accuracy->loops = 0;
-  EXPECT_THAT(draw_plan(flat(), notes, {}), HasSubstr("scale and bending not verified"));
+  notes.accuracy->probability = 0.9996;
+  EXPECT_THAT(draw_plan(flat(), notes, {}), HasSubstr("99\u00a0%"));
 }
 
 }  // namespace

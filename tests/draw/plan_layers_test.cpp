@@ -121,7 +121,7 @@ TEST(PlanLayers, TheNorthArrowPointsWhereNorthIs) {
 TEST(PlanLayers, TheEstimatedAccuracyStandsInTheTitleBlock) {
   PlanAnnotations notes = annotations();
   EXPECT_THAT(draw_plan(office(), notes, {}), Not(HasSubstr("Accuracy")));
-  notes.accuracy = PlanAccuracy{{}, 0.0412, {}, 0.0, 3};
+  notes.accuracy = PlanAccuracy{{}, 0.0412, {}, 0.0, {}};
   EXPECT_THAT(draw_plan(office(), notes, {}), HasSubstr("\u00b1\u00a00.04\u00a0m"));
 }
 

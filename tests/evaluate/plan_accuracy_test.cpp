@@ -27,37 +27,26 @@ TEST(PlanAccuracy, WithinARoomItIsTheScatterOfReadingsAboutTheMeasuredEdges) {
   plan.edges = {{1, {{0, 0}, {10, 0}}, WallEvidence::measured, mean_m},
                 {1, {{10, 0}, {10, 5}}, WallEvidence::inferred, 0.9},
                 {1, {{10, 5}, {0, 5}}, WallEvidence::measured, {}}};
-  EXPECT_NEAR(plan_accuracy(plan, {}, {}).within_room_m.value(), kSigma_m, 0.0005);
+  EXPECT_NEAR(plan_accuracy(plan, {}).within_room_m.value(), kSigma_m, 0.0005);
   plan.edges.clear();
-  EXPECT_FALSE(plan_accuracy(plan, {}, {}).within_room_m);
+  EXPECT_FALSE(plan_accuracy(plan, {}).within_room_m);
 }
 
-TEST(PlanAccuracy, OverTheBuildingItGrowsWithTheExtentAndIsNeverLessThanBetweenRooms) {
-  const double small = plan_accuracy(building(10.0), {}, 0.05).over_building_m.value();
-  const double large = plan_accuracy(building(100.0), {}, 0.05).over_building_m.value();
-  EXPECT_GT(small, 0.05);
-  EXPECT_GT(large, 4.0 * small);
-  const double scale_alone = plan_accuracy(building(100.0), {}, {}).over_building_m.value();
-  EXPECT_NEAR(large, std::hypot(0.05, scale_alone), 1e-12);
-  EXPECT_EQ(plan_accuracy(building(100.0), {}, 0.05).extent_m, 100.0);
-}
-
-TEST(PlanAccuracy, LoopsAreThoseThatTheCorrectionBelieved) {
-  Correction correction;
-  const auto add = [&](FactorKind kind, double weight) {
-    correction.factors.push_back({kind, 1, 2, 0.0, 0.0, weight});
-  };
-  add(FactorKind::odometry, 1.0);
-  add(FactorKind::wall_direction, 1.0);
-  EXPECT_EQ(plan_accuracy(building(10.0), correction, {}).loops, 0);
-  add(FactorKind::closure, 0.9);
-  add(FactorKind::doorway, 1.0);
-  add(FactorKind::closure, 0.01);
-  EXPECT_EQ(plan_accuracy(building(10.0), correction, {}).loops, 2);
+TEST(PlanAccuracy, OverTheBuildingIsTheScalesBarOfItsLongerSide) {
+  Judgement judgement;
+  judgement.probability = 0.8;
+  judgement.place_m = 0.05;
+  judgement.scale_share = 0.01;
+  const PlanAccuracy accuracy = plan_accuracy(building(100.0), judgement);
+  EXPECT_EQ(accuracy.extent_m, 100.0);
+  EXPECT_NEAR(accuracy.over_building_m.value(), 1.0, 1e-12);
+  EXPECT_EQ(accuracy.between_rooms_m, 0.05);
+  EXPECT_EQ(accuracy.probability, 0.8);
+  EXPECT_FALSE(plan_accuracy(building(100.0), {}).over_building_m);
 }
 
 TEST(PlanAccuracy, NothingIsSaidOfAnEmptyPlan) {
-  const PlanAccuracy accuracy = plan_accuracy({}, {}, 0.05);
+  const PlanAccuracy accuracy = plan_accuracy({}, Judgement{});
   EXPECT_FALSE(accuracy.within_room_m || accuracy.between_rooms_m || accuracy.over_building_m);
   EXPECT_EQ(accuracy.extent_m, 0.0);
 }

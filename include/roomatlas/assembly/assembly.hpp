@@ -11,6 +11,7 @@
 #include "roomatlas/loops/closures.hpp"
 #include "roomatlas/plan/door.hpp"
 #include "roomatlas/plan/floor_plan.hpp"
+#include "roomatlas/plan/judgement.hpp"
 #include "roomatlas/sonar/sonar_trajectory.hpp"
 
 namespace roomatlas {
@@ -26,6 +27,7 @@ struct Assembly {
   Paths paths;                    ///< instead of the source's, where readings were matched again;
                                   ///< see `WithPaths`
   std::vector<Closure> closures;  ///< matches of rooms by their walls, accepted or not
+  std::optional<Judgement> judgement;  ///< how far it can be relied on; none without readings
   FloorPlan plan;
   std::optional<FloorPlan> measured_plan;  ///< as measured, where the walls of `plan` are regular
 };

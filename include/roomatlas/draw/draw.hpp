@@ -7,6 +7,7 @@
 #include "roomatlas/plan/floor_plan.hpp"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,6 +32,7 @@ struct PlanAnnotations {
   std::vector<Polyline> unexplored;  ///< where free space, to the left, ends without a wall; of a
                                      ///< plan that has edges, these say it instead
   std::optional<PlanAccuracy> accuracy;
+  std::set<RoomId> doubtful_rooms;  ///< drawn paler
 };
 
 struct DrawOptions {

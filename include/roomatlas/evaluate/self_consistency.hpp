@@ -3,6 +3,7 @@
 
 #include "roomatlas/evaluate/asr_evidence.hpp"
 
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <string>
@@ -92,6 +93,25 @@ struct ConsistencyOptions {
                                                const std::map<AsrId, Pose2>& building_from_asr,
                                                const std::map<AsrId, RoomId>& room_of_asr,
                                                const ConsistencyOptions& options);
+
+/// What the other visits say of what one visit hit.
+struct VisitAgreement {
+  AsrId asr = 0;
+  std::int64_t hits = 0;   ///< that were asked about
+  std::int64_t known = 0;  ///< of those, in space that another visit saw
+
+  // Of all pairs of a hit and another visit that saw its place:
+  std::int64_t seen = 0;           ///< how many there are
+  std::int64_t in_free_space = 0;  ///< far from anything that the other hit
+  std::int64_t compared = 0;       ///< near a straight surface, or in free space
+  double apart_m = 0.0;            ///< of those, added up: how far from that surface
+};
+
+/// The agreement of each visit with the others, in the order of the evidence; see
+/// `hits_in_free_space` and `doubled_walls`, which are its sums. ASRs without a pose are left out.
+[[nodiscard]] std::vector<VisitAgreement> visit_agreement(
+    const std::vector<AsrEvidence>& evidence, const std::map<AsrId, Pose2>& building_from_asr,
+    const ConsistencyOptions& options);
 
 enum class Verdict { undecided, better, worse };
 [[nodiscard]] const char* to_string(Verdict verdict);

@@ -28,6 +28,7 @@ struct VisitUncertainty {
   std::vector<VisitEstimate> visits;  ///< but for the first of each component
   /// Root mean square over the visits of the standard deviation along one axis.
   std::optional<double> typical_m;
+  double variance_factor = 1.0;  ///< by which the residuals enlarged what was measured
 };
 
 /// From the measurements' own covariances, times what the loops' residuals say of these (chi-square

@@ -52,8 +52,10 @@ struct SonarTrajectory {
                                     ///< standard deviation)
   std::vector<SonarVariant> variants;  ///< in the order tried
   std::size_t chosen = 0;              ///< place of the one kept
-  int slips_repaired = 0;              ///< headings turned by 90 degrees from some place on
-  bool loops_verified = false;         ///< false: no loop, or walls contradict each other
+  double rival_score = 0.0;     ///< of the best attempt that winds otherwise, over that of the one
+                                ///< kept; near 1 both explain the walls
+  int slips_repaired = 0;       ///< headings turned by 90 degrees from some place on
+  bool loops_verified = false;  ///< false: no loop, or walls contradict each other
 };
 
 /// Corrects a whole mission recorded with sonars in one batch: the walls that single sonars hear

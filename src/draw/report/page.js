@@ -13,14 +13,20 @@
   const facts = [`${data.rooms.length} rooms`, `${data.doors.length} doors`, `${area.toFixed(1)} m²`];
   if (mission.path_length_m > 0) facts.push(`${mission.path_length_m.toFixed(0)} m driven`);
   const accuracy = data.accuracy;
-  const bounds = [[accuracy.within_room_m, 'in a room'], [accuracy.between_rooms_m, 'between rooms'],
-    [accuracy.over_building_m, `over ${accuracy.extent_m.toFixed(0)} m`]].filter(([value]) => typeof value === 'number');
-  if (bounds.length) {
-    facts.push(`accurate to ${bounds.map(([value, where]) => `± ${value.toFixed(2)} m ${where}`).join(', ')}` +
-      ` (1 σ, estimated; scale ${accuracy.loops ? '' : 'and bending '}not verified)`);
+  if (typeof accuracy.probability === 'number') {
+    facts.push(`right with a probability of ${Math.min(99, 100 * accuracy.probability).toFixed(0)} %`);
   }
+  const bounds = [[accuracy.within_room_m, 'of the walls of a room (1 σ)'], [accuracy.between_rooms_m, 'of the places of rooms (90 %)'],
+    [accuracy.over_building_m, `over ${accuracy.extent_m.toFixed(0)} m (90 %)`]].filter(([value]) => typeof value === 'number');
+  if (bounds.length) facts.push(bounds.map(([value, where]) => `± ${value.toFixed(2)} m ${where}`).join(', '));
   if (data.date) facts.push(`recorded ${data.date}`);
   element('facts').textContent = facts.join(' · ');
+  const doubts = (summary.judgement || { doubts: [] }).doubts;
+  if (doubts.length) {
+    element('doubts').textContent = `What speaks against it: ${doubts.map((doubt) => doubt.text).join('; ')}.`;
+  } else {
+    hide('doubts');
+  }
   element('origin').textContent = `Roomatlas ${data.tool_version}` +
     (mission.file ? `, from ${mission.file} (SHA-256 ${mission.sha256 || 'unknown'})` : '');
 

@@ -11,6 +11,7 @@
 #include "roomatlas/draw/assumed_walls.hpp"
 #include "roomatlas/draw/plots.hpp"
 #include "roomatlas/evaluate/plan_accuracy.hpp"
+#include "roomatlas/io/results/judgement_json.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/merge/unexplored.hpp"
 #include "store/stored_names.hpp"
@@ -96,7 +97,7 @@ Json accuracy_of(const PlanAccuracy& accuracy) {
           {"between_rooms_m", rounded(accuracy.between_rooms_m)},
           {"over_building_m", rounded(accuracy.over_building_m)},
           {"extent_m", to_millimetre(accuracy.extent_m)},
-          {"loops", accuracy.loops}};
+          {"probability", accuracy.probability ? Json(*accuracy.probability) : Json(nullptr)}};
 }
 
 Json doors_of(const FloorPlan& plan) {
@@ -263,8 +264,7 @@ std::string report_data(const ReportSources& from) {
     }
   }
   data["visits"] = visits_of(from.correction, from.graph, from.uncertainty);
-  data["accuracy"] =
-      accuracy_of(plan_accuracy(from.plan, from.correction, from.uncertainty.typical_m));
+  data["accuracy"] = accuracy_of(plan_accuracy(from.plan, judgement_of(text("judgement_json"))));
   data["charts"] = charts_of(from.evaluation);
   add_mission(from.placed, data);
   return data.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "plan_evaluation_json.hpp"
+#include "roomatlas/io/results/judgement_json.hpp"
 #include "store/stored_habits.hpp"
 #include "text/json.hpp"
 #include "text/json_number.hpp"
@@ -209,7 +210,11 @@ std::string to_json(const OdometryHabits& habits) {
                   {"length_scale", habits.length_scale}});
 }
 
-std::string to_json(const Evaluation& evaluation) { return text_of(json_of(evaluation)); }
+std::string to_json(const Evaluation& evaluation, const std::optional<Judgement>& judgement) {
+  Json json = json_of(evaluation);
+  if (judgement) json["judgement"] = Json::parse(to_json(*judgement));
+  return text_of(json);
+}
 
 std::string summary_json(const std::map<std::string, std::string>& metadata,
                          const Correction& correction, const FloorPlan& plan,
@@ -221,6 +226,10 @@ std::string summary_json(const std::map<std::string, std::string>& metadata,
   if (hash != metadata.end()) json["mission"]["sha256"] = hash->second;
   const auto habits = metadata.find("odometry_json");
   if (habits != metadata.end()) json["odometry"] = Json::parse(habits->second);
+  const auto judgement = metadata.find("judgement_json");
+  if (judgement != metadata.end() && !judgement->second.empty()) {
+    json["judgement"] = Json::parse(judgement->second);
+  }
   json["plan"] = json_of(plan);
   json["room_graph"] = json_of(graph);
   json["correction"] = json_of(correction);

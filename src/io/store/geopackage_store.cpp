@@ -5,6 +5,7 @@
 #include "geopackage_schema.hpp"
 #include "geopackage_store_state.hpp"
 #include "geopackage_tables.hpp"
+#include "roomatlas/io/results/judgement_json.hpp"
 
 #include <charconv>
 
@@ -110,6 +111,12 @@ void GeoPackageStore::put_metadata(const std::map<std::string, std::string>& val
     throw std::invalid_argument("the store writes its schema version itself");
   }
   state_->transaction([&](Database& db) { write_metadata(db, values); });
+}
+
+std::optional<Judgement> GeoPackageStore::judgement() const {
+  const std::map<std::string, std::string> values = metadata();
+  const auto judgement = values.find("judgement_json");
+  return judgement == values.end() ? std::nullopt : judgement_of(judgement->second);
 }
 
 std::map<std::string, std::string> GeoPackageStore::metadata() const {

@@ -3,6 +3,7 @@
 #include "geopackage_schema.hpp"
 #include "geopackage_store_state.hpp"
 #include "geopackage_tables.hpp"
+#include "roomatlas/io/results/judgement_json.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "stored_habits.hpp"
 #include "stored_names.hpp"
@@ -206,6 +207,7 @@ std::map<std::string, std::string> metadata_of(const Assembly& assembly,
   std::map<std::string, std::string> values = {{"assembly_configuration", configuration}};
   if (!assembly.mapped_again.empty()) values["rooms_configuration"] = configuration;
   if (assembly.sonars) values["odometry_json"] = to_json(assembly.sonars->habits);
+  values["judgement_json"] = assembly.judgement ? to_json(*assembly.judgement) : "";
   return values;
 }
 

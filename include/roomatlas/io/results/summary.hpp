@@ -10,6 +10,7 @@
 #include "roomatlas/mission/mission.hpp"
 #include "roomatlas/odometry/habits.hpp"
 #include "roomatlas/plan/floor_plan.hpp"
+#include "roomatlas/plan/judgement.hpp"
 #include "roomatlas/simulate/explore.hpp"
 
 namespace roomatlas {
@@ -22,7 +23,9 @@ namespace roomatlas {
 [[nodiscard]] std::string to_json(const OdometryHabits& habits);
 
 /// All figures of an evaluation as one JSON object; statistics of nothing are null.
-[[nodiscard]] std::string to_json(const Evaluation& evaluation);
+/// @param judgement of the map, becomes "judgement" where there is one
+[[nodiscard]] std::string to_json(const Evaluation& evaluation,
+                                  const std::optional<Judgement>& judgement = std::nullopt);
 
 /// What an exploration came to, as one JSON object.
 [[nodiscard]] std::string to_json(const ExploreSummary& summary, const FloorPlan& world);

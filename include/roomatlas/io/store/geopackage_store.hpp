@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace roomatlas {
@@ -47,6 +48,8 @@ class GeoPackageStore : public AsrSink, public AssemblyStore {
   [[nodiscard]] FloorPlan plan() const override;
   /// The plan with its walls as measured; `plan` where they were not made regular.
   [[nodiscard]] FloorPlan measured_plan() const;
+  /// How far the assembly can be relied on; nothing where it was not judged.
+  [[nodiscard]] std::optional<Judgement> judgement() const;
   /// The matches of rooms that were tried. Information is zero in a store of an earlier release.
   [[nodiscard]] std::vector<Closure> closures() const;
 

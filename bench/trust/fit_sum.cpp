@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fit_sum.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace roomatlas::bench {
+namespace {
+
+constexpr int kFolds = 10;
+constexpr int kNewtonSteps = 30;
+constexpr double kPenalties[] = {0.3, 1.0, 3.0, 10.0, 30.0, 100.0};
+constexpr double kMostDeviations = 3.0;  // as the library cuts figures off
+constexpr double kLeastDeviation = 1e-6;
+constexpr double kPlattPenalty = 1.0;  // towards taking the log odds as they are
+
+double value_of(const std::vector<JudgedFigure>& figures, const std::string& name) {
+  for (const JudgedFigure& figure : figures) {
+    if (figure.name == name) return figure.value;
+  }
+  throw std::runtime_error("a mission has no figure called " + name);
+}
+
+double odds_of(double log_odds) { return 1.0 / (1.0 + std::exp(-log_odds)); }
+
+using Rows = std::vector<const FitRow*>;
+
+/// Terms with means and deviations, without weights.
+FitSum scales_of(const Rows& rows) {
+  FitSum sum;
+  for (const JudgedFigure& figure : rows.front()->figures) {
+    FitTerm term{figure.name, 0.0, 0.0, 0.0};
+    double square = 0.0;
+    for (const FitRow* row : rows) {
+      const double value = value_of(row->figures, figure.name);
+      term.mean += value / static_cast<double>(rows.size());
+      square += value * value / static_cast<double>(rows.size());
+    }
+    term.deviation =
+        std::max(kLeastDeviation, std::sqrt(std::max(0.0, square - term.mean * term.mean)));
+    sum.terms.push_back(term);
+  }
+  return sum;
+}
+
+/// A row's standardised figures, and 1.
+Eigen::VectorXd standardised(const FitSum& sum, const FitRow& row) {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(sum.terms.size()) + 1);
+  Eigen::Index i = 0;
+  for (const FitTerm& term : sum.terms) {
+    const double off = (value_of(row.figures, term.name) - term.mean) / term.deviation;
+    values[i++] = std::clamp(off, -kMostDeviations, kMostDeviations);
+  }
+  values[i] = 1.0;
+  return values;
+}
+
+FitSum fit(const Rows& rows, FitKind kind, double penalty) {
+  FitSum sum = scales_of(rows);
+  const auto size = static_cast<Eigen::Index>(sum.terms.size()) + 1;
+  Eigen::MatrixXd all(static_cast<Eigen::Index>(rows.size()), size);
+  Eigen::VectorXd target(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    all.row(static_cast<Eigen::Index>(i)) = standardised(sum, *rows[i]).transpose();
+    target[static_cast<Eigen::Index>(i)] = rows[i]->target;
+  }
+  Eigen::VectorXd ridge = Eigen::VectorXd::Constant(size, penalty);
+  ridge[size - 1] = kLeastDeviation;
+  Eigen::VectorXd model = Eigen::VectorXd::Zero(size);
+  for (int step = 0; step < (kind == FitKind::log_odds ? kNewtonSteps : 1); ++step) {
+    Eigen::VectorXd error = all * model;
+    Eigen::VectorXd weight = Eigen::VectorXd::Ones(error.size());
+    if (kind == FitKind::log_odds) {
+      error = error.unaryExpr(&odds_of);
+      weight = error.array() * (1.0 - error.array()) + kLeastDeviation;
+    }
+    error -= target;
+    Eigen::MatrixXd hessian = all.transpose() * weight.asDiagonal() * all;
+    hessian.diagonal() += ridge;
+    const Eigen::VectorXd gradient = all.transpose() * error + ridge.cwiseProduct(model);
+    model -= hessian.ldlt().solve(gradient);
+  }
+  for (std::size_t i = 0; i < sum.terms.size(); ++i) {
+    sum.terms[i].weight = model[static_cast<Eigen::Index>(i)];
+  }
+  sum.bias = model[size - 1];
+  return sum;
+}
+
+double loss_of(FitKind kind, double found, double target) {
+  if (kind == FitKind::logarithm) return (found - target) * (found - target);
+  return std::log1p(std::exp(target > 0.5 ? -found : found));
+}
+
+/// Each row by a sum that its tenth of the groups had no part in.
+std::vector<double> left_out(const std::vector<FitRow>& rows, FitKind kind, double penalty) {
+  std::vector<double> found(rows.size(), 0.0);
+  for (std::size_t fold = 0; fold < kFolds; ++fold) {
+    Rows others;
+    for (const FitRow& row : rows) {
+      if (row.group % kFolds != fold) others.push_back(&row);
+    }
+    if (others.empty()) continue;
+    const FitSum sum = fit(others, kind, penalty);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (rows[i].group % kFolds == fold) found[i] = sum.at(rows[i].figures);
+    }
+  }
+  return found;
+}
+
+/// Scale and shift of log odds under which the targets are likeliest.
+void calibrate(const std::vector<FitRow>& rows, std::vector<double>& found, FitSum& sum) {
+  Eigen::Vector2d model(1.0, 0.0);
+  for (int step = 0; step < kNewtonSteps; ++step) {
+    Eigen::Matrix2d hessian = Eigen::Vector2d(kPlattPenalty, kLeastDeviation).asDiagonal();
+    Eigen::Vector2d gradient(kPlattPenalty * (model[0] - 1.0), 0.0);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Eigen::Vector2d values(found[i], 1.0);
+      const double odds = odds_of(model.dot(values));
+      gradient += (odds - rows[i].target) * values;
+      hessian += odds * (1.0 - odds) * values * values.transpose();
+    }
+    model -= hessian.ldlt().solve(gradient);
+  }
+  for (double& value : found) value = model[0] * value + model[1];
+  for (FitTerm& term : sum.terms) term.weight *= model[0];
+  sum.bias = model[0] * sum.bias + model[1];
+}
+
+/// Raises the sum so that `share` of the targets lie below.
+void raise(const std::vector<FitRow>& rows, double share, std::vector<double>& found, FitSum& sum) {
+  std::vector<double> above(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) above[i] = rows[i].target - found[i];
+  std::sort(above.begin(), above.end());
+  const double by =
+      above[static_cast<std::size_t>(share * static_cast<double>(above.size() - 1) + 0.5)];
+  for (double& value : found) value += by;
+  sum.bias += by;
+}
+
+}  // namespace
+
+double FitSum::at(const std::vector<JudgedFigure>& figures) const {
+  FitRow row{figures, 0.0, 0};
+  const Eigen::VectorXd values = standardised(*this, row);
+  double result = bias;
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    result += terms[i].weight * values[static_cast<Eigen::Index>(i)];
+  }
+  return result;
+}
+
+Fitted fit_sum(const std::vector<FitRow>& rows, FitKind kind, double share) {
+  if (rows.empty()) throw std::runtime_error("there is nothing to learn from");
+  Fitted best;
+  best.loss = std::numeric_limits<double>::infinity();
+  for (const double penalty : kPenalties) {
+    std::vector<double> found = left_out(rows, kind, penalty);
+    double loss = 0.0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      loss += loss_of(kind, found[i], rows[i].target) / static_cast<double>(rows.size());
+    }
+    if (loss >= best.loss) continue;
+    best.loss = loss;
+    best.penalty = penalty;
+    best.left_out = std::move(found);
+  }
+  Rows all;
+  for (const FitRow& row : rows) all.push_back(&row);
+  best.sum = fit(all, kind, best.penalty);
+  if (kind == FitKind::log_odds) {
+    calibrate(rows, best.left_out, best.sum);
+  } else {
+    raise(rows, share, best.left_out, best.sum);
+  }
+  return best;
+}
+
+}  // namespace roomatlas::bench

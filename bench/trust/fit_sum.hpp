@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ridge regression of log odds or of logarithms on standardised figures.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+#include "roomatlas/plan/judgement.hpp"
+
+namespace roomatlas::bench {
+
+struct FitTerm {
+  std::string name;
+  double mean = 0.0;
+  double deviation = 1.0;
+  double weight = 0.0;
+};
+
+struct FitSum {
+  double bias = 0.0;
+  std::vector<FitTerm> terms;
+  [[nodiscard]] double at(const std::vector<JudgedFigure>& figures) const;
+};
+
+/// What a sum is fitted to: figures, the target (0 or 1, or a logarithm), and what belongs together
+/// when some is left out.
+struct FitRow {
+  std::vector<JudgedFigure> figures;
+  double target = 0.0;
+  std::size_t group = 0;
+};
+
+enum class FitKind { log_odds, logarithm };
+
+struct Fitted {
+  FitSum sum;
+  double penalty = 0.0;          ///< that lost least when groups were left out
+  double loss = 0.0;             ///< then: mean negative log likelihood, or mean square
+  std::vector<double> left_out;  ///< of each row, by a sum that its group had no part in
+};
+
+/// The sum whose penalty loses least on groups that were left out, by tenths. Log odds are
+/// calibrated by what was found there (Platt 1999); logarithms are raised so that `share` of the
+/// left-out targets lie below.
+[[nodiscard]] Fitted fit_sum(const std::vector<FitRow>& rows, FitKind kind, double share = 0.9);
+
+}  // namespace roomatlas::bench

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/trust/judge_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "doubts.hpp"
+#include "learnt_model.hpp"
+
+namespace roomatlas {
+namespace {
+
+double probability_of(double log_odds) { return 1.0 / (1.0 + std::exp(-log_odds)); }
+
+std::vector<RoomJudgement> rooms_of(const std::vector<VisitJudgement>& visits) {
+  std::map<RoomId, RoomJudgement> rooms;
+  for (const VisitJudgement& visit : visits) {
+    if (visit.room == 0) continue;
+    auto [room, is_new] =
+        rooms.try_emplace(visit.room, RoomJudgement{visit.room, visit.probability, visit.place_m});
+    if (is_new) continue;
+    room->second.probability = std::min(room->second.probability, visit.probability);
+    room->second.place_m = std::max(room->second.place_m, visit.place_m);
+  }
+  std::vector<RoomJudgement> list;
+  for (const auto& [id, room] : rooms) list.push_back(room);
+  return list;
+}
+
+}  // namespace
+
+std::optional<Judgement> judge_map(const MapFigures& figures, const Assembly& assembly) {
+  if (figures.figures.empty()) return std::nullopt;
+  const LearntModel& model = model_of(figures.sensor);
+  const double log_odds = sum_of(model.right, figures.figures);
+  Judgement judgement;
+  judgement.probability = probability_of(log_odds);
+  judgement.place_m = std::exp(sum_of(model.place, figures.figures));
+  judgement.heading_deg = std::exp(sum_of(model.heading, figures.figures));
+  judgement.scale_share = std::exp(sum_of(model.scale, figures.figures));
+  judgement.figures = figures.figures;
+  judgement.visits = figures.visits;
+  for (VisitJudgement& visit : judgement.visits) {
+    std::vector<JudgedFigure> known = visit.figures;
+    known.push_back({"map", log_odds});
+    visit.probability = probability_of(sum_of(model.visit_right, known));
+    visit.place_m = std::exp(sum_of(model.visit_place, known));
+  }
+  judgement.rooms = rooms_of(judgement.visits);
+  judgement.doubts = doubts_of(model.right, figures.figures, assembly);
+  return judgement;
+}
+
+Judgement judged_anew(const Judgement& judgement, const Assembly& assembly) {
+  MapFigures figures{assembly.sonars ? SensorKind::sonar : SensorKind::laser, judgement.figures,
+                     judgement.visits};
+  for (VisitJudgement& visit : figures.visits) {
+    const auto room = assembly.room_of_asr.find(visit.asr);
+    visit.room = room == assembly.room_of_asr.end() ? 0 : room->second;
+  }
+  return judge_map(figures, assembly).value();
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/trust/map_figures.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "driven_odometry.hpp"
+#include "roomatlas/graph/bridges.hpp"
+
+namespace roomatlas {
+namespace {
+
+/// A small positive figure on a scale of its own size.
+double log_of(double value, double least) { return std::log(std::max(value, least)); }
+
+/// What all figures are made from; readings are read once.
+struct Measured {
+  std::vector<VisitAgreement> agreement;
+  OdometryUse odometry;
+  std::map<AsrId, RoomId> room_of;
+  SensorKind sensor = SensorKind::laser;
+  double hits_a_reading = 0.0;
+  bool has_readings = false;
+};
+
+Measured measure(const AsrSource& source, const Assembly& assembly) {
+  Measured measured;
+  const ConsistencyOptions options;
+  std::vector<AsrEvidence> evidence;
+  double readings = 0.0;
+  double hits = 0.0;
+  for (const AsrId id : source.ids()) {
+    const Asr asr = source.get(id, AsrDetail::readings);
+    evidence.push_back(evidence_of(asr, options.evidence));
+    measured.odometry.add(asr);
+    for (const RangeReading& reading : asr.readings) {
+      measured.sensor = reading.sensor->kind;
+      readings += 1.0;
+      hits += static_cast<double>(std::count_if(
+          reading.ranges_m.begin(), reading.ranges_m.end(),
+          [&](float range_m) { return range_m > 0.0F && range_m < reading.sensor->max_range_m; }));
+    }
+  }
+  measured.has_readings = readings > 0.0;
+  measured.hits_a_reading = hits / std::max(1.0, readings);
+  measured.agreement = visit_agreement(evidence, placement_of(assembly.correction), options);
+  return measured;
+}
+
+struct Agreement {
+  double known_share = 0.0;
+  double free_share = 0.0;
+  double apart_m = 0.0;
+};
+
+constexpr double kFewHits = 30.0;  // so many hits without a finding are believed as much as those
+                                   // that are asked about
+
+Agreement agreement_of(const VisitAgreement& sums) {
+  const auto share = [](double part, double all) { return part / (all + kFewHits); };
+  return {share(static_cast<double>(sums.known), static_cast<double>(sums.hits)),
+          share(static_cast<double>(sums.in_free_space), static_cast<double>(sums.seen)),
+          share(sums.apart_m, static_cast<double>(sums.compared))};
+}
+
+VisitAgreement sum_of(const std::vector<VisitAgreement>& visits) {
+  VisitAgreement sum;
+  for (const VisitAgreement& visit : visits) {
+    sum.hits += visit.hits;
+    sum.known += visit.known;
+    sum.seen += visit.seen;
+    sum.in_free_space += visit.in_free_space;
+    sum.compared += visit.compared;
+    sum.apart_m += visit.apart_m;
+  }
+  return sum;
+}
+
+/// The share of the visits that the worst-held tenth of all hits belong to counts, not their mean.
+double worst_free_share(const std::vector<VisitAgreement>& visits) {
+  double worst = 0.0;
+  for (const VisitAgreement& visit : visits) {
+    worst = std::max(worst, agreement_of(visit).free_share);
+  }
+  return worst;
+}
+
+std::vector<JudgedFigure> common_figures(const Measured& measured, const Assembly& assembly) {
+  const Agreement all = agreement_of(sum_of(measured.agreement));
+  const OdometryUse::Differences odometry = measured.odometry.differences();
+  return {
+      {"path", log_of(measured.odometry.path_m(), 1.0)},
+      {"visits", log_of(static_cast<double>(assembly.correction.asrs.size()), 1.0)},
+      {"echoes a reading", log_of(measured.hits_a_reading, 0.1)},
+      {"seen again", all.known_share},
+      {"hits in free space", log_of(all.free_share, 0.001)},
+      {"worst visit's hits in free space", log_of(worst_free_share(measured.agreement), 0.001)},
+      {"doubled walls", log_of(all.apart_m, 0.002)},
+      {"odometry's headings against the map's", log_of(odometry.heading_rad_per_m, 0.001)},
+      {"odometry's lengths against the map's", log_of(odometry.length_share, 0.001)},
+      {"odometry's steady drift", log_of(std::abs(odometry.drift_rad_per_m), 0.0005)},
+  };
+}
+
+/// Of a correction by measurements between visits.
+void add_loops(const Assembly& assembly, const VisitUncertainty& uncertainty,
+               std::vector<JudgedFigure>& figures) {
+  const RoomGraph& graph = assembly.graph;
+  const double visits = std::max<double>(1.0, static_cast<double>(graph.vertices.size()));
+  std::size_t hanging = 0;
+  for (const Bridge& bridge : bridges_of(graph)) hanging = std::max(hanging, bridge.behind);
+  double largest_m2 = 0.0;
+  for (const VisitEstimate& visit : uncertainty.visits) {
+    largest_m2 = std::max(
+        largest_m2,
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(visit.covariance_m2).eigenvalues()[1]);
+  }
+  double tried = 0.0, accepted = 0.0, agreeing = 0.0, contradicting = 0.0;
+  for (const Closure& closure : assembly.closures) {
+    tried += 1.0;
+    if (closure.verdict != ClosureVerdict::accepted) continue;
+    accepted += 1.0;
+    agreeing += closure.match.agreeing;
+    contradicting += closure.match.contradicting;
+  }
+  double doubtful = 0.0;
+  for (const PassageEdge& edge : graph.edges) doubtful += edge.is_doubtful ? 1.0 : 0.0;
+  figures.insert(figures.end(),
+                 {{"loops a visit", std::log1p(accepted / visits)},
+                  {"matches accepted", accepted / (tried + 1.0)},
+                  {"contradiction in matches",
+                   log_of(contradicting / (agreeing + contradicting + 1.0), 0.001)},
+                  {"strain of loops", log_of(std::sqrt(uncertainty.variance_factor), 0.1)},
+                  {"place of a visit", log_of(uncertainty.typical_m.value_or(0.0), 0.001)},
+                  {"place of the loosest visit", log_of(std::sqrt(largest_m2), 0.001)},
+                  {"passages in which the robot was lost", std::log1p(doubtful)},
+                  {"visits on one passage", static_cast<double>(hanging) / visits}});
+}
+
+/// Of a correction as one trajectory by walls that sonars heard.
+void add_sonars(const SonarTrajectory& sonars, double path_m, std::vector<JudgedFigure>& figures) {
+  const SonarVariant chosen =
+      sonars.variants.empty() ? SonarVariant{} : sonars.variants.at(sonars.chosen);
+  const double metres = std::max(1.0, path_m);
+  figures.insert(
+      figures.end(),
+      {{"contradiction of walls", log_of(chosen.contradiction, 0.005)},
+       {"wall heard again", std::log1p(chosen.compared_m / metres)},
+       {"stretches of wall a metre", log_of(static_cast<double>(sonars.segments) / metres, 0.01)},
+       {"pairs of stretches", std::log1p(static_cast<double>(chosen.pairs) /
+                                         std::max(1.0, static_cast<double>(sonars.segments)))},
+       {"unsure heading", log_of(1.0 - sonars.sure_heading_share, 0.005)},
+       {"undecided drives", log_of(sonars.undecided_m / metres, 0.001)},
+       {"score of another winding", sonars.rival_score},
+       {"slips repaired", std::log1p(sonars.slips_repaired)},
+       {"odometry's bias", log_of(std::abs(sonars.habits.bias_rad_per_m), 0.0005)},
+       {"odometry's gain", log_of(std::abs(sonars.habits.turn_gain - 1.0), 0.002)}});
+}
+
+std::vector<VisitJudgement> visit_figures(const Measured& measured, const Assembly& assembly,
+                                          const VisitUncertainty& uncertainty) {
+  std::map<AsrId, double> place_m;
+  for (const VisitEstimate& visit : uncertainty.visits) {
+    place_m[visit.asr] = std::sqrt(visit.covariance_m2.trace() / 2.0);
+  }
+  std::map<AsrId, int> loops;
+  for (const Closure& closure : assembly.closures) {
+    if (closure.verdict != ClosureVerdict::accepted) continue;
+    ++loops[closure.from];
+    ++loops[closure.to];
+  }
+  std::vector<VisitJudgement> visits;
+  for (const VisitAgreement& sums : measured.agreement) {
+    const Agreement agreement = agreement_of(sums);
+    const auto room = assembly.room_of_asr.find(sums.asr);
+    visits.push_back({sums.asr,
+                      room == assembly.room_of_asr.end() ? 0 : room->second,
+                      0.0,
+                      0.0,
+                      {{"seen again", agreement.known_share},
+                       {"hits in free space", log_of(agreement.free_share, 0.001)},
+                       {"doubled walls", log_of(agreement.apart_m, 0.002)},
+                       {"place", log_of(place_m[sums.asr], 0.001)},
+                       {"loops", std::log1p(loops[sums.asr])}}});
+  }
+  return visits;
+}
+
+}  // namespace
+
+MapFigures map_figures(const AsrSource& source, const Assembly& assembly,
+                       const CorrectOptions& correct) {
+  MapFigures result;
+  if (assembly.correction.asrs.empty()) return result;
+  const Measured measured = measure(source, assembly);
+  if (!measured.has_readings) return result;
+  const VisitUncertainty uncertainty =
+      uncertainty_of(assembly.graph, assembly.closures, assembly.correction, correct);
+  result.sensor = assembly.sonars ? SensorKind::sonar : SensorKind::laser;
+  result.figures = common_figures(measured, assembly);
+  if (assembly.sonars) {
+    add_sonars(*assembly.sonars, measured.odometry.path_m(), result.figures);
+  } else {
+    add_loops(assembly, uncertainty, result.figures);
+  }
+  result.visits = visit_figures(measured, assembly, uncertainty);
+  return result;
+}
+
+}  // namespace roomatlas
