@@ -62,13 +62,6 @@ Json json_in(const fs::path& file) {
   return Json::parse(std::string(std::istreambuf_iterator<char>(stream), {}), nullptr, false);
 }
 
-bool says(const Json& lines, const std::string& text) {
-  for (const Json& line : lines) {
-    if (line.get<std::string>().find(text) != std::string::npos) return true;
-  }
-  return false;
-}
-
 /// Whether the program gives the map 95 % or more.
 bool is_trusted(const Json& row) {
   constexpr double kSure = 0.95;

@@ -56,15 +56,23 @@ Eigen::Vector3d jacobian_along(const Point2& along, const Point2& turned_point) 
   return {along.x(), along.y(), cross(turned_point, along)};
 }
 
-/// Along the face's normal, or the point's where the face has none. A pair without any direction
-/// says nothing: far along a corridor such points lie beyond the end of what was seen of its walls,
-/// and would hold the sweep back.
+/// Along the face's normal. Where it has none it may be a corner, which holds the point in both
+/// axes; or, far along a corridor, the end of what was seen of a wall, which must not: there the
+/// point's own normal counts, or nothing.
 void add_pair(const Face& face, const Point2& at, const Point2& turned_point,
               const Point2& turned_normal, const AlignOptions& options, Equations& equations) {
-  const Point2& normal = face.normal.squaredNorm() > 0.0 ? face.normal : turned_normal;
-  if (normal.squaredNorm() == 0.0) return;
-  const double residual = normal.dot(at - face.position);
+  const Point2 off = at - face.position;
   const double scale = options.robust_m * options.robust_m;
+  const bool has_normal = face.normal.squaredNorm() > 0.0;
+  if (!has_normal && options.corner_weight > 0.0) {
+    const double weight = options.corner_weight / (1.0 + off.squaredNorm() / scale);
+    equations.add(jacobian_along(Point2::UnitX(), turned_point), off.x(), weight);
+    equations.add(jacobian_along(Point2::UnitY(), turned_point), off.y(), weight);
+    return;
+  }
+  const Point2& normal = has_normal ? face.normal : turned_normal;
+  if (normal.squaredNorm() == 0.0) return;
+  const double residual = normal.dot(off);
   equations.add(jacobian_along(normal, turned_point), residual,
                 1.0 / (1.0 + residual * residual / scale));
 }

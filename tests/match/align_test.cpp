@@ -64,25 +64,23 @@ Cost cost_around(const std::vector<Face>& faces, const std::vector<ScanPoint>& p
   struct Pair {
     Face face;
     Point2 point;
-    Point2 normal;
   };
   std::vector<Pair> pairs;
   const Pose2 turn{0.0, 0.0, pose.theta_rad};
   for (const ScanPoint& point : points) {
     if (!point.is_hit) continue;
     const Face* face = nearest_of(faces, pose * point.position, turn * point.normal, options);
-    if (face != nullptr) pairs.push_back({*face, point.position, point.normal});
+    if (face != nullptr) pairs.push_back({*face, point.position});
   }
-  return [pairs, pose, options](const Eigen::Vector3d& x) {
+  return [pairs, options](const Eigen::Vector3d& x) {
     const double s2 = options.robust_m * options.robust_m;
     const Pose2 at{x(0), x(1), x(2)};
     double cost = 0.0;
     for (const Pair& pair : pairs) {
       const Point2 off = at * pair.point - pair.face.position;
-      const Point2 normal = pair.face.normal == Point2::Zero()
-                                ? Point2(Pose2{0.0, 0.0, pose.theta_rad} * pair.normal)
-                                : pair.face.normal;
-      cost += s2 / 2.0 * std::log1p(std::pow(off.dot(normal), 2) / s2);
+      const bool is_corner = pair.face.normal == Point2::Zero();
+      const double square = is_corner ? off.squaredNorm() : std::pow(off.dot(pair.face.normal), 2);
+      cost += (is_corner ? options.corner_weight : 1.0) * s2 / 2.0 * std::log1p(square / s2);
     }
     return cost;
   };

@@ -53,7 +53,7 @@ TEST_P(OfASensor, TheProbabilityIsTheLogisticFunctionOfTheSumOfItsParts) {
 }
 
 TEST_P(OfASensor, FiguresBeyondWhatWasLearntCountAsTheLastThatWere) {
-  EXPECT_EQ(judge_map(figures_of(GetParam(), 3.0), {})->probability,
+  EXPECT_EQ(judge_map(figures_of(GetParam(), 4.0), {})->probability,
             judge_map(figures_of(GetParam(), 30.0), {})->probability);
 }
 

@@ -22,6 +22,8 @@ struct AlignOptions {
   double last_gate_m = 0.12;       ///< ... and in the end
   double min_normal_cosine = 0.7;  ///< partners face the same way
   double robust_m = 0.05;          ///< residuals beyond it lose weight (Cauchy); also their sigma
+  double corner_weight = 0.15;     ///< of a point whose partner has no direction; 0: such pairs go
+                                   ///< by the point's own
   int max_iterations = 12;  ///< the gate is at its smallest after 0.6 of them; fewer end unsettled
 };
 

@@ -16,7 +16,7 @@ struct LocalizeOptions {
   bool enabled = true;  ///< off: dead reckoning is believed inside a room, as in the paper
   double cell_m = 0.1;  ///< of the room's map; smaller cells need more sweeps to fill
   ScanOptions scan;
-  AlignOptions align;
+  AlignOptions align{.corner_weight = 0.0};  ///< corners would hold sweeps back in a corridor
   CorrelateOptions correlate;
   /// Between two readings, parts added up: odometry that lags reports a turn too late, hence so
   /// much of it. A position's 0.05 m lets corridors slip; 0.005 fails where odometry jumps.
