@@ -62,7 +62,8 @@ TEST(Recordings, CutAtTheirBeginningAreRefused) {
 TEST(Recordings, OptionsThatNameNothingThereAreWrongUse) {
   const Folder folder;
   const std::string mcap = recording(folder, "mcap");
-  expect_refused(folder, mcap, "--scan-topic /front", 2, "no such topic; nearest comes /odom; there are");
+  expect_refused(folder, mcap, "--scan-topic /front", 2,
+                 "no such topic; nearest comes /odom; there are");
   expect_refused(folder, mcap, "--odom-topic /wheels", 2, "--odom-topic /wheels");
   expect_refused(folder, mcap, "--scan-topic /odom", 2, "expected sensor_msgs/LaserScan");
   expect_refused(folder, mcap, "--truth-topic /scan", 2, "expected nav_msgs/Odometry");
