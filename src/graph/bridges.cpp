@@ -85,10 +85,11 @@ class Tree {
         order.emplace_back(other, order[i].first);
       }
     }
-    for (auto at = order.rbegin(); at != order.rend(); ++at) {
-      root_[at->first] = root;
-      ++size_[at->first];
-      if (at->first != root) size_[at->second] += size_[at->first];
+    std::reverse(order.begin(), order.end());
+    for (const auto& [vertex, parent] : order) {
+      root_[vertex] = root;
+      ++size_[vertex];
+      if (vertex != root) size_[parent] += size_[vertex];
     }
   }
 
