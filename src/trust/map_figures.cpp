@@ -20,8 +20,6 @@ double log_of(double value, double least) { return std::log(std::max(value, leas
 struct Measured {
   std::vector<VisitAgreement> agreement;
   OdometryUse odometry;
-  std::map<AsrId, RoomId> room_of;
-  SensorKind sensor = SensorKind::laser;
   double hits_a_reading = 0.0;
   bool has_readings = false;
 };
@@ -37,7 +35,6 @@ Measured measure(const AsrSource& source, const Assembly& assembly) {
     evidence.push_back(evidence_of(asr, options.evidence));
     measured.odometry.add(asr);
     for (const RangeReading& reading : asr.readings) {
-      measured.sensor = reading.sensor->kind;
       readings += 1.0;
       hits += static_cast<double>(std::count_if(
           reading.ranges_m.begin(), reading.ranges_m.end(),
@@ -79,7 +76,7 @@ VisitAgreement sum_of(const std::vector<VisitAgreement>& visits) {
   return sum;
 }
 
-/// The share of the visits that the worst-held tenth of all hits belong to counts, not their mean.
+/// Of the visit whose hits the others contradict most.
 double worst_free_share(const std::vector<VisitAgreement>& visits) {
   double worst = 0.0;
   for (const VisitAgreement& visit : visits) {
