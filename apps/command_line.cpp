@@ -178,6 +178,7 @@ class Commands {
 
   void add_all() {
     add_stages();
+    add_joins();
     add_results();
     add_tools();
   }
@@ -219,6 +220,17 @@ class Commands {
         command("assemble", "offline stage: graph, correction, floor plan",
                 [this] { require_a_room(assemble_again(settings_, a_.store), a_.store); });
     positional(assemble, "STORE", a_.store, "store to complete");
+  }
+
+  /// Several missions of one building.
+  void add_joins() {
+    CLI::App* join = command("join", "stores of several missions -> one building",
+                             [this] { apps::join(settings_, a_.judged, a_.out); });
+    join->add_option("STORE", a_.judged,
+                     "assembled stores of missions, or of what was joined already")
+        ->required()
+        ->configurable(false);
+    output(join, a_.out, "store to write, such as building.gpkg");
   }
 
   /// What is done with a plan.

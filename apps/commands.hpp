@@ -71,6 +71,8 @@ void report(const Settings& settings, const Path& store, const std::vector<Path>
             const TrajectoryFlags& flags, const Path& out);
 void write_report(const Settings& settings, const Path& store, const Evaluation& evaluation,
                   const Path& out);
+/// Missions of one building, each in a store of its own, become one store.
+void join(const Settings& settings, const std::vector<Path>& stores, const Path& out);
 void rename(const Settings& settings, const Path& store, const std::string& room,
             const std::string& name);
 void inspect(const Settings& settings, const Path& store, AsrId id, const Path& out);

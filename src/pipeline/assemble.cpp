@@ -2,10 +2,13 @@
 #include "roomatlas/pipeline/assemble.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "draw_up.hpp"
+#include "roomatlas/asr/joined_source.hpp"
 #include "roomatlas/asr/load.hpp"
 #include "roomatlas/asr/with_paths.hpp"
 #include "roomatlas/draft/building_axes.hpp"
@@ -89,6 +92,31 @@ MappedBuilding building_of(MissionKind kind, const AsrSource& source, const Asse
                            {assemble.rooms, map, assemble.map_again}, progress);
 }
 
+std::vector<AsrId> without(const std::vector<AsrId>& ids, const std::set<AsrId>& some) {
+  std::vector<AsrId> others;
+  std::copy_if(ids.begin(), ids.end(), std::back_inserter(others),
+               [&](AsrId id) { return !some.contains(id); });
+  return others;
+}
+
+/// Visits from which nothing was drawn are given to the rooms in which most of their path lies.
+void give_rooms(const AsrSource& source, const std::set<AsrId>& visits, const Placement& placement,
+                MappedBuilding& building) {
+  for (const AsrId id : visits) {
+    std::map<RoomId, int> poses;
+    for (const PathSample& sample : source.get(id, AsrDetail::path).path) {
+      const Point2 at = placement.at(id) * sample.asr_from_robot.position();
+      for (const PlacedOutline& room : building.outlines) {
+        if (contains(room.outline, at)) ++poses[room.room];
+      }
+    }
+    const auto most =
+        std::max_element(poses.begin(), poses.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (most != poses.end()) building.room_of_asr[id] = most->first;
+  }
+}
+
 }  // namespace
 
 MissionKind mission_kind(const AsrSource& source, const AssembleOptions& options) {
@@ -96,14 +124,9 @@ MissionKind mission_kind(const AsrSource& source, const AssembleOptions& options
   return all_localized(source) ? MissionKind::laser : MissionKind::paper;
 }
 
-Assembly assemble(const AsrSource& source, const RobotFootprint& footprint, const Options& options,
-                  const Progress& progress) {
-  report(progress, "load", 0.0);
-  if (source.ids().empty()) {
-    throw NotEnoughError("the store holds no ASR: run `roomatlas map` first");
-  }
-  const MissionKind kind = mission_kind(source, options.assemble);
-  CorrectedMission corrected = corrected_mission(kind, source, footprint, options, progress);
+Assembly assemble_corrected(MissionKind kind, const AsrSource& source, CorrectedMission corrected,
+                            const RobotFootprint& footprint, const Options& options,
+                            const Progress& progress) {
   const Issues unused = unused_closures(corrected, options.assemble.closures);
   Assembly assembly;
   assembly.graph = std::move(corrected.graph);
@@ -113,8 +136,10 @@ Assembly assemble(const AsrSource& source, const RobotFootprint& footprint, cons
   assembly.paths = std::move(corrected.paths);
 
   const AsrSource& recorded = corrected.recorded_again ? *corrected.recorded_again : source;
-  MappedBuilding building = building_of(kind, WithPaths(recorded, assembly.paths), assembly,
-                                        footprint, options, progress);
+  const SelectedAsrs drawn(recorded, without(recorded.ids(), corrected.not_drawn));
+  MappedBuilding building =
+      building_of(kind, WithPaths(drawn, assembly.paths), assembly, footprint, options, progress);
+  give_rooms(recorded, corrected.not_drawn, placement_of(assembly.correction), building);
   assembly.room_of_asr = building.room_of_asr;
   assembly.doors = building.doors;
   set_rooms(assembly.graph, assembly.room_of_asr);
@@ -124,6 +149,7 @@ Assembly assemble(const AsrSource& source, const RobotFootprint& footprint, cons
     assembly.plan.issues.insert(assembly.plan.issues.end(), issues.begin(), issues.end());
   }
   report(progress, "judge", 0.0);
+  if (kind == MissionKind::sonar && !assembly.sonars) return assembly;  // several missions' sonars
   assembly.judgement = judge_map(
       map_figures(WithPaths(recorded, assembly.paths), assembly, options.assemble.correct),
       assembly);
@@ -131,6 +157,18 @@ Assembly assemble(const AsrSource& source, const RobotFootprint& footprint, cons
     assembly.mapped_again = std::move(corrected.recorded_again->asrs);
   }
   return assembly;
+}
+
+Assembly assemble(const AsrSource& source, const RobotFootprint& footprint, const Options& options,
+                  const Progress& progress) {
+  report(progress, "load", 0.0);
+  if (source.ids().empty()) {
+    throw NotEnoughError("the store holds no ASR: run `roomatlas map` first");
+  }
+  const MissionKind kind = mission_kind(source, options.assemble);
+  return assemble_corrected(kind, source,
+                            corrected_mission(kind, source, footprint, options, progress),
+                            footprint, options, progress);
 }
 
 }  // namespace roomatlas

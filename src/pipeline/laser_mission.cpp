@@ -20,6 +20,8 @@ std::vector<AsrShape> shapes_of(const AsrSource& source, const Options& options)
   });
 }
 
+}  // namespace
+
 PassageEdge edge_of(const Closure& closure) {
   PassageEdge edge;
   edge.from = closure.from;
@@ -30,8 +32,6 @@ PassageEdge edge_of(const Closure& closure) {
   edge.information = closure.match.information;
   return edge;
 }
-
-}  // namespace
 
 CorrectedMission correct_laser_mission(const AsrSource& source, const Options& options,
                                        const Progress& progress) {

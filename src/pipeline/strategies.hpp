@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "roomatlas/asr/memory_store.hpp"
@@ -11,6 +12,7 @@
 #include "roomatlas/core/progress.hpp"
 #include "roomatlas/correct/correct.hpp"
 #include "roomatlas/loops/closures.hpp"
+#include "roomatlas/pipeline/assemble.hpp"
 #include "roomatlas/pipeline/options.hpp"
 #include "roomatlas/sonar/sonar_trajectory.hpp"
 
@@ -24,8 +26,12 @@ struct CorrectedMission {
   bool are_rooms_matched = false;
   Paths paths;  ///< of readings that were matched again; may be empty
   std::optional<SonarTrajectory> sonars;
+  std::set<AsrId> not_drawn;                  ///< visits of sonars to what lasers saw
   std::optional<MemoryStore> recorded_again;  ///< ASRs instead of those of the source
 };
+
+/// A match that holds, as a measurement of the graph.
+[[nodiscard]] PassageEdge edge_of(const Closure& closure);
 
 /// Rooms are found again by their walls, and readings matched with all rooms that lie on their own.
 [[nodiscard]] CorrectedMission correct_laser_mission(const AsrSource& source,
@@ -41,5 +47,11 @@ struct CorrectedMission {
 /// The paper's: rooms turn about their pivots, which are doorways that were seen again.
 [[nodiscard]] CorrectedMission correct_paper_mission(const std::vector<Asr>& asrs,
                                                      const Options& options);
+
+/// The rest, alike for all: rooms, plan, judgement.
+[[nodiscard]] Assembly assemble_corrected(MissionKind kind, const AsrSource& source,
+                                          CorrectedMission corrected,
+                                          const RobotFootprint& footprint, const Options& options,
+                                          const Progress& progress);
 
 }  // namespace roomatlas

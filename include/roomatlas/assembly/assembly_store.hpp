@@ -6,6 +6,7 @@
 
 #include "roomatlas/asr/store.hpp"
 #include "roomatlas/assembly/assembly.hpp"
+#include "roomatlas/assembly/member_mission.hpp"
 #include "roomatlas/correct/correction.hpp"
 #include "roomatlas/mission/mission.hpp"
 #include "roomatlas/plan/floor_plan.hpp"
@@ -23,6 +24,9 @@ class AssemblyStore : public AsrSource {
  public:
   [[nodiscard]] virtual StoredMission mission() const = 0;
 
+  /// The missions that it was joined from, in the order of their visits; none where it is one.
+  [[nodiscard]] virtual std::vector<MemberMission> members() const { return {}; }
+
   /// Replaces what an earlier assembly left, in one transaction: whoever opens the store sees the
   /// old assembly or the new one, whole, whenever the program ends.
   /// @param configuration all parameters that it was made with (TOML)
@@ -32,6 +36,8 @@ class AssemblyStore : public AsrSource {
   /// The last assembly. Throws InputError where there is none.
   [[nodiscard]] virtual Correction correction() const = 0;
   [[nodiscard]] virtual FloorPlan plan() const = 0;
+  /// The matches of rooms that were tried.
+  [[nodiscard]] virtual std::vector<Closure> closures() const { return {}; }
   /// Rooms whose numbers and names the next assembly carries over: those of the plan that is there,
   /// else those of a store that this one replaced.
   [[nodiscard]] virtual std::vector<PlanRoom> former_rooms() const = 0;

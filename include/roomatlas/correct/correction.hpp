@@ -57,7 +57,8 @@ struct EstimatedHabits {
 /// for success.
 struct Correction {
   bool converged = false;
-  std::string model;           ///< "se2", "rotation_only", or "trajectory" (a mission of sonars)
+  std::string model;           ///< "se2", "rotation_only", "trajectory" (a mission of sonars) or
+                               ///< "joined" (several missions)
   std::string message;         ///< why the solver stopped
   double initial_cost = -1.0;  ///< half of the robust squares at the start; negative: not solved
   double final_cost = -1.0;    ///< the same at the end

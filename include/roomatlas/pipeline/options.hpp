@@ -5,6 +5,8 @@
 #include "roomatlas/correct/correct.hpp"
 #include "roomatlas/draft/draft_building.hpp"
 #include "roomatlas/graph/recognise.hpp"
+#include "roomatlas/join/join_missions.hpp"
+#include "roomatlas/locate/sonar_shape.hpp"
 #include "roomatlas/loops/closures.hpp"
 #include "roomatlas/loops/feed_back.hpp"
 #include "roomatlas/match/room_localizer.hpp"
@@ -58,6 +60,8 @@ struct Options {
   MissionOptions mission;
   MapOptions map;
   AssembleOptions assemble;
+  JoinOptions join;
+  SonarShapeOptions sonar_shapes;  ///< how visits of sonars are matched with those of others
   int jobs = 0;  ///< threads that work at once, see `thread_count`; 0: one for each core. More take
                  ///< more memory; the results are the same to the byte
 };

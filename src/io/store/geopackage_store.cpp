@@ -5,6 +5,7 @@
 #include "geopackage_schema.hpp"
 #include "geopackage_store_state.hpp"
 #include "geopackage_tables.hpp"
+#include "member_missions.hpp"
 #include "roomatlas/io/results/judgement_json.hpp"
 
 #include <charconv>
@@ -128,6 +129,14 @@ std::map<std::string, std::string> GeoPackageStore::metadata() const {
     });
     return values;
   });
+}
+
+std::vector<MemberMission> GeoPackageStore::members() const {
+  return state_->reading([](Database& db) { return read_members(db); });
+}
+
+void GeoPackageStore::put_members(const std::vector<MemberMission>& members) {
+  state_->transaction([&](Database& db) { write_members(db, members); });
 }
 
 StoredMission GeoPackageStore::mission() const {

@@ -39,6 +39,9 @@ class GeoPackageStore : public AsrSink, public AssemblyStore {
   [[nodiscard]] std::map<std::string, std::string> metadata() const;
 
   [[nodiscard]] StoredMission mission() const override;
+  [[nodiscard]] std::vector<MemberMission> members() const override;
+  /// Says which missions the ASRs are of; replaces what was said.
+  void put_members(const std::vector<MemberMission>& members);
 
   /// Paths of readings that were matched again: `get` has these from then on, but in a store that
   /// is open to be updated, so that assembling again begins where it began before.
@@ -51,7 +54,7 @@ class GeoPackageStore : public AsrSink, public AssemblyStore {
   /// How far the assembly can be relied on; nothing where it was not judged.
   [[nodiscard]] std::optional<Judgement> judgement() const;
   /// The matches of rooms that were tried. Information is zero in a store of an earlier release.
-  [[nodiscard]] std::vector<Closure> closures() const;
+  [[nodiscard]] std::vector<Closure> closures() const override;
 
   [[nodiscard]] std::vector<PlanRoom> former_rooms() const override;
   /// Rooms of a store that this one replaces, until an assembly has carried over their numbers and

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "join_stores.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
+
+#include <memory>
+
+#include "console.hpp"
+#include "new_store.hpp"
+#include "output_places.hpp"
+#include "plan_report.hpp"
+#include "roomatlas/asr/joined_source.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
+#include "store_metadata.hpp"
+
+namespace roomatlas::apps {
+namespace {
+
+using Stores = std::vector<std::unique_ptr<GeoPackageStore>>;
+
+std::string title_of(const std::vector<MemberMission>& members) {
+  constexpr std::size_t kNamed = 3;  // more do not fit a title
+  if (members.size() > kNamed) return fmt::format("{} missions", members.size());
+  std::vector<std::string> names;
+  for (const MemberMission& member : members) names.push_back(member.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Of all missions together; robot and date are those of the base.
+Metadata metadata_of(const JoinedBuilding& building, const Stores& stores,
+                     const Settings& settings) {
+  Metadata metadata = stores[building.missions.front()]->metadata();
+  double path_m = 0.0;
+  for (const std::size_t i : building.missions) path_m += path_length_of(stores[i]->metadata());
+  Metadata joined = {{"tool_version", ROOMATLAS_VERSION},
+                     {"configuration", settings.as_toml},
+                     {"mission_file", title_of(building.members)},
+                     {"mission_path_length_m", fmt::format("{}", path_m)}};
+  for (const char* key : {"robot_length_m", "robot_width_m", "mission_first_timestamp_s"}) {
+    if (metadata.contains(key)) joined[key] = metadata[key];
+  }
+  return joined;
+}
+
+std::size_t write_building(const Settings& settings, const JoinedBuilding& building,
+                           const Stores& stores, const Path& place) {
+  std::vector<const AsrSource*> sources;
+  for (const std::size_t i : building.missions) sources.push_back(stores[i].get());
+  const JoinedSource source(sources);
+  settle_new_store(place);
+  const NewStore made(place);
+  try {
+    GeoPackageStore store(made.file(), GeoPackageStore::Mode::create);
+    for (const AsrId id : source.ids()) store.put(source.get(id, AsrDetail::readings));
+    store.put_members(building.members);
+    store.put_metadata(metadata_of(building, stores, settings));
+    store.put_former_rooms(stores[building.missions.front()]->plan().rooms);
+    const Assembly assembly =
+        assemble_joined(store, building, settings, settings.as_toml, console_progress(settings));
+    store.finish();
+    made.put_in_place();
+    show(assembly.plan.issues);
+    return assembly.plan.rooms.size();
+  } catch (...) {
+    made.give_up();
+    throw;
+  }
+}
+
+void tell(const JoinedBuilding& building, const Path& store) {
+  for (const MemberMission& member : building.members) {
+    if (member.is_base) {
+      spdlog::info("{}: {} is where the building's frame is from", store.string(), member.name);
+      continue;
+    }
+    spdlog::info(
+        "{}: {} joined: {} of {} pieces of its path fit, {:.0f} % of what can be compared "
+        "agrees; score {:.0f}, the next place {:.0f}",
+        store.string(), member.name, member.pieces_fitting, member.pieces, 100.0 * member.agreement,
+        member.score, member.runner_up_score);
+  }
+}
+
+void tell_alone(const JoinedBuilding& building) {
+  const std::string& name = building.members.front().name;
+  if (building.verdict == PlaceVerdict::ambiguous) {
+    spdlog::warn(
+        "{}: not joined: two places fit nearly as well; it stays a building of its own "
+        "until a mission shows more of what tells them apart",
+        name);
+  } else {
+    spdlog::warn("{}: not joined: nothing holds it to the others; it stays a building of its own",
+                 name);
+  }
+}
+
+Path numbered(const Path& place, std::size_t number) {
+  if (number == 1) return place;
+  Path other = place;
+  other.replace_filename(
+      fmt::format("{}.{}{}", place.stem().string(), number, place.extension().string()));
+  return other;
+}
+
+}  // namespace
+
+std::vector<WrittenBuilding> join_into(const Settings& settings, const std::vector<Path>& files,
+                                       const Path& place) {
+  require_output_store(place, files);
+  Stores stores;
+  std::vector<const AssemblyStore*> opened;
+  for (const Path& file : files) {
+    stores.push_back(std::make_unique<GeoPackageStore>(file, GeoPackageStore::Mode::read));
+    opened.push_back(stores.back().get());
+  }
+  std::vector<WrittenBuilding> written;
+  std::size_t number = 0;
+  for (JoinedBuilding& building : join_stores(opened, settings, console_progress(settings))) {
+    if (building.missions.size() < 2) {
+      tell_alone(building);
+      const std::size_t alone = building.missions.front();
+      written.push_back({std::move(building), files[alone], stores[alone]->plan().rooms.size()});
+      continue;
+    }
+    const Path store = numbered(place, ++number);
+    tell(building, store);
+    const std::size_t rooms = write_building(settings, building, stores, store);
+    spdlog::info("{}: {} rooms of {} missions", store.string(), rooms, building.members.size());
+    written.push_back({std::move(building), store, rooms});
+  }
+  if (number > 0 || files.size() < 2) return written;
+  throw NotEnoughError(
+      "nothing holds any two of these missions together: they share no rooms, or what they share "
+      "looks alike in several places. Each has its own plan; a mission that drives from the one's "
+      "rooms to the other's would join them");
+}
+
+void join(const Settings& settings, const std::vector<Path>& stores, const Path& out) {
+  (void)join_into(settings, stores, out);
+}
+
+}  // namespace roomatlas::apps

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "roomatlas/core/progress.hpp"
+#include "roomatlas/join/place_mission.hpp"
+
+namespace roomatlas {
+
+/// How sure a mission's own correction is of one visit against another: standard deviations.
+struct OwnSigmas {
+  double position_m = 0.0;
+  double position_m_per_m = 0.0;  ///< and so much for each metre between the two
+  double heading_deg = 0.0;
+};
+
+struct JoinOptions {
+  PlaceMissionOptions place;
+  MatchMapsOptions match;
+  OwnSigmas laser{0.015, 0.004, 0.25};
+  OwnSigmas sonar{0.03, 0.01, 0.6};
+  int own_neighbours = 3;  ///< earlier visits of a mission that each visit is held to
+  double near_m = 3.0;     ///< visits whose paths come this near to each other are matched ...
+  int max_matches = 3;     ///< ... the nearest of other missions, so many at most
+  SearchWindow window{0.5, radians(2.5)};  ///< around where the mission was placed
+  int min_agreeing = 60;                   ///< points on common walls, of lasers ...
+  int min_agreeing_sonar = 30;             ///< ... and where one of the two is a sonars' visit
+  double min_agreement = 0.65;             ///< of the points that can tell
+  double robust_sigmas = 2.0;              ///< matches off by more lose weight (Cauchy)
+};
+
+/// What became of one mission.
+struct JoinedMission {
+  int component = 0;     ///< missions of one component lie in one frame; 0, 1 ...
+  bool is_base = false;  ///< its frame is the component's
+  PlaceVerdict verdict = PlaceVerdict::nothing_in_common;  ///< of the last search; of a base none
+  MissionPlace best;             ///< of the last search; without pieces where nothing was found
+  double runner_up_score = 0.0;  ///< of the next place that is another; 0 without
+};
+
+struct JoinedMissions {
+  std::vector<JoinedMission> missions;  ///< parallel to what was given
+  Placement placement;                  ///< of every visit, in its component's frame
+  std::vector<Closure> closures;        ///< tried between visits of different missions
+};
+
+/// Joins missions of one building of which nothing is known but themselves: each is looked for in
+/// what is joined already, its visits are matched with those around, and the whole is solved anew;
+/// matches that contradict the others are thrown out. A mission for which there is no place, or
+/// two, stays a component of its own.
+/// @param missions visits' ids differ between all of them. Each is tried in this order: who wants
+///   one result for every order sorts them first
+/// @param jobs threads at once, see `for_each_index`
+/// @throws Interrupted
+[[nodiscard]] JoinedMissions join_missions(const std::vector<MissionMap>& missions,
+                                           const JoinOptions& options,
+                                           const Progress& progress = {}, int jobs = 1);
+
+}  // namespace roomatlas

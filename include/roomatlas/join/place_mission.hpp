@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "roomatlas/locate/building_index.hpp"
+
+namespace roomatlas {
+
+/// A mission as others are matched with it: its visits, each where the mission's own correction
+/// puts it.
+struct MissionMap {
+  std::vector<AsrShape> shapes;           ///< ascending by id, in the order of the drive
+  Placement mission_from_asr;             ///< of each of them
+  SensorKind sensor = SensorKind::laser;  ///< sonars' corrections bend more
+};
+
+struct PlaceMissionOptions {
+  LocateOptions locate;
+  double piece_way_m = 12.0;  ///< of path in a piece that is looked for: shorter ones look alike
+  int min_piece_walls = 120;  ///< wall points in a piece; more makes pieces larger
+  int searched_pieces = 12;   ///< spread over the mission; the others only where these fail
+  int places_a_piece = 10;    ///< the likeliest that count as a vote
+  int tried = 6;              ///< of the places of the whole mission, those that are followed
+  double alike_m = 1.0;       ///< places of two pieces are one of the mission if they differ by
+  double alike_deg = 3.0;     ///< less; missions bend
+  double max_bend_m = 0.5;    ///< from one piece to the next ...
+  double max_bend_deg = 3.0;  ///< ... and its turn
+  int min_agreeing = 30;      ///< wall points of a piece that fits
+  double min_piece_agreement = 0.65;  ///< of what can tell
+  double min_agreement = 0.75;        ///< of the pieces inside what is known
+  double min_path_on_floor = 0.5;     ///< of a piece that counts for a place: walls in line beyond
+                                      ///< what the building knows prove nothing
+  double min_score = 60.0;            ///< log likelihood of the whole mission
+  double min_margin = 8.0;            ///< by which it exceeds that of any other place, and ...
+  double margin_sigmas = 2.0;         ///< ... so many times its root: sums of many points err more
+};
+
+/// A piece of a mission where it fits best.
+struct PlacedPiece {
+  std::vector<AsrId> visits;
+  PlaceHypothesis place;   ///< of the mission's frame, as this piece has it
+  bool is_inside = false;  ///< its path runs over floor that the building knows
+  bool fits = false;
+};
+
+/// A place of a whole mission, followed piece by piece.
+struct MissionPlace {
+  Pose2 building_from_mission;  ///< where the piece puts it that was found first
+  std::vector<PlacedPiece> pieces;
+  double score = 0.0;     ///< log likelihood against a place taken at random, all pieces together
+  int agreeing = 0;       ///< wall points of the pieces inside what the building knows ...
+  int contradicting = 0;  ///< ... and theirs on floor, and floor on walls
+
+  [[nodiscard]] double agreement() const {
+    const int telling = agreeing + contradicting;
+    return telling > 0 ? static_cast<double>(agreeing) / telling : 0.0;
+  }
+  [[nodiscard]] std::size_t fitting() const;
+};
+
+enum class PlaceVerdict {
+  placed,
+  nothing_in_common,  ///< no place fits well enough
+  ambiguous,          ///< two places fit nearly as well
+};
+[[nodiscard]] const char* to_string(PlaceVerdict verdict);
+
+/// Where a mission lies in a building of which nothing is known beforehand.
+struct MissionSearch {
+  PlaceVerdict verdict = PlaceVerdict::nothing_in_common;
+  std::vector<MissionPlace> places;  ///< the likeliest first; may be empty
+};
+
+/// Looks for pieces of the mission all over the building, follows the places that several of them
+/// agree on piece by piece, and judges.
+/// @param jobs threads at once, see `for_each_index`
+[[nodiscard]] MissionSearch place_mission(const MissionMap& mission, const BuildingIndex& building,
+                                          const PlaceMissionOptions& options, int jobs = 1);
+
+/// The sketch of all visits of a mission, moved.
+[[nodiscard]] FloorSketch sketch_of(const MissionMap& mission);
+
+}  // namespace roomatlas

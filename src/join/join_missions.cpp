@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/join/join_missions.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+#include "joint_graph.hpp"
+#include "roomatlas/core/for_each_index.hpp"
+#include "visits_near.hpp"
+
+namespace roomatlas {
+namespace {
+
+/// What is joined so far, in one frame.
+class Component {
+ public:
+  Component(int number, const MissionMap& base, const JoinOptions& options, int jobs)
+      : number_(number),
+        options_(options),
+        jobs_(jobs),
+        index_(sketch_of(base), options.place.locate),
+        near_(options.near_m) {
+    for (const AsrShape& shape : base.shapes) {
+      placement_[shape.id] = base.mission_from_asr.at(shape.id);
+    }
+    take_in(base);
+  }
+
+  [[nodiscard]] int number() const { return number_; }
+  [[nodiscard]] std::size_t missions() const { return missions_.size(); }
+  [[nodiscard]] const Placement& placement() const { return placement_; }
+  [[nodiscard]] const std::vector<Closure>& closures() const { return closures_; }
+
+  [[nodiscard]] MissionSearch search(const MissionMap& mission) const {
+    return place_mission(mission, index_, options_.place, jobs_);
+  }
+
+  void join(const MissionMap& mission, const MissionPlace& place) {
+    for (const PlacedPiece& piece : place.pieces) {
+      for (const AsrId id : piece.visits) {
+        placement_[id] = piece.place.building_from_query * mission.mission_from_asr.at(id);
+      }
+    }
+    match(mission);
+    missions_.push_back(&mission);
+    solve_joint(missions_, options_, placement_, closures_);
+    missions_.pop_back();
+    take_in(mission);
+    MissionMap placed{mission.shapes, {}, mission.sensor};
+    for (const AsrShape& shape : mission.shapes) {
+      placed.mission_from_asr[shape.id] = placement_.at(shape.id);
+    }
+    index_.add(sketch_of(placed));
+  }
+
+ private:
+  struct Pair {
+    const AsrShape* first = nullptr;
+    const AsrShape* second = nullptr;
+    double apart_m = 0.0;
+  };
+
+  void take_in(const MissionMap& mission) {
+    missions_.push_back(&mission);
+    for (const AsrShape& shape : mission.shapes) {
+      shapes_[shape.id] = {&shape, mission.sensor};
+      near_.add(shape, placement_.at(shape.id));
+    }
+  }
+
+  /// Each visit with the nearest ones that are joined already.
+  void match(const MissionMap& mission) {
+    std::vector<Pair> pairs;
+    for (const AsrShape& shape : mission.shapes) {
+      const std::vector<Pair> near = nearest(shape);
+      pairs.insert(pairs.end(), near.begin(), near.end());
+    }
+    const auto matches = results_of<Closure>(
+        pairs.size(), jobs_, [&](std::size_t k) { return tried(pairs[k], mission.sensor); });
+    closures_.insert(closures_.end(), matches.begin(), matches.end());
+  }
+
+  [[nodiscard]] std::vector<Pair> nearest(const AsrShape& shape) const {
+    std::vector<Pair> near;
+    const Pose2& pose = placement_.at(shape.id);
+    for (const AsrId id : near_.near(shape, pose)) {
+      const AsrShape& other = *shapes_.at(id).shape;
+      const double apart_m = path_distance_m(other, shape, inverse(placement_.at(id)) * pose);
+      if (apart_m <= options_.near_m) near.push_back({&other, &shape, apart_m});
+    }
+    std::stable_sort(near.begin(), near.end(),
+                     [](const Pair& a, const Pair& b) { return a.apart_m < b.apart_m; });
+    near.resize(std::min(near.size(), static_cast<std::size_t>(options_.max_matches)));
+    return near;
+  }
+
+  [[nodiscard]] Closure tried(const Pair& pair, SensorKind sensor) const {
+    Closure closure;
+    closure.from = pair.first->id;
+    closure.to = pair.second->id;
+    const Pose2 guess = inverse(placement_.at(closure.from)) * placement_.at(closure.to);
+    closure.match = SearchableMap(pair.first->map, options_.match)
+                        .find(pair.second->points, guess, options_.window);
+    const bool is_laser =
+        sensor == SensorKind::laser && shapes_.at(pair.first->id).sensor == SensorKind::laser;
+    closure.verdict =
+        judge(closure.match, is_laser ? options_.min_agreeing : options_.min_agreeing_sonar,
+              options_.min_agreement);
+    return closure;
+  }
+
+  struct Known {
+    const AsrShape* shape = nullptr;
+    SensorKind sensor = SensorKind::laser;
+  };
+
+  int number_;
+  const JoinOptions& options_;
+  int jobs_;
+  BuildingIndex index_;
+  VisitsNear near_;
+  std::map<AsrId, Known> shapes_;
+  std::vector<const MissionMap*> missions_;
+  Placement placement_;
+  std::vector<Closure> closures_;
+};
+
+void note(const MissionSearch& search, JoinedMission& mission) {
+  mission.verdict = search.verdict;
+  mission.best = search.places.empty() ? MissionPlace{} : search.places[0];
+  mission.runner_up_score = search.places.size() > 1 ? search.places[1].score : 0.0;
+}
+
+}  // namespace
+
+JoinedMissions join_missions(const std::vector<MissionMap>& missions, const JoinOptions& options,
+                             const Progress& progress, int jobs) {
+  JoinedMissions joined;
+  joined.missions.resize(missions.size());
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < missions.size(); ++i) open.push_back(i);
+  for (int number = 0; !open.empty(); ++number) {
+    Component component(number, missions[open.front()], options, jobs);
+    joined.missions[open.front()].component = number;
+    joined.missions[open.front()].is_base = true;
+    open.erase(open.begin());
+    // Whoever found no place is tried again once the component has grown.
+    for (std::size_t size_before = 0; size_before != component.missions();) {
+      size_before = component.missions();
+      for (auto at = open.begin(); at != open.end();) {
+        report(progress, "join missions",
+               1.0 - static_cast<double>(open.size()) / static_cast<double>(missions.size()));
+        JoinedMission& mission = joined.missions[*at];
+        const MissionSearch search = component.search(missions[*at]);
+        if (number == 0 || search.verdict == PlaceVerdict::placed) note(search, mission);
+        if (search.verdict != PlaceVerdict::placed) {
+          ++at;
+          continue;
+        }
+        component.join(missions[*at], search.places[0]);
+        mission.component = number;
+        at = open.erase(at);
+      }
+    }
+    joined.placement.insert(component.placement().begin(), component.placement().end());
+    joined.closures.insert(joined.closures.end(), component.closures().begin(),
+                           component.closures().end());
+  }
+  return joined;
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/locate/building_index.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "correlation.hpp"
+#include "heading_candidates.hpp"
+#include "roomatlas/core/for_each_index.hpp"
+
+namespace roomatlas {
+namespace {
+
+constexpr float kBesideWall = 0.5F;    // of a wall's worth: half a cell is half a cell
+constexpr float kWallOnFloor = -0.5F;  // more forgets that doors and chairs move
+constexpr float kFloorOnWall = -0.5F;
+constexpr int kPeaksAHeading = 60;
+constexpr double kFaceHits = 4.0;  // of the building's walls: all count alike
+constexpr double kCoreM = 0.06;    // a wall this near to the middle of free floor stands on it
+
+CellFrame coarse() { return CellFrame{kFloorCellM}; }
+
+CellBox around(const CellBox& a, const CellBox& b) {
+  if (a.count() == 0) return b;
+  if (b.count() == 0) return a;
+  return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y)},
+          {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y)}};
+}
+
+CellBox box_of(const FloorSketch& sketch) {
+  CellBox box;
+  bool is_first = true;
+  const auto add = [&](const Point2& at) {
+    const Cell cell = coarse().cell_of(at);
+    if (is_first) box = {cell, cell};
+    is_first = false;
+    box.min = {std::min(box.min.x, cell.x), std::min(box.min.y, cell.y)};
+    box.max = {std::max(box.max.x, cell.x + 1), std::max(box.max.y, cell.y + 1)};
+  };
+  for (const ScanPoint& wall : sketch.walls) add(wall.position);
+  for (const Point2& at : sketch.floor) add(at);
+  return box;
+}
+
+CorrelationPlane::Layers layers_of(const TileGrid<char>& walls, const TileGrid<char>& floor) {
+  const CellBox seen = around(walls.box(), floor.box());
+  const CellBox box{{seen.min.x - 1, seen.min.y - 1}, {seen.max.x + 1, seen.max.y + 1}};
+  CorrelationPlane::Layers layers{Raster<float>(box), Raster<float>(box)};
+  floor.for_each([&](const Cell& cell, char is_floor) {
+    if (is_floor != 0) layers.on_wall[cell] = kWallOnFloor;
+  });
+  walls.for_each([&](const Cell& middle, char is_wall) {
+    if (is_wall == 0) return;
+    // A wall's own cell is seen as floor from the side: what both maps see so contradicts less.
+    layers.on_floor[middle] = floor.at(middle) != 0 ? kFloorOnWall / 2.0F : kFloorOnWall;
+    for_each_cell({{middle.x - 1, middle.y - 1}, {middle.x + 2, middle.y + 2}},
+                  [&](const Cell& cell) {
+                    float& value = layers.on_wall[cell];
+                    value = std::max(value, cell == middle ? 1.0F : kBesideWall);
+                  });
+  });
+  return layers;
+}
+
+CorrelationPlane::Query query_of(const FloorSketch& turned) {
+  const CellBox box = box_of(turned);
+  CorrelationPlane::Query query{Raster<float>(box), Raster<float>(box)};
+  for (const Point2& at : turned.floor) query.floor[coarse().cell_of(at)] = 1.0F;
+  for (const ScanPoint& wall : turned.walls) {
+    query.wall[coarse().cell_of(wall.position)] = 1.0F;
+    query.floor[coarse().cell_of(wall.position)] = 0.0F;
+  }
+  return query;
+}
+
+bool is_peak(const Raster<float>& scores, const Cell& at) {
+  const float score = scores[at];
+  bool overtops = true;
+  for_each_cell({{at.x - 1, at.y - 1}, {at.x + 2, at.y + 2}}, [&](const Cell& cell) {
+    const float other = scores.get(cell, -1.0F);
+    const bool is_before = cell.y < at.y || (cell.y == at.y && cell.x < at.x);
+    overtops = overtops && (is_before ? score > other : score >= other);
+  });
+  return overtops;
+}
+
+/// What of it lies near to the middle.
+FloorSketch near_middle(const FloorSketch& sketch, double radius_m) {
+  FloorSketch near;
+  for (const ScanPoint& wall : sketch.walls) {
+    if (wall.position.norm() <= radius_m) near.walls.push_back(wall);
+  }
+  for (const Point2& at : sketch.floor) {
+    if (at.norm() <= radius_m) near.floor.push_back(at);
+  }
+  return near;
+}
+
+/// The middle of where the robot was; of the walls, without a path.
+Pose2 middle_of(const FloorSketch& sketch) {
+  Point2 sum = Point2::Zero();
+  for (const Point2& at : sketch.path) sum += at;
+  if (!sketch.path.empty()) sum /= static_cast<double>(sketch.path.size());
+  return {sum.x(), sum.y(), 0.0};
+}
+
+/// The likeliest, none of them near to a likelier one.
+template <typename Place, typename PoseOf>
+std::vector<Place> apart(std::vector<Place> places, const LocateOptions& options, PoseOf pose_of) {
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place& a, const Place& b) { return a.score > b.score; });
+  std::vector<Place> kept;
+  for (const Place& place : places) {
+    const bool is_known = std::any_of(kept.begin(), kept.end(), [&](const Place& better) {
+      const Pose2 between = inverse(pose_of(better)) * pose_of(place);
+      return between.position().norm() < options.apart_m &&
+             std::abs(degrees(between.theta_rad)) < options.apart_deg;
+    });
+    if (!is_known) kept.push_back(place);
+  }
+  return kept;
+}
+
+}  // namespace
+
+BuildingIndex::BuildingIndex(const FloorSketch& building_sketch, const LocateOptions& options)
+    : options_(options), directions_(direction_histogram({})) {
+  add(building_sketch);
+}
+
+BuildingIndex::~BuildingIndex() = default;
+
+void BuildingIndex::add(const FloorSketch& sketch) {
+  const std::vector<double> directions = direction_histogram(sketch.walls);
+  std::transform(directions_.begin(), directions_.end(), directions.begin(), directions_.begin(),
+                 std::plus<>());
+  for (const ScanPoint& wall : sketch.walls) {
+    faces_.add(Face{wall.position, wall.normal, kFaceHits});
+    walls_.edit(coarse().cell_of(wall.position)) = 1;
+  }
+  for (const Point2& at : sketch.floor) floor_.edit(coarse().cell_of(at)) = 1;
+  plane_ = std::make_unique<CorrelationPlane>(
+      layers_of(walls_, floor_),
+      static_cast<int>(std::ceil(options_.max_query_m / kFloorCellM)) + 3);
+}
+
+std::vector<BuildingIndex::Coarse> BuildingIndex::search(const FloorSketch& query,
+                                                         double heading_rad) const {
+  const Raster<float> scores = plane_->scores(query_of(moved(query, Pose2{0.0, 0.0, heading_rad})));
+  std::vector<Coarse> peaks;
+  for_each_cell(scores.box, [&](const Cell& shift) {
+    if (scores[shift] <= 0.0F || !is_peak(scores, shift)) return;
+    peaks.push_back({{shift.x * kFloorCellM, shift.y * kFloorCellM, heading_rad}, scores[shift]});
+  });
+  peaks = apart(std::move(peaks), options_, [](const Coarse& peak) { return peak.pose; });
+  if (peaks.size() > kPeaksAHeading) peaks.resize(kPeaksAHeading);
+  return peaks;
+}
+
+std::optional<double> BuildingIndex::distance_to_wall(const Point2& at,
+                                                      const Point2& normal) const {
+  std::optional<double> least_m;
+  faces_.for_each_face_near(at, options_.agree_m, [&](const Face& face) {
+    const Point2 off = face.position - at;
+    if (off.norm() > options_.agree_m) return;
+    const bool has_normals = normal.squaredNorm() > 0.0 && face.normal.squaredNorm() > 0.0;
+    if (has_normals && face.normal.dot(normal) < options_.align.min_normal_cosine) return;
+    const double off_m = has_normals ? std::abs(off.dot(face.normal)) : off.norm();
+    least_m = std::min(least_m.value_or(off_m), off_m);
+  });
+  return least_m;
+}
+
+void BuildingIndex::judge(const FloorSketch& query, PlaceHypothesis& place) const {
+  const PointTransform to(place.building_from_query);
+  const PointTransform turn(Pose2{0.0, 0.0, place.building_from_query.theta_rad});
+  double misfit = 0.0;
+  for (const ScanPoint& wall : query.walls) {
+    const Point2 at = to * wall.position;
+    const std::optional<double> off_m = distance_to_wall(at, turn * wall.normal);
+    if (off_m) {
+      ++place.agreeing;
+      misfit += 0.5 * (*off_m / options_.wall_sigma_m) * (*off_m / options_.wall_sigma_m);
+    } else if (floor_.at(coarse().cell_of(at)) != 0) {
+      ++place.contradicting;
+    } else {
+      ++place.unseen;
+    }
+  }
+  for (const Point2& floor : query.floor) {
+    const Point2 at = to * floor;
+    bool has_wall = false;
+    faces_.for_each_face_near(at, kCoreM, [&](const Face& face) {
+      has_wall = has_wall || (face.position - at).norm() <= kCoreM;
+    });
+    if (has_wall && floor_.at(coarse().cell_of(at)) == 0) ++place.missing;
+  }
+  place.score = (options_.agree_weight * place.agreeing - misfit -
+                 options_.contradict_weight * (place.contradicting + place.missing)) /
+                options_.samples_alike;
+}
+
+PlaceHypothesis BuildingIndex::at(const FloorSketch& query, const Pose2& place) const {
+  PlaceHypothesis judged;
+  judged.building_from_query = place;
+  judge(query, judged);
+  return judged;
+}
+
+double BuildingIndex::share_on_floor(const FloorSketch& query, const Pose2& place) const {
+  const PointTransform to(place);
+  const auto on_floor = std::count_if(query.path.begin(), query.path.end(), [&](const Point2& at) {
+    return floor_.at(coarse().cell_of(to * at)) != 0;
+  });
+  return query.path.empty()
+             ? 0.0
+             : static_cast<double>(on_floor) / static_cast<double>(query.path.size());
+}
+
+PlaceHypothesis BuildingIndex::fit(const FloorSketch& query, const Pose2& guess) const {
+  const ScanAlignment aligned = align(faces_, query.walls, guess, std::nullopt, options_.align);
+  PlaceHypothesis place;
+  place.building_from_query = aligned.map_from_points;
+  place.information = aligned.hessian;
+  judge(query, place);
+  return place;
+}
+
+std::vector<PlaceHypothesis> BuildingIndex::find(const FloorSketch& query, int jobs) const {
+  if (query.walls.empty()) return {};
+  // Turned about its middle, so that half a degree moves nothing far.
+  const Pose2 middle = middle_of(query);
+  const FloorSketch centred =
+      near_middle(moved(query, inverse(middle)), options_.max_query_m / 2.0);
+  const std::vector<double> headings =
+      heading_candidates(directions_, direction_histogram(centred.walls));
+  std::vector<Coarse> all;
+  for (const auto& peaks : results_of<std::vector<Coarse>>(
+           headings.size(), jobs, [&](std::size_t i) { return search(centred, headings[i]); })) {
+    all.insert(all.end(), peaks.begin(), peaks.end());
+  }
+  all = apart(std::move(all), options_, [](const Coarse& one) { return one.pose; });
+  all.resize(std::min(all.size(), static_cast<std::size_t>(options_.candidates)));
+  std::vector<PlaceHypothesis> places = results_of<PlaceHypothesis>(
+      all.size(), jobs, [&](std::size_t i) { return fit(query, all[i].pose * inverse(middle)); });
+  return apart(std::move(places), options_,
+               [](const PlaceHypothesis& place) { return place.building_from_query; });
+}
+
+}  // namespace roomatlas

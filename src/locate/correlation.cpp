@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "correlation.hpp"
+
+#include <unsupported/Eigen/FFT>
+
+#include <algorithm>
+
+namespace roomatlas {
+namespace {
+
+/// The least number from `least` on whose only factors are 2, 3 and 5: others take kissfft long.
+int of_small_factors(int least) {
+  for (int size = std::max(1, least);; ++size) {
+    int rest = size;
+    for (const int factor : {2, 3, 5}) {
+      while (rest % factor == 0) rest /= factor;
+    }
+    if (rest == 1) return size;
+  }
+}
+
+}  // namespace
+
+CorrelationPlane::CorrelationPlane(const Layers& layers, int max_query_cells)
+    : building_(layers.on_wall.box),
+      width_(of_small_factors(building_.width() + max_query_cells)),
+      height_(of_small_factors(building_.height() + max_query_cells)),
+      on_wall_(spectrum_of(layers.on_wall, {}, building_.min)),
+      on_floor_(spectrum_of(layers.on_floor, {}, building_.min)) {}
+
+CorrelationPlane::Spectrum CorrelationPlane::spectrum_of(const Raster<float>& real,
+                                                         const Raster<float>& imaginary,
+                                                         const Cell& origin) const {
+  Spectrum plane(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  for_each_cell(real.box, [&](const Cell& cell) {
+    plane[static_cast<std::size_t>(cell.y - origin.y) * static_cast<std::size_t>(width_) +
+          static_cast<std::size_t>(cell.x - origin.x)] = {real[cell], imaginary.get(cell)};
+  });
+  transform(plane, false);
+  return plane;
+}
+
+void CorrelationPlane::transform(Spectrum& plane, bool is_inverse) const {
+  Eigen::FFT<float> fft;
+  const auto width = static_cast<std::size_t>(width_);
+  const auto height = static_cast<std::size_t>(height_);
+  std::vector<std::complex<float>> in(std::max(width, height));
+  std::vector<std::complex<float>> out(in.size());
+  const auto along = [&](std::size_t first, std::size_t stride, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) in[i] = plane[first + i * stride];
+    if (is_inverse) {
+      fft.inv(out.data(), in.data(), static_cast<Eigen::Index>(count));
+    } else {
+      fft.fwd(out.data(), in.data(), static_cast<Eigen::Index>(count));
+    }
+    for (std::size_t i = 0; i < count; ++i) plane[first + i * stride] = out[i];
+  };
+  for (std::size_t y = 0; y < height; ++y) along(y * width, 1, width);
+  for (std::size_t x = 0; x < width; ++x) along(x, width, height);
+}
+
+std::size_t CorrelationPlane::mirrored(std::size_t at) const {
+  const auto width = static_cast<std::size_t>(width_);
+  const auto height = static_cast<std::size_t>(height_);
+  const std::size_t x = at % width;
+  const std::size_t y = at / width;
+  return (height - y) % height * width + (width - x) % width;
+}
+
+Raster<float> CorrelationPlane::scores(const Query& query) const {
+  const Spectrum both = spectrum_of(query.wall, query.floor, query.wall.box.min);
+  Spectrum product(both.size());
+  // Two real pictures in one complex transform: the even part is the one's, the odd the other's.
+  for (std::size_t at = 0; at < both.size(); ++at) {
+    const std::complex<float> mirror = std::conj(both[mirrored(at)]);
+    const std::complex<float> wall = (both[at] + mirror) * 0.5F;
+    const std::complex<float> floor = (both[at] - mirror) * std::complex<float>(0.0F, -0.5F);
+    product[at] = std::conj(wall) * on_wall_[at] + std::conj(floor) * on_floor_[at];
+  }
+  transform(product, true);
+  const int margin_x = query.wall.box.width() - 1;
+  const int margin_y = query.wall.box.height() - 1;
+  const Cell first{building_.min.x - query.wall.box.min.x, building_.min.y - query.wall.box.min.y};
+  Raster<float> scores(CellBox{{first.x - margin_x, first.y - margin_y},
+                               {first.x + building_.width(), first.y + building_.height()}});
+  for_each_cell(scores.box, [&](const Cell& shift) {
+    const int x = (shift.x - first.x + width_) % width_;
+    const int y = (shift.y - first.y + height_) % height_;
+    scores[shift] = product[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                            static_cast<std::size_t>(x)]
+                        .real();
+  });
+  return scores;
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/pipeline/assemble_joined.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "put_assembly.hpp"
+#include "roomatlas/asr/joined_source.hpp"
+#include "roomatlas/asr/load.hpp"
+#include "roomatlas/asr/shared_source.hpp"
+#include "roomatlas/core/for_each_index.hpp"
+#include "roomatlas/locate/sonar_shape.hpp"
+#include "strategies.hpp"
+
+namespace roomatlas {
+namespace {
+
+bool is_by_sonars(const Asr& asr) {
+  return std::all_of(asr.readings.begin(), asr.readings.end(), [](const RangeReading& reading) {
+    return reading.sensor->kind == SensorKind::sonar;
+  });
+}
+
+/// A store as it is matched with others.
+struct Candidate {
+  std::size_t store = 0;  ///< index of those given
+  MissionMap map;         ///< given away once all are in order
+  SensorKind sensor = SensorKind::laser;
+  bool is_joined = false;  ///< of several missions already
+  std::size_t walls = 0;   ///< wall points: how much was seen
+  AsrId offset = 0;        ///< what its visits' numbers are raised by
+};
+
+Candidate candidate_of(std::size_t index, const AssemblyStore& store, const Options& options) {
+  if (!store.has_assembly()) {
+    throw InputError(store.mission().file + ": not assembled; run `roomatlas assemble` first");
+  }
+  Candidate candidate;
+  candidate.store = index;
+  candidate.is_joined = store.members().size() > 1;
+  candidate.map.mission_from_asr = placement_of(store.correction());
+  const std::vector<AsrId> ids = store.ids();
+  const SharedSource shared(store);
+  struct Shaped {
+    AsrShape shape;
+    bool is_sonar = false;
+  };
+  std::vector<Shaped> shaped = results_of<Shaped>(ids.size(), options.jobs, [&](std::size_t i) {
+    const Asr asr = shared.load_with_readings(ids[i]);
+    if (is_by_sonars(asr)) return Shaped{sonar_shape_of(asr, options.sonar_shapes), true};
+    return Shaped{shape_of(asr, options.map.localize, options.assemble.closures.match), false};
+  });
+  std::size_t sonars = 0;
+  for (Shaped& one : shaped) {
+    candidate.walls += one.shape.points.size();
+    sonars += one.is_sonar ? 1 : 0;
+    candidate.map.shapes.push_back(std::move(one.shape));
+  }
+  if (2 * sonars > shaped.size()) candidate.sensor = SensorKind::sonar;
+  candidate.map.sensor = candidate.sensor;
+  return candidate;
+}
+
+/// Where what the missions are decides, and not where they stand on the command line.
+bool is_before(const Candidate& a, const Candidate& b) {
+  const auto key = [](const Candidate& one) {
+    const Point2 first = one.map.shapes.empty() || one.map.shapes[0].points.empty()
+                             ? Point2::Zero()
+                             : one.map.shapes[0].points[0].position;
+    return std::tuple(!one.is_joined, one.sensor == SensorKind::sonar,
+                      std::numeric_limits<std::size_t>::max() - one.walls, first.x(), first.y());
+  };
+  return key(a) < key(b);
+}
+
+void renumber(MissionMap& map, AsrId offset) {
+  Placement placement;
+  for (const auto& [id, pose] : map.mission_from_asr) placement[id + offset] = pose;
+  map.mission_from_asr = std::move(placement);
+  for (AsrShape& shape : map.shapes) shape.id += offset;
+}
+
+Closure renumbered(Closure closure, const std::map<AsrId, AsrId>& number) {
+  closure.from = number.at(closure.from);
+  closure.to = number.at(closure.to);
+  return closure;
+}
+
+MemberMission member_of(const AssemblyStore& store, const JoinedMission& joined,
+                        SensorKind sensor) {
+  MemberMission member;
+  member.name = store.mission().file;
+  member.sensor = sensor;
+  member.is_base = joined.is_base;
+  if (joined.is_base) return member;
+  member.score = joined.best.score;
+  member.runner_up_score = joined.runner_up_score;
+  member.agreement = joined.best.agreement();
+  member.pieces = static_cast<int>(joined.best.pieces.size());
+  member.pieces_fitting = static_cast<int>(joined.best.fitting());
+  return member;
+}
+
+/// Takes a store's missions and visits into a building, with the numbers that follow.
+class BuildingMaker {
+ public:
+  explicit BuildingMaker(const JoinedMissions& joined) : joined_(joined) {}
+
+  void add(const Candidate& candidate, const AssemblyStore& store, const JoinedMission& mission) {
+    building_.missions.push_back(candidate.store);
+    if (mission.is_base) building_.verdict = mission.verdict;
+    const AsrId offset = last_;
+    std::map<AsrId, AsrId> own;
+    const std::vector<AsrId> ids = store.ids();
+    for (const AsrId id : ids) {
+      own[id] = id + offset;
+      number_[id + candidate.offset] = id + offset;
+      building_.placement[id + offset] = joined_.placement.at(id + candidate.offset);
+    }
+    last_ += ids.empty() ? 0 : ids.back();
+    for (const Closure& closure : store.closures()) {
+      building_.closures.push_back(renumbered(closure, own));
+    }
+    std::vector<MemberMission> members = store.members();
+    if (members.empty()) {
+      members.push_back(member_of(store, mission, candidate.sensor));
+      members.back().first_asr = ids.empty() ? 1 : ids.front();
+      members.back().last_asr = ids.empty() ? 0 : ids.back();
+    }
+    for (MemberMission& member : members) {
+      member.first_asr += offset;
+      member.last_asr += offset;
+      building_.members.push_back(std::move(member));
+    }
+  }
+
+  JoinedBuilding made() {
+    for (const Closure& closure : joined_.closures) {
+      if (number_.contains(closure.from)) {
+        building_.closures.push_back(renumbered(closure, number_));
+      }
+    }
+    return std::move(building_);
+  }
+
+ private:
+  const JoinedMissions& joined_;
+  JoinedBuilding building_;
+  AsrId last_ = 0;
+  std::map<AsrId, AsrId> number_;  ///< in the building, of each visit in `joined_`
+};
+
+}  // namespace
+
+std::vector<JoinedBuilding> join_stores(const std::vector<const AssemblyStore*>& stores,
+                                        const Options& options, const Progress& progress) {
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 0; i < stores.size(); ++i) {
+    report(progress, "load", static_cast<double>(i) / static_cast<double>(stores.size()));
+    candidates.push_back(candidate_of(i, *stores[i], options));
+  }
+  std::stable_sort(candidates.begin(), candidates.end(), is_before);
+  AsrId offset = 0;
+  std::vector<MissionMap> maps;
+  for (Candidate& candidate : candidates) {
+    candidate.offset = offset;
+    renumber(candidate.map, offset);
+    if (!candidate.map.shapes.empty()) offset = candidate.map.shapes.back().id;
+    maps.push_back(std::move(candidate.map));
+  }
+  const JoinedMissions joined = join_missions(maps, options.join, progress, options.jobs);
+  std::map<int, BuildingMaker> makers;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const JoinedMission& mission = joined.missions[i];
+    makers.try_emplace(mission.component, joined)
+        .first->second.add(candidates[i], *stores[candidates[i].store], mission);
+  }
+  std::vector<JoinedBuilding> buildings;
+  for (auto& [component, maker] : makers) buildings.push_back(maker.made());
+  std::stable_sort(buildings.begin(), buildings.end(),
+                   [](const JoinedBuilding& a, const JoinedBuilding& b) {
+                     return a.members.size() > b.members.size();
+                   });
+  return buildings;
+}
+
+Assembly assemble_joined(AssemblyStore& store, const JoinedBuilding& building,
+                         const Options& options, const std::string& configuration,
+                         const Progress& progress) {
+  const std::vector<Asr> asrs = load(store, AsrDetail::path);
+  CorrectedMission corrected;
+  corrected.are_rooms_matched = true;
+  corrected.graph = build_graph(asrs);
+  for (const Closure& closure : building.closures) {
+    if (closure.verdict == ClosureVerdict::accepted) add_edge(corrected.graph, edge_of(closure));
+  }
+  corrected.closures = building.closures;
+  corrected.correction =
+      correct_to(asrs, corrected.graph, building.placement, options.assemble.correct);
+  corrected.correction.model = "joined";
+  corrected.correction.message = "placed by matching several missions";
+  bool has_laser = false;
+  for (const MemberMission& member : building.members) {
+    has_laser = has_laser || member.sensor == SensorKind::laser;
+    if (member.sensor == SensorKind::laser) continue;
+    for (AsrId id = member.first_asr; id <= member.last_asr; ++id) corrected.not_drawn.insert(id);
+  }
+  if (!has_laser) corrected.not_drawn.clear();
+  Assembly assembly =
+      assemble_corrected(has_laser ? MissionKind::laser : MissionKind::sonar, store,
+                         std::move(corrected), store.mission().footprint, options, progress);
+  put_with_former_rooms(store, configuration, assembly);
+  return assembly;
+}
+
+}  // namespace roomatlas
