@@ -39,6 +39,13 @@ void report(const Judgement& judgement) {
     reasons += (reasons.empty() ? ": " : "; ") + doubt.text;
   }
   spdlog::warn("this map may be wrong (right with {:.0f} %){}", percent, reasons);
+  for (const Advice& advice : judgement.advice) {
+    spdlog::info(
+        "what would help: {} ({:.0f} m; the least sure place from {:.2f} to {:.2f} m, heading from "
+        "{:.1f} to {:.1f} deg)",
+        words(advice), advice.drive_m, advice.place_before_m, advice.place_after_m,
+        advice.heading_before_deg, advice.heading_after_deg);
+  }
 }
 
 /// The call of the library, which puts all of it into the store.

@@ -65,6 +65,8 @@ PoseGraph pose_graph_of(const RoomGraph& graph, const std::vector<Closure>& clos
 
 namespace {
 
+constexpr const char* kByTrajectory = "trajectory";  // the model of a mission corrected as a whole
+
 /// What the residuals say of the measurements' covariances: the variance factor of surveyors. Few
 /// loops cannot show that measurements are better than stated.
 double variance_factor(const OptimizeResult& solved) {
@@ -131,19 +133,27 @@ Eigen::Matrix2d in_building(const Eigen::Matrix3d& covariance, double frame_rad)
 
 }  // namespace
 
+HeldVisits held_visits_of(const RoomGraph& graph, const std::vector<Closure>& closures,
+                          const Correction& correction, const CorrectOptions& options) {
+  HeldVisits held{pose_graph_of(graph, closures, options), 1.0};
+  const Placement placement = placement_of(correction);
+  for (const AsrId id : held.measured.ids) held.measured.guess.push_back(placement.at(id));
+  if (correction.model != kByTrajectory && !held.measured.edges.empty()) {
+    weigh_passages(correction, held.measured);
+    for (PoseEdge& edge : held.measured.edges) {
+      if (edge.kind == EdgeKind::loop) edge.cauchy_sigmas = options.robust_sigmas;
+    }
+    held.variance_factor = variance_factor(optimize(held.measured, {}));
+  }
+  add_wall_directions(correction, options, held.measured);
+  return held;
+}
+
 VisitUncertainty uncertainty_of(const RoomGraph& graph, const std::vector<Closure>& closures,
                                 const Correction& correction, const CorrectOptions& options) {
-  if (correction.model == "trajectory") return {};
-  PoseGraph measured = pose_graph_of(graph, closures, options);
+  if (correction.model == kByTrajectory) return {};
+  const auto [measured, factor] = held_visits_of(graph, closures, correction, options);
   if (measured.edges.empty()) return {};
-  const Placement placement = placement_of(correction);
-  for (const AsrId id : measured.ids) measured.guess.push_back(placement.at(id));
-  weigh_passages(correction, measured);
-  for (PoseEdge& edge : measured.edges) {
-    if (edge.kind == EdgeKind::loop) edge.cauchy_sigmas = options.robust_sigmas;
-  }
-  const double factor = variance_factor(optimize(measured, {}));
-  add_wall_directions(correction, options, measured);
   OptimizeOptions wanted;
   wanted.covariance = true;
   const OptimizeResult solved = optimize(measured, wanted);

@@ -153,6 +153,7 @@ Assembly assemble_corrected(MissionKind kind, const AsrSource& source, Corrected
   assembly.judgement = judge_map(
       map_figures(WithPaths(recorded, assembly.paths), assembly, options.assemble.correct),
       assembly);
+  if (assembly.judgement) advise(assembly, options.assemble.correct, *assembly.judgement);
   if (corrected.recorded_again) {
     assembly.mapped_again = std::move(corrected.recorded_again->asrs);
   }

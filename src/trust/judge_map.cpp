@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "advice.hpp"
 #include "doubts.hpp"
 #include "learnt_model.hpp"
 
@@ -52,14 +53,25 @@ std::optional<Judgement> judge_map(const MapFigures& figures, const Assembly& as
   return judgement;
 }
 
+void advise(const Assembly& assembly, const CorrectOptions& correct, Judgement& judgement) {
+  if (judgement.probability < kTrusted) judgement.advice = advice_on(assembly, correct);
+}
+
 Judgement judged_anew(const Judgement& judgement, const Assembly& assembly) {
   MapFigures figures{assembly.sonars ? SensorKind::sonar : SensorKind::laser, judgement.figures,
                      judgement.visits};
-  for (VisitJudgement& visit : figures.visits) {
-    const auto room = assembly.room_of_asr.find(visit.asr);
-    visit.room = room == assembly.room_of_asr.end() ? 0 : room->second;
+  const auto room_of = [&](AsrId asr) {
+    const auto room = assembly.room_of_asr.find(asr);
+    return room == assembly.room_of_asr.end() ? 0 : room->second;
+  };
+  for (VisitJudgement& visit : figures.visits) visit.room = room_of(visit.asr);
+  Judgement anew = judge_map(figures, assembly).value();
+  anew.advice = judgement.advice;
+  for (Advice& advice : anew.advice) {
+    advice.from_room = room_of(advice.from);
+    advice.to_room = room_of(advice.to);
   }
-  return judge_map(figures, assembly).value();
+  return anew;
 }
 
 }  // namespace roomatlas

@@ -93,8 +93,38 @@ TEST(JudgeMap, RoomsWithOtherNumbersAreJudgedAlike) {
   EXPECT_EQ(renumbered.probability, assembly.judgement->probability);
 }
 
+Advice advice_between(AsrId from, AsrId to) {
+  Advice advice;
+  advice.kind = AdviceKind::use_door;
+  advice.from = from;
+  advice.to = to;
+  advice.from_room = from;
+  advice.to_room = to;
+  advice.by_door = true;
+  advice.drive_m = 12.5;
+  advice.place_before_m = 0.5;
+  advice.place_after_m = 0.25;
+  return advice;
+}
+
+TEST(JudgeMap, AdviceIsForDoubtfulMapsAndGetsTheRoomsNewNumbers) {
+  Judgement judgement = judge_map(figures_of(SensorKind::laser, -2.0), {}).value();
+  ASSERT_GE(judgement.probability, kTrusted);
+  advise({}, {}, judgement);
+  EXPECT_TRUE(judgement.advice.empty());
+  judgement.advice = {advice_between(1, 2)};
+  Assembly renumbered;
+  renumbered.room_of_asr = {{1, 101}, {2, 102}};
+  const Judgement after = judged_anew(judgement, renumbered);
+  ASSERT_EQ(after.advice.size(), 1U);
+  EXPECT_EQ(after.advice[0].from_room, 101);
+  EXPECT_EQ(after.advice[0].to_room, 102);
+}
+
 TEST(JudgeMap, ItsTextReadsBackTheSame) {
-  const std::string text = to_json(*simulated().judgement);
+  Judgement judgement = *simulated().judgement;
+  judgement.advice = {advice_between(1, 2)};
+  const std::string text = to_json(judgement);
   const Judgement read = judgement_of(text).value();
   EXPECT_EQ(to_json(read), text);
   EXPECT_EQ(judged_anew(read, simulated()).probability, simulated().judgement->probability);

@@ -16,6 +16,20 @@ namespace roomatlas {
 [[nodiscard]] PoseGraph pose_graph_of(const RoomGraph& graph, const std::vector<Closure>& closures,
                                       const CorrectOptions& options);
 
+/// What holds the visits where a correction puts them.
+struct HeldVisits {
+  PoseGraph measured;            ///< `pose_graph_of` with the correction's poses as guess, passages
+                                 ///< and loops weighed as it believed them, and walls' directions
+  double variance_factor = 1.0;  ///< by which the residuals enlarge what was measured
+};
+
+/// Of a mission that was corrected as a whole (sonars) only what was driven, doorways and walls'
+/// directions, with no weight but their own: the walls that held its path have no measurement here.
+[[nodiscard]] HeldVisits held_visits_of(const RoomGraph& graph,
+                                        const std::vector<Closure>& closures,
+                                        const Correction& correction,
+                                        const CorrectOptions& options);
+
 /// Where a visit's frame is, and how sure that is.
 struct VisitEstimate {
   AsrId asr = 0;

@@ -45,6 +45,35 @@ struct Doubt {
   double weight = 0.0;        ///< in log odds, larger lowers more
 };
 
+/// What to drive for a surer map.
+enum class AdviceKind {
+  cross_again,  ///< a passage that alone holds what is behind it
+  drive_again,  ///< a chain of rooms
+  use_door,     ///< a door between rooms that the robot did not go through: it closes a loop
+};
+
+[[nodiscard]] const char* to_string(AdviceKind kind);
+
+/// A drive, and what it would do to the covariance of the visits' places. "Largest" is that of the
+/// visit that is held most loosely, one standard deviation.
+struct Advice {
+  AdviceKind kind = AdviceKind::cross_again;
+  AsrId from = 0;        ///< visits at whose walls the robot would look again, first ...
+  AsrId to = 0;          ///< ... and last
+  RoomId from_room = 0;  ///< of `from`
+  RoomId to_room = 0;    ///< of `to`; the same where the way stays in one room
+  bool by_door = false;  ///< the way between them is one door
+  double drive_m = 0.0;  ///< its length, without the way to where it begins
+  /// Largest once all advice ahead of it is followed, and once this is as well.
+  double place_before_m = 0.0;
+  double place_after_m = 0.0;
+  double heading_before_deg = 0.0;
+  double heading_after_deg = 0.0;
+};
+
+/// "drive once more through the door between rooms 3 and 4": without a full stop.
+[[nodiscard]] std::string words(const Advice& advice);
+
 /// How far a map can be relied on, as learnt from simulated missions whose truth is known
 /// (docs/trust.md). Error bars are such that 9 of 10 of their kind hold.
 struct Judgement {
@@ -55,7 +84,8 @@ struct Judgement {
   std::vector<VisitJudgement> visits;  ///< ascending by ASR
   std::vector<RoomJudgement> rooms;    ///< ascending by room
   std::vector<Doubt> doubts;           ///< the strongest first
-  std::vector<JudgedFigure> figures;   ///< of the map as a whole
+  std::vector<Advice> advice;  ///< what would help most a metre first; none for a trusted map
+  std::vector<JudgedFigure> figures;  ///< of the map as a whole
 };
 
 }  // namespace roomatlas

@@ -15,7 +15,12 @@ namespace roomatlas {
 [[nodiscard]] std::optional<Judgement> judge_map(const MapFigures& figures,
                                                  const Assembly& assembly);
 
-/// The same judgement where the assembly's rooms have got other numbers.
+/// Adds what to drive for a surer map, where it is doubtful.
+/// @param assembly as it was judged, with its plan
+/// @param correct options of the correction
+void advise(const Assembly& assembly, const CorrectOptions& correct, Judgement& judgement);
+
+/// The same judgement where the assembly's rooms have got other numbers; advice too.
 [[nodiscard]] Judgement judged_anew(const Judgement& judgement, const Assembly& assembly);
 
 }  // namespace roomatlas

@@ -27,6 +27,14 @@
   } else {
     hide('doubts');
   }
+  const advice = (summary.judgement || {}).advice || [];
+  if (advice.length) {
+    const change = (values, digits, unit) => `${fixed(values[0], digits)} to ${fixed(values[1], digits)} ${unit}`;
+    element('advice').textContent = `What would help, the best first: ${advice.map((one) =>
+      `${one.text} (${fixed(one.drive_m, 0)} m; the least sure place from ${change(one.place_m, 2, 'm')}, heading from ${change(one.heading_deg, 1, 'deg')})`).join('; ')}.`;
+  } else {
+    hide('advice');
+  }
   element('origin').textContent = `Roomatlas ${data.tool_version}` +
     (mission.file ? `, from ${mission.file} (SHA-256 ${mission.sha256 || 'unknown'})` : '');
 

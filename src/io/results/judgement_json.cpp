@@ -36,6 +36,53 @@ Json visits_of(const Judgement& judgement) {
   return visits;
 }
 
+Json json_of(const std::vector<Advice>& all) {
+  Json json = Json::array();
+  for (const Advice& advice : all) {
+    json.push_back({{"text", words(advice)},
+                    {"kind", to_string(advice.kind)},
+                    {"visits", {advice.from, advice.to}},
+                    {"rooms", {advice.from_room, advice.to_room}},
+                    {"by_door", advice.by_door},
+                    {"drive_m", advice.drive_m},
+                    {"place_m", {advice.place_before_m, advice.place_after_m}},
+                    {"heading_deg", {advice.heading_before_deg, advice.heading_after_deg}}});
+  }
+  return json;
+}
+
+AdviceKind kind_of(const std::string& name) {
+  for (const AdviceKind kind :
+       {AdviceKind::cross_again, AdviceKind::drive_again, AdviceKind::use_door}) {
+    if (name == to_string(kind)) return kind;
+  }
+  throw InputError("the judgement is damaged (advice of the kind " + name +
+                   "): assemble the store again");
+}
+
+std::vector<Advice> advice_of(const Json& json) {
+  std::vector<Advice> all;
+  for (const Json& one : json) {
+    const auto number = [&](const char* name, std::size_t i) {
+      return one.at(name).at(i).get<double>();
+    };
+    Advice advice;
+    advice.kind = kind_of(one.at("kind").get<std::string>());
+    advice.from = one.at("visits").at(0).get<AsrId>();
+    advice.to = one.at("visits").at(1).get<AsrId>();
+    advice.from_room = one.at("rooms").at(0).get<RoomId>();
+    advice.to_room = one.at("rooms").at(1).get<RoomId>();
+    advice.by_door = one.at("by_door").get<bool>();
+    advice.drive_m = one.at("drive_m").get<double>();
+    advice.place_before_m = number("place_m", 0);
+    advice.place_after_m = number("place_m", 1);
+    advice.heading_before_deg = number("heading_deg", 0);
+    advice.heading_after_deg = number("heading_deg", 1);
+    all.push_back(advice);
+  }
+  return all;
+}
+
 Judgement read(const Json& json) {
   Judgement judgement;
   judgement.probability = json.at("probability").get<double>();
@@ -52,6 +99,8 @@ Judgement read(const Json& json) {
                                 doubt.at("rooms").get<std::vector<RoomId>>(),
                                 doubt.at("weight").get<double>()});
   }
+  if (json.contains("advice"))
+    judgement.advice = advice_of(json.at("advice"));  // not in stores of an earlier release
   for (const Json& visit : json.at("visits")) {
     judgement.visits.push_back({visit.at("asr").get<AsrId>(), visit.at("room").get<RoomId>(),
                                 visit.at("probability").get<double>(),
@@ -78,6 +127,7 @@ std::string to_json(const Judgement& judgement) {
                      {"heading_deg", judgement.heading_deg},
                      {"scale_share", judgement.scale_share},
                      {"doubts", doubts},
+                     {"advice", json_of(judgement.advice)},
                      {"rooms", rooms},
                      {"figures", json_of(judgement.figures)},
                      {"visits", visits_of(judgement)}};

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/solve/added_edges.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "roomatlas/solve/optimize.hpp"
+
+namespace roomatlas {
+namespace {
+
+/// Two corridors of eight nodes each without a loop, measured as they lie.
+PoseGraph two_chains() {
+  PoseGraph graph;
+  for (std::int64_t chain = 0; chain < 2; ++chain) {
+    Pose2 at{20.0 * static_cast<double>(chain), 0.0, 0.3};
+    for (std::int64_t i = 0; i < 8; ++i) {
+      graph.ids.push_back(100 - 10 * chain - i);  // not in the order of ids
+      graph.guess.push_back(at);
+      at = at * Pose2{3.0, 0.4, 0.2};
+    }
+  }
+  const Eigen::Matrix3d information = Eigen::Vector3d(900.0, 400.0, 2500.0).asDiagonal();
+  for (std::int32_t i = 0; i + 1 < 16; ++i) {
+    if (i == 7) continue;
+    graph.edges.push_back({i, i + 1, EdgeKind::odometry, {3.0, 0.4, 0.2}, information, 0.0});
+  }
+  return graph;
+}
+
+PoseEdge between(const PoseGraph& graph, std::int32_t from, std::int32_t to) {
+  Eigen::Matrix3d root;
+  root << 30.0, 2.0, 0.0, 1.0, 20.0, 5.0, 0.0, 3.0, 60.0;
+  const auto at = [&](std::int32_t node) { return graph.guess[static_cast<std::size_t>(node)]; };
+  return {from, to, EdgeKind::loop, inverse(at(from)) * at(to), root.transpose() * root, 0.0};
+}
+
+/// The second route: solved anew with the edges in the graph.
+LargestVariance solved_with(PoseGraph graph, const std::vector<PoseEdge>& edges) {
+  graph.edges.insert(graph.edges.end(), edges.begin(), edges.end());
+  OptimizeOptions options;
+  options.covariance = true;
+  LargestVariance largest;
+  for (const Eigen::Matrix3d& of_node : optimize(graph, options).covariance.of_node) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(of_node.topLeftCorner<2, 2>());
+    largest.position_m2 = std::max(largest.position_m2, axes.eigenvalues()[1]);
+    largest.heading_rad2 = std::max(largest.heading_rad2, of_node(2, 2));
+  }
+  return largest;
+}
+
+void expect_same(const LargestVariance& found, const LargestVariance& expected) {
+  EXPECT_NEAR(found.position_m2, expected.position_m2, 1e-6 * expected.position_m2);
+  EXPECT_NEAR(found.heading_rad2, expected.heading_rad2, 1e-6 * expected.heading_rad2);
+}
+
+class WithHeadings : public testing::TestWithParam<bool> {
+ protected:
+  [[nodiscard]] static PoseGraph graph() {
+    PoseGraph graph = two_chains();
+    if (GetParam()) {
+      graph.headings.push_back({5, graph.guess[5].theta_rad, radians(2.0), false, 0.0});
+    }
+    return graph;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(OrWithout, WithHeadings, testing::Bool());
+
+TEST_P(WithHeadings, ToldAheadIsWhatASolveWithTheEdgesFinds) {
+  const PoseGraph graph = WithHeadings::graph();
+  const AddedEdges added(graph);
+  ASSERT_TRUE(added.is_held());
+  expect_same(added.now(), solved_with(graph, {}));
+  const std::vector<std::vector<PoseEdge>> trials = {
+      {between(graph, 0, 7)},
+      {between(graph, 3, 4)},
+      {between(graph, 15, 9), between(graph, 2, 6), between(graph, 6, 7)}};
+  for (const auto& edges : trials) expect_same(added.with(edges), solved_with(graph, edges));
+}
+
+TEST_P(WithHeadings, WhatWasAddedCountsForWhatFollows) {
+  const PoseGraph graph = WithHeadings::graph();
+  AddedEdges added(graph);
+  added.add(std::vector{between(graph, 0, 7), between(graph, 8, 12)});
+  expect_same(added.now(), solved_with(graph, {between(graph, 0, 7), between(graph, 8, 12)}));
+  expect_same(
+      added.with(std::vector{between(graph, 9, 15)}),
+      solved_with(graph, {between(graph, 0, 7), between(graph, 8, 12), between(graph, 9, 15)}));
+}
+
+TEST(AddedEdges, NodesThatNothingHoldsAreSaidToBeSo) {
+  PoseGraph graph = two_chains();
+  for (PoseEdge& edge : graph.edges) edge.information.setZero();
+  EXPECT_FALSE(AddedEdges(graph).is_held());
+}
+
+TEST(AddedEdges, AGraphWithoutGuessIsRefused) {
+  PoseGraph graph = two_chains();
+  graph.guess.clear();
+  EXPECT_THROW((void)AddedEdges(graph), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace roomatlas
