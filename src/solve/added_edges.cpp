@@ -153,6 +153,16 @@ LargestVariance AddedEdges::with(std::span<const PoseEdge> edges) const {
   return largest;
 }
 
+Eigen::Matrix3d AddedEdges::relative(std::int32_t from, std::int32_t to) const {
+  const Jacobians j = jacobians_of(at_[at(from)], at_[at(to)]);
+  const auto block = [&](std::int32_t row, std::int32_t column) {
+    return covariance_.block<3, 3>(Index{3} * row, Index{3} * column);
+  };
+  const Eigen::Matrix3d cross = j.by_from * block(from, to) * j.by_to.transpose();
+  return j.by_from * block(from, from) * j.by_from.transpose() +
+         j.by_to * block(to, to) * j.by_to.transpose() + cross + cross.transpose();
+}
+
 void AddedEdges::add(std::span<const PoseEdge> edges) {
   if (edges.empty()) return;
   const Eigen::MatrixXd taken = reduction(edges);

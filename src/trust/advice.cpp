@@ -48,9 +48,10 @@ Advice said_of(const Drive& drive, const LargestVariance& before, const LargestV
 std::vector<Advice> advice_on(const Assembly& assembly, const CorrectOptions& correct) {
   HeldVisits held = held_visits_of(assembly.graph, assembly.closures, assembly.correction, correct);
   if (held.measured.edges.empty()) return {};
-  const std::vector<Drive> drives = drives_of(assembly, correct, held.variance_factor);
+  const double variance_factor = held.variance_factor;
   AddedEdges added(scaled(std::move(held)));
   if (!added.is_held()) return {};
+  const std::vector<Drive> drives = drives_of(assembly, correct, added, variance_factor);
   std::vector<Advice> advice;
   LargestVariance before = added.now();
   while (advice.size() < kMostAdvice) {
@@ -58,7 +59,7 @@ std::vector<Advice> advice_on(const Assembly& assembly, const CorrectOptions& co
     LargestVariance after_best;
     double best_a_metre = 0.0;
     for (const Drive& drive : drives) {
-      const LargestVariance after = added.with(drive.edges);
+      const LargestVariance after = added.with({&drive.edge, 1});
       const double gained = looseness(before) - looseness(after);
       if (gained < kWorthDriving * looseness(before)) continue;
       if (gained / drive.advice.drive_m <= best_a_metre) continue;
@@ -68,7 +69,7 @@ std::vector<Advice> advice_on(const Assembly& assembly, const CorrectOptions& co
     }
     if (best == nullptr) break;
     advice.push_back(said_of(*best, before, after_best));
-    added.add(best->edges);
+    added.add({&best->edge, 1});
     before = after_best;
   }
   return advice;

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "roomatlas/graph/bridges.hpp"
@@ -26,14 +27,25 @@ struct Step {
   AsrId to = 0;
 };
 
+bool have_wall_directions(const Correction& correction) {
+  constexpr double kUsed = 0.5;  // weight of a factor that counts
+  return std::any_of(correction.factors.begin(), correction.factors.end(),
+                     [](const FactorReport& factor) {
+                       return factor.kind == FactorKind::wall_direction && factor.weight >= kUsed;
+                     });
+}
+
 class Drives {
  public:
-  Drives(const Assembly& assembly, const CorrectOptions& correct, double variance_factor)
+  Drives(const Assembly& assembly, const CorrectOptions& correct, const AddedEdges& held,
+         double variance_factor)
       : assembly_(assembly),
         graph_(assembly.graph),
         correct_(correct),
+        held_(held),
         variance_factor_(variance_factor),
-        tie_(tie_covariance()) {
+        walls_give_headings_(have_wall_directions(assembly.correction)),
+        tie_(variance_factor * tie_covariance()) {
     for (std::size_t i = 0; i < graph_.vertices.size(); ++i) place_of_[graph_.vertices[i].asr] = i;
     for (std::size_t e = 0; e < graph_.edges.size(); ++e) {
       const PassageEdge& edge = graph_.edges[e];
@@ -62,7 +74,9 @@ class Drives {
     if (matches.empty()) {
       PassageEdge doorway;
       doorway.source = EdgeSource::recognised;
-      return information_of(doorway, correct_).inverse();
+      Eigen::Matrix3d covariance = information_of(doorway, correct_).inverse();
+      if (walls_give_headings_) covariance(2, 2) = std::pow(radians(correct_.wall_heading_deg), 2);
+      return covariance;
     }
     std::stable_sort(matches.begin(), matches.end(), [](const MapMatch* a, const MapMatch* b) {
       return a->information.trace() < b->information.trace();
@@ -75,24 +89,36 @@ class Drives {
     return room == assembly_.room_of_asr.end() ? 0 : room->second;
   }
 
-  /// What measuring a passage again tells of its ends: both are tied to what is seen again there.
-  [[nodiscard]] PoseEdge measured_again(const PassageEdge& edge) const {
-    const Pose2& step = edge.from_from_to;
+  /// The end of a drive from its beginning, with the ties at both.
+  [[nodiscard]] PoseEdge measured(AsrId from, AsrId to, const Pose2& step,
+                                  const Eigen::Matrix3d& on_the_way) const {
     const Point2 along = direction(step.theta_rad);
+    const double swings = walls_give_headings_ ? 0.0 : 1.0;
     Eigen::Matrix3d carried;  // of the tie at `from`: its turn swings `to` around
-    carried << along.x(), along.y(), along.y() * step.x_m - along.x() * step.y_m,  //
-        -along.y(), along.x(), along.x() * step.x_m + along.y() * step.y_m,        //
+    carried << along.x(), along.y(), swings * (along.y() * step.x_m - along.x() * step.y_m),  //
+        -along.y(), along.x(), swings * (along.x() * step.x_m + along.y() * step.y_m),        //
         0.0, 0.0, 1.0;
-    const Eigen::Matrix3d covariance =
-        information_of(edge, correct_).inverse() + tie_ + carried * tie_ * carried.transpose();
-    const auto node = [&](AsrId asr) { return static_cast<std::int32_t>(place_of_.at(asr)); };
-    Eigen::Matrix3d information = covariance.inverse() / variance_factor_;
-    information = (information + information.transpose().eval()) / 2.0;
-    return {node(edge.from), node(edge.to), EdgeKind::odometry, step, information, 0.0};
+    const Eigen::Matrix3d covariance = on_the_way + tie_ + carried * tie_ * carried.transpose();
+    const Eigen::Matrix3d information = covariance.inverse();
+    return {node_of(from),
+            node_of(to),
+            EdgeKind::odometry,
+            step,
+            (information + information.transpose()) / 2.0,
+            0.0};
   }
 
-  [[nodiscard]] bool can_be_measured(const PassageEdge& edge) const {
-    return information_of(edge, correct_).determinant() > 0.0;
+  [[nodiscard]] std::int32_t node_of(AsrId asr) const {
+    return static_cast<std::int32_t>(place_of_.at(asr));
+  }
+
+  /// As a passage is measured that the robot drives without being lost.
+  [[nodiscard]] Eigen::Matrix3d covariance_of(const PassageEdge& edge) const {
+    return variance_factor_ * information_of(edge, correct_).inverse();
+  }
+
+  [[nodiscard]] Pose2 pose_of(AsrId asr) const {
+    return assembly_.correction.asrs[place_of_.at(asr)].building_from_asr;
   }
 
   /// Along these steps; nothing where the plan has no rooms at its ends.
@@ -106,10 +132,16 @@ class Drives {
     if (drive.advice.from_room == 0 || drive.advice.to_room == 0) return;
     drive.advice.drive_m = kIntoRooms_m;
     for (const Step& step : way) {
-      const PassageEdge& edge = graph_.edges[step.edge];
-      drive.advice.drive_m += edge.from_from_to.position().norm();
-      if (can_be_measured(edge)) drive.edges.push_back(measured_again(edge));
+      drive.advice.drive_m += graph_.edges[step.edge].from_from_to.position().norm();
     }
+    const AsrId from = drive.advice.from;
+    const AsrId to = drive.advice.to;
+    Eigen::Matrix3d on_the_way = held_.relative(node_of(from), node_of(to));
+    if (way.size() == 1) {
+      const Eigen::Matrix3d alone = covariance_of(graph_.edges[way.front().edge]);
+      if (alone.trace() < on_the_way.trace()) on_the_way = alone;
+    }
+    drive.edge = measured(from, to, inverse(pose_of(from)) * pose_of(to), on_the_way);
     drive.advice.by_door = way.size() == 1 && is_door_between(drive.advice);
     drives_.push_back(std::move(drive));
   }
@@ -244,7 +276,7 @@ class Drives {
       drive.advice.to_room = rooms.second;
       drive.advice.by_door = true;
       drive.advice.drive_m = kIntoRooms_m + edge.path_length_m;
-      drive.edges.push_back(measured_again(edge));
+      drive.edge = measured(edge.from, edge.to, edge.from_from_to, covariance_of(edge));
       drives_.push_back(std::move(drive));
     }
   }
@@ -252,7 +284,9 @@ class Drives {
   const Assembly& assembly_;
   const RoomGraph& graph_;
   const CorrectOptions& correct_;
+  const AddedEdges& held_;
   double variance_factor_;
+  bool walls_give_headings_;
   Eigen::Matrix3d tie_;
   std::map<AsrId, std::size_t> place_of_;
   std::map<AsrId, std::vector<Step>> next_;
@@ -262,8 +296,8 @@ class Drives {
 }  // namespace
 
 std::vector<Drive> drives_of(const Assembly& assembly, const CorrectOptions& correct,
-                             double variance_factor) {
-  return Drives(assembly, correct, variance_factor).all();
+                             const AddedEdges& held, double variance_factor) {
+  return Drives(assembly, correct, held, variance_factor).all();
 }
 
 }  // namespace roomatlas

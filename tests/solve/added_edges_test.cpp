@@ -89,6 +89,20 @@ TEST_P(WithHeadings, WhatWasAddedCountsForWhatFollows) {
       solved_with(graph, {between(graph, 0, 7), between(graph, 8, 12), between(graph, 9, 15)}));
 }
 
+TEST_P(WithHeadings, RelativeCovariancesAreThoseOfTheSolve) {
+  PoseGraph graph = WithHeadings::graph();
+  graph.edges.push_back(between(graph, 1, 6));
+  OptimizeOptions options;
+  options.covariance = true;
+  const Eigen::Matrix3d expected = optimize(graph, options).covariance.of_edge.back();
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // from the axes of `from` to those of `to`
+  const double theta_rad = graph.guess[6].theta_rad - graph.guess[1].theta_rad;
+  turn.topLeftCorner<2, 2>() << std::cos(theta_rad), std::sin(theta_rad), -std::sin(theta_rad),
+      std::cos(theta_rad);
+  const Eigen::Matrix3d found = AddedEdges(graph).relative(1, 6);
+  EXPECT_LT((found - turn * expected * turn.transpose()).norm(), 1e-6 * expected.norm());
+}
+
 TEST(AddedEdges, NodesThatNothingHoldsAreSaidToBeSo) {
   PoseGraph graph = two_chains();
   for (PoseEdge& edge : graph.edges) edge.information.setZero();

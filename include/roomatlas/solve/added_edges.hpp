@@ -31,6 +31,8 @@ class AddedEdges {
   /// False where the measurements hold the nodes of no component; nothing else may be asked then.
   [[nodiscard]] bool is_held() const { return covariance_.size() > 0; }
   [[nodiscard]] LargestVariance now() const;
+  /// Of the pose of `to` in the frame of `from`, along the axes of `to`.
+  [[nodiscard]] Eigen::Matrix3d relative(std::int32_t from, std::int32_t to) const;
   /// Were these measured too, where the nodes are. Their poses and losses do not count.
   [[nodiscard]] LargestVariance with(std::span<const PoseEdge> edges) const;
   /// They are, from now on.
