@@ -48,6 +48,14 @@ void report(const Judgement& judgement) {
   }
 }
 
+void report(const Answers& answers, const Path& store_file) {
+  if (answers.count < 2) return;
+  const std::string draws =
+      fmt::format("`roomatlas assemble {} --alternative {}` draws {}", store_file.string(),
+                  answers.drawn == 1 ? 2 : 1, answers.drawn == 1 ? "it" : "that one");
+  spdlog::warn("{}: {}", words(answers), draws);
+}
+
 /// The call of the library, which puts all of it into the store.
 Assembly assembled(const Settings& settings, const Path& store_file) {
   Settings used = settings;
@@ -67,9 +75,11 @@ Assembly assembled(const Settings& settings, const Path& store_file) {
 
 }  // namespace
 
-std::size_t assemble_again(const Settings& settings, const Path& store_file) {
+std::size_t assemble_again(const Settings& settings, const Path& store_file, int alternative) {
   const Metadata metadata = GeoPackageStore(store_file, GeoPackageStore::Mode::read).metadata();
-  return assemble(as_recorded(settings, metadata, store_file), store_file);
+  Settings used = as_recorded(settings, metadata, store_file);
+  used.assemble.answer = alternative;
+  return assemble(used, store_file);
 }
 
 std::size_t assemble(const Settings& settings, const Path& store_file) {
@@ -77,6 +87,7 @@ std::size_t assemble(const Settings& settings, const Path& store_file) {
   show(assembly.plan.issues);
   if (assembly.sonars) report(*assembly.sonars);
   if (assembly.judgement) report(*assembly.judgement);
+  report(assembly.answers, store_file);
   if (!assembly.correction.converged) {
     spdlog::warn("the correction did not converge: {}", assembly.correction.message);
   }

@@ -49,8 +49,9 @@ void write_results(const Settings& settings, const Path& store, const BuildArgum
   write_summary(store, evaluation, out);
   write_report(settings, store, evaluation, out / "report.html");
   if (settings.json) {
-    fmt::print(
-        "{}", to_json(evaluation, GeoPackageStore(store, GeoPackageStore::Mode::read).judgement()));
+    const GeoPackageStore assembled(store, GeoPackageStore::Mode::read);
+    fmt::print("{}",
+               to_json(evaluation, assembled.judgement(), assembled.metadata()["answers_json"]));
   } else {
     print(evaluation);
   }

@@ -57,7 +57,8 @@ void convert(const Settings& settings, const Path& log, const Path& out);
 /// Completes the store. @returns how many rooms the plan has
 std::size_t assemble(const Settings& settings, const Path& store);
 /// The same with what the store was mapped with, where this run was given nothing else.
-std::size_t assemble_again(const Settings& settings, const Path& store);
+/// @param alternative which of several answers, from 1
+std::size_t assemble_again(const Settings& settings, const Path& store, int alternative);
 /// Called once all is written. Throws NotEnoughError for a plan without any room.
 void require_a_room(std::size_t rooms, const Path& store);
 void export_all(const Settings& settings, const Path& store,

@@ -43,6 +43,21 @@ Issues unused_closures(const CorrectedMission& corrected, const ClosureOptions& 
            "with a laser whose readings are localized and kept"}};
 }
 
+/// @throws UsageError where the one that is asked for is none of them
+Answers answers_of(const CorrectedMission& corrected, int asked) {
+  Answers answers;
+  answers.drawn = asked;
+  if (corrected.sonars && corrected.sonars->second) {
+    const SecondAnswer& second = *corrected.sonars->second;
+    answers = {asked, 2, second.kept_m, second.score_m, second.name};
+  }
+  if (asked < 1 || asked > answers.count) {
+    throw UsageError("--alternative " + std::to_string(asked) + ": the readings have " +
+                     (answers.count == 1 ? "one answer, 1" : "two answers, 1 and 2"));
+  }
+  return answers;
+}
+
 bool all_by_sonars(const AsrSource& source) {
   const std::vector<AsrId> ids = source.ids();
   return std::all_of(ids.begin(), ids.end(), [&](AsrId id) {
@@ -129,6 +144,7 @@ Assembly assemble_corrected(MissionKind kind, const AsrSource& source, Corrected
                             const Progress& progress) {
   const Issues unused = unused_closures(corrected, options.assemble.closures);
   Assembly assembly;
+  assembly.answers = answers_of(corrected, options.assemble.answer);
   assembly.graph = std::move(corrected.graph);
   assembly.correction = std::move(corrected.correction);
   assembly.closures = std::move(corrected.closures);

@@ -27,9 +27,10 @@ CorrectedMission correct_sonar_mission(const AsrSource& source, const RobotFootp
   report(progress, "correct sonars", 0.0);
   const std::vector<RangeReading> readings = readings_of(source);
   const DriveDirections directions = find_drive_directions(readings, options.map.directions);
+  SonarTrajectoryOptions sonars = options.assemble.sonars;
+  sonars.take_second = options.assemble.answer == 2;
   SonarTrajectory trajectory = correct_sonar_trajectory(
-      readings, directions, options.assemble.sonars,
-      [&] { report(progress, "correct sonars", 0.0); }, options.jobs);
+      readings, directions, sonars, [&] { report(progress, "correct sonars", 0.0); }, options.jobs);
   RecordedAgain again =
       record_again(readings, trajectory.map_from_robot, footprint, options.map.record);
   report(progress, "correct", 0.0);

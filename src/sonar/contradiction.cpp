@@ -20,6 +20,7 @@ struct WallSample {
   Point2 normal;
   double path_m = 0.0;
   int crossed = 0;  ///< by rays of other visits
+  std::size_t reading = 0;
 };
 
 /// Of the cells in which they lie.
@@ -44,8 +45,8 @@ std::vector<WallSample> samples_of(std::span<const Pose2> map_from_robot,
     const Point2 middle = pose * segment.middle_robot;
     const int half = static_cast<int>(segment.length_m / 2.0 / options.sample_m);
     for (int step = -half; step <= half; ++step) {
-      samples.push_back(
-          {middle + step * options.sample_m * tangent, normal, path_m[segment.reading], 0});
+      samples.push_back({middle + step * options.sample_m * tangent, normal,
+                         path_m[segment.reading], 0, segment.reading});
     }
   }
   return samples;
@@ -108,11 +109,15 @@ Contradiction contradiction_of(std::span<const RangeReading> readings,
     cross(readings[i], map_from_robot[i], path_m[i], options, cells, samples);
   }
   Contradiction result;
+  result.confirmed_of_reading_m.assign(readings.size(), 0.0);
+  result.contradicted_of_reading_m.assign(readings.size(), 0.0);
   for (const WallSample& sample : samples) {
     if (is_confirmed(sample, cells, samples, options)) {
       result.confirmed_m += options.sample_m;
+      result.confirmed_of_reading_m[sample.reading] += options.sample_m;
     } else if (sample.crossed >= kEnoughRays) {
       result.contradicted_m += options.sample_m;
+      result.contradicted_of_reading_m[sample.reading] += options.sample_m;
     }
   }
   return result;

@@ -39,6 +39,11 @@ Attempt solve_from(const SonarMission& mission, const Idea& idea, const std::vec
   attempt.score_m =
       solved.solved ? contradiction.confirmed_m - kContradictedCounts * contradiction.contradicted_m
                     : -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < mission.readings.size(); ++i) {
+    attempt.score_of_reading_m.push_back(contradiction.confirmed_of_reading_m[i] -
+                                         kContradictedCounts *
+                                             contradiction.contradicted_of_reading_m[i]);
+  }
   attempt.variant.habits = idea.habits;
   attempt.variant.pairs = solved.pairs;
   if (solved.solved) {

@@ -53,7 +53,8 @@ struct Attempt {
   SonarVariant variant;
   double score_m = 0.0;  ///< of wall: confirmed, less what is contradicted; of a batch that could
                          ///< not be solved the lowest there is
-  double strain = 0.0;   ///< of odometry
+  std::vector<double> score_of_reading_m;  ///< what of it is of the walls that each reading heard
+  double strain = 0.0;                     ///< of odometry
 };
 
 /// By more than noise.

@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "roomatlas/core/paired_difference.hpp"
+#include "roomatlas/sonar/contradiction.hpp"
 #include "sonar_attempt.hpp"
 #include "sonar_repairs.hpp"
 
@@ -29,6 +31,8 @@ constexpr Change kChanges[] = {
     {"gain -0.03", 0.0, -0.03},
     {"gain +0.03", 0.0, 0.03},
 };
+
+constexpr const char* kOdometrysOwn = "odometry's own heading";
 
 /// Whether the walls make one heading clearly more likely than walls that lie anyhow would: in a
 /// round hall they do not.
@@ -95,11 +99,49 @@ bool is_verified(const Idea& idea, const std::vector<Attempt>& others,
   });
 }
 
+/// The score of an attempt by stretches of the mission that do not share their errors.
+std::vector<double> score_of_stretches(std::span<const RangeReading> readings,
+                                       const Attempt& attempt) {
+  const double stretch_m = ContradictionOptions{}.same_visit_m;
+  std::vector<double> scores{0.0};
+  double path_m = 0.0;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    if (i > 0) {
+      path_m +=
+          (readings[i].odom_from_robot.position() - readings[i - 1].odom_from_robot.position())
+              .norm();
+    }
+    if (path_m > stretch_m * static_cast<double>(scores.size())) scores.push_back(0.0);
+    scores.back() += attempt.score_of_reading_m[i];
+  }
+  return scores;
+}
+
+/// Of the attempts that wind otherwise the best, where chance may have preferred the one kept.
+const Attempt* second_answer(std::span<const RangeReading> readings, const Attempt& kept,
+                             const std::vector<Attempt>& others) {
+  const Attempt* best = nullptr;
+  for (const Attempt& other : others) {
+    if (share_turned(other.map_from_robot, kept.map_from_robot) <= kLeastTurned) continue;
+    if (other.score_m > 0.0 && (best == nullptr || other.score_m > best->score_m)) best = &other;
+  }
+  if (best == nullptr) return nullptr;
+  const PairedDifference difference =
+      paired_difference(score_of_stretches(readings, kept), score_of_stretches(readings, *best));
+  return difference.is_within_chance() ? best : nullptr;
+}
+
 /// Moves a trajectory so that it begins where odometry does. @return the turn
 double begin_at(const Pose2& first, std::vector<Pose2>& poses) {
   const Pose2 moved = first * inverse(poses.front());
   for (Pose2& pose : poses) pose = moved * pose;
   return moved.theta_rad;
+}
+
+std::size_t place_of(const std::string& name, const std::vector<SonarVariant>& variants) {
+  const auto found = std::find_if(variants.begin(), variants.end(),
+                                  [&](const SonarVariant& one) { return one.name == name; });
+  return static_cast<std::size_t>(found - variants.begin());
 }
 
 /// What stays of several ideas, and what does not.
@@ -119,6 +161,15 @@ struct Choice {
     best = std::move(idea);
   }
 };
+
+/// Keeps another attempt, as it was tried: what is left of its idea is no base to refine it on.
+void take(std::size_t other, Choice& choice, SonarTrajectory& result) {
+  std::swap(choice.best->attempt, choice.others[other]);
+  const SonarVariant& taken = choice.best->attempt.variant;
+  result.chosen = place_of(taken.name, result.variants);
+  choice.best->habits = taken.habits;
+  choice.best->is_odometry = taken.name == kOdometrysOwn;
+}
 
 std::string name_of(const std::vector<double>& walls_rad) {
   if (walls_rad.size() == 1) return "walls in one direction";
@@ -164,7 +215,7 @@ Choice choose_heading(const SonarMission& mission, const Calibration& likely,
     if (walls_rad.size() > 1) all.push_back({name_of(walls_rad), likely, walls_rad});
     all.push_back({name_of({0.0}), likely, {0.0}});
   }
-  all.push_back({"odometry's own heading", {}, {0.0}, true});
+  all.push_back({kOdometrysOwn, {}, {0.0}, true});
   Choice choice;
   consider(mission, all, choice, result);
   return choice;
@@ -209,7 +260,15 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
   if (options.repair_slips && !best.is_odometry) {
     repair_slips(mission, best, choice.others, result);
   }
-  refine(mission, best, result);
+  const Attempt* second = second_answer(readings, best.attempt, choice.others);
+  if (second != nullptr) {
+    result.second = SecondAnswer{second->variant.name, second->score_m, best.attempt.score_m};
+  }
+  if (options.take_second && second != nullptr) {
+    take(static_cast<std::size_t>(second - choice.others.data()), choice, result);
+  } else {
+    refine(mission, best, result);
+  }
   result.habits = best.habits;
   result.habits.length_scale *= best.attempt.length_scale;
   result.wall_directions_rad = best.directions_rad;

@@ -141,6 +141,44 @@ TEST(SonarTrajectory, TurnsBackAQuarterThatItTookForTheLikelierWay) {
   EXPECT_LT(error.heading_deg, 6.0);
 }
 
+/// Two corridors round a corner, each driven to and fro; at the corner nothing is heard while
+/// odometry turns half of what the robot does.
+Mission corner_unheard() {
+  auto walls = test::walls_along({{0, 0}, {20, 0}, {20, 20}}, false);
+  const auto inner = test::walls_along({{0, 1.8}, {18.2, 1.8}, {18.2, 20}}, false);
+  walls.insert(walls.end(), inner.begin(), inner.end());
+  Mission mission = drive(
+      walls, {{1, 0.9}, {17, 0.9}, {2, 0.9}, {19.1, 0.9}, {19.1, 18}, {19.1, 4}, {19.1, 17}}, 0.0);
+  std::size_t turn = 0;  // the last reading on the first corridor
+  for (std::size_t i = 0; i < mission.truth.size(); ++i) {
+    if (mission.truth[i].y_m < 1.0) turn = i;
+  }
+  turn_unheard(mission.readings, turn - 30, turn + 30, 45.0);
+  return mission;
+}
+
+TEST(SonarTrajectory, ATurnThatNothingDecidesHasASecondAnswerAndAClearMissionNone) {
+  const Mission unclear = corner_unheard();
+  const DriveDirections directions = find_drive_directions(unclear.readings, {});
+  SonarTrajectoryOptions options;
+  const SonarTrajectory first = correct_sonar_trajectory(unclear.readings, directions, options);
+  ASSERT_TRUE(first.second);
+  options.take_second = true;
+  const SonarTrajectory second = correct_sonar_trajectory(unclear.readings, directions, options);
+  EXPECT_EQ(second.second->name, first.second->name);
+  EXPECT_EQ(second.variants.at(second.chosen).name, first.second->name);
+  const double apart_rad =
+      wrap_angle(first.map_from_robot.back().theta_rad - second.map_from_robot.back().theta_rad);
+  EXPECT_GT(std::abs(degrees(apart_rad)), 30.0);
+
+  const Mission clear = square_corridor(0.0);
+  const DriveDirections clear_directions = find_drive_directions(clear.readings, {});
+  const SonarTrajectory sure =
+      correct_sonar_trajectory(clear.readings, clear_directions, options);  // asked for in vain
+  EXPECT_FALSE(sure.second);
+  EXPECT_LT(largest_error(clear, sure.map_from_robot).position_m, 0.15);
+}
+
 TEST(SonarTrajectory, LeavesTrueOdometryAlone) {
   const Mission mission = square_corridor(0.0);
   const SonarTrajectory result =

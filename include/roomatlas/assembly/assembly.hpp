@@ -9,6 +9,7 @@
 #include "roomatlas/correct/correction.hpp"
 #include "roomatlas/graph/room_graph.hpp"
 #include "roomatlas/loops/closures.hpp"
+#include "roomatlas/plan/answers.hpp"
 #include "roomatlas/plan/door.hpp"
 #include "roomatlas/plan/floor_plan.hpp"
 #include "roomatlas/plan/judgement.hpp"
@@ -28,6 +29,7 @@ struct Assembly {
                                   ///< see `WithPaths`
   std::vector<Closure> closures;  ///< matches of rooms by their walls, accepted or not
   std::optional<Judgement> judgement;  ///< how far it can be relied on; none without readings
+  Answers answers;                     ///< which of several that the readings allow this is
   FloorPlan plan;
   std::optional<FloorPlan> measured_plan;  ///< as measured, where the walls of `plan` are regular
 };

@@ -23,6 +23,7 @@ enum class MissionKind {
 
 /// Offline stage: ASRs -> room graph -> correction -> rooms -> floor plan.
 /// @param options those that the ASRs were mapped with, and how they are assembled
+/// @throws UsageError where the mission has no answer of the number asked for
 /// @throws NotEnoughError when the source holds no ASR, Interrupted when `progress` says so
 [[nodiscard]] Assembly assemble(const AsrSource& source, const RobotFootprint& footprint,
                                 const Options& options, const Progress& progress = {});

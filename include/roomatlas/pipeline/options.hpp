@@ -39,6 +39,8 @@ struct AssembleOptions {
   bool correct_sonars = true;  ///< a mission with sonars alone is corrected as a whole first; off:
                                ///< its rooms as odometry bent them
   SonarTrajectoryOptions sonars;
+  int answer =
+      1;  ///< which of several that explain the readings about equally well, the best first
   bool match_rooms = true;  ///< match localized rooms by their walls; off: doorways alone
   ClosureOptions closures;
   RecogniseOptions recognise;

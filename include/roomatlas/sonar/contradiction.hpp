@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "roomatlas/core/pose2.hpp"
 #include "roomatlas/mission/mission.hpp"
@@ -24,6 +25,9 @@ struct ContradictionOptions {
 struct Contradiction {
   double confirmed_m = 0.0;     ///< of wall that another visit heard too
   double contradicted_m = 0.0;  ///< of wall that no other visit heard and at least two rays crossed
+  // The same of the walls that each reading heard, one a reading.
+  std::vector<double> confirmed_of_reading_m;
+  std::vector<double> contradicted_of_reading_m;
 
   [[nodiscard]] double compared_m() const { return confirmed_m + contradicted_m; }
   /// [0, 1]; negative where nothing could be compared.

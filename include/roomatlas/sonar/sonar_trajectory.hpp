@@ -25,6 +25,7 @@ struct SonarTrajectoryOptions {
   double verified_share = 0.06;  ///< contradiction above which loops count as not verified; doors,
                                  ///< people and wide cones leave 2 % of aces
   double verified_heading_share = 0.95;  ///< of readings with a sure heading; fewer verify nothing
+  bool take_second = false;  ///< the second answer in the place of the first, where there is one
 };
 
 /// One setting of the batch that was tried.
@@ -35,6 +36,13 @@ struct SonarVariant {
   double compared_m = 0.0;      ///< of wall that another visit could confirm or contradict
   double contradiction = -1.0;  ///< share of it that others looked through, [0, 1]; negative =
                                 ///< nothing could be compared
+};
+
+/// The best attempt that winds otherwise, where chance may have preferred the one kept.
+struct SecondAnswer {
+  std::string name;      ///< of its variant
+  double score_m = 0.0;  ///< of wall that speaks for it
+  double kept_m = 0.0;   ///< the same of the one kept, from the same tolerances
 };
 
 /// The mission's poses, corrected by the walls that a ring of sonars heard.
@@ -52,10 +60,11 @@ struct SonarTrajectory {
                                     ///< standard deviation)
   std::vector<SonarVariant> variants;  ///< in the order tried
   std::size_t chosen = 0;              ///< place of the one kept
-  double rival_score = 0.0;     ///< of the best attempt that winds otherwise, over that of the one
-                                ///< kept; near 1 both explain the walls
-  int slips_repaired = 0;       ///< headings turned by 90 degrees from some place on
-  bool loops_verified = false;  ///< false: no loop, or walls contradict each other
+  double rival_score = 0.0;  ///< of the best attempt that winds otherwise, over that of the one
+                             ///< kept; near 1 both explain the walls
+  std::optional<SecondAnswer> second;  ///< that explains the readings nearly as well
+  int slips_repaired = 0;              ///< headings turned by 90 degrees from some place on
+  bool loops_verified = false;         ///< false: no loop, or walls contradict each other
 };
 
 /// Corrects a whole mission recorded with sonars in one batch: the walls that single sonars hear

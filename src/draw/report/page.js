@@ -21,6 +21,11 @@
   if (bounds.length) facts.push(bounds.map(([value, where]) => `± ${value.toFixed(2)} m ${where}`).join(', '));
   if (data.date) facts.push(`recorded ${data.date}`);
   element('facts').textContent = facts.join(' · ');
+  if (summary.answers) {
+    element('answers').textContent = `Several answers: ${summary.answers.text}.`;
+  } else {
+    hide('answers');
+  }
   const doubts = (summary.judgement || { doubts: [] }).doubts;
   if (doubts.length) {
     element('doubts').textContent = `What speaks against it: ${doubts.map((doubt) => doubt.text).join('; ')}.`;

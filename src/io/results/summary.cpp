@@ -210,8 +210,20 @@ std::string to_json(const OdometryHabits& habits) {
                   {"length_scale", habits.length_scale}});
 }
 
-std::string to_json(const Evaluation& evaluation, const std::optional<Judgement>& judgement) {
+std::string to_json(const Answers& answers) {
+  return Json({{"drawn", answers.drawn},
+               {"count", answers.count},
+               {"first_score_m", answers.first_score},
+               {"second_score_m", answers.second_score},
+               {"second", answers.second},
+               {"text", words(answers)}})
+      .dump();
+}
+
+std::string to_json(const Evaluation& evaluation, const std::optional<Judgement>& judgement,
+                    const std::string& answers) {
   Json json = json_of(evaluation);
+  if (!answers.empty()) json["answers"] = Json::parse(answers);
   if (judgement) json["judgement"] = Json::parse(to_json(*judgement));
   return text_of(json);
 }
@@ -229,6 +241,10 @@ std::string summary_json(const std::map<std::string, std::string>& metadata,
   const auto judgement = metadata.find("judgement_json");
   if (judgement != metadata.end() && !judgement->second.empty()) {
     json["judgement"] = Json::parse(judgement->second);
+  }
+  const auto answers = metadata.find("answers_json");
+  if (answers != metadata.end() && !answers->second.empty()) {
+    json["answers"] = Json::parse(answers->second);
   }
   json["plan"] = json_of(plan);
   json["room_graph"] = json_of(graph);

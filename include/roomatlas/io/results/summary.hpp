@@ -9,6 +9,7 @@
 #include "roomatlas/graph/room_graph.hpp"
 #include "roomatlas/mission/mission.hpp"
 #include "roomatlas/odometry/habits.hpp"
+#include "roomatlas/plan/answers.hpp"
 #include "roomatlas/plan/floor_plan.hpp"
 #include "roomatlas/plan/judgement.hpp"
 #include "roomatlas/simulate/explore.hpp"
@@ -19,13 +20,18 @@ namespace roomatlas {
 /// alone.
 [[nodiscard]] std::string to_json(const MissionInfo& info);
 
+/// Which of several answers a map is, as one JSON object.
+[[nodiscard]] std::string to_json(const Answers& answers);
+
 /// What had to be done about odometry, as one JSON object.
 [[nodiscard]] std::string to_json(const OdometryHabits& habits);
 
 /// All figures of an evaluation as one JSON object; statistics of nothing are null.
 /// @param judgement of the map, becomes "judgement" where there is one
+/// @param answers text of the map's "answers", where it has several
 [[nodiscard]] std::string to_json(const Evaluation& evaluation,
-                                  const std::optional<Judgement>& judgement = std::nullopt);
+                                  const std::optional<Judgement>& judgement = std::nullopt,
+                                  const std::string& answers = "");
 
 /// What an exploration came to, as one JSON object.
 [[nodiscard]] std::string to_json(const ExploreSummary& summary, const FloorPlan& world);
