@@ -116,6 +116,17 @@ TEST(Pipeline, TellsOfReadingsThatAreMissing) {
   EXPECT_THROW((void)assemble(store, {}, {}), InputError);
 }
 
+TEST(Pipeline, AnAnswerThatDoesNotExistIsRefusedWithThoseThatDo) {
+  Options options;
+  options.assemble.answer = 2;
+  try {
+    (void)assemble(mapped(events_of(readings_in(kTwoRooms))), {}, options);
+    FAIL() << "the mission has one answer";
+  } catch (const UsageError& error) {
+    EXPECT_STREQ(error.what(), "--alternative 2: the readings have one answer, 1");
+  }
+}
+
 TEST(Pipeline, TellsOfClosuresThatHaveNoEffect) {
   Options options;
   options.assemble.closures.without_best = 3;
