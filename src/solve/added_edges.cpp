@@ -46,6 +46,7 @@ std::vector<std::int32_t> components_of(const PoseGraph& graph) {
   };
   for (const PoseEdge& edge : graph.edges) parent[at(root(edge.from))] = root(edge.to);
   std::vector<std::int32_t> component;
+  component.reserve(parent.size());
   for (std::int32_t i = 0; i < std::ssize(parent); ++i) component.push_back(root(i));
   return component;
 }

@@ -34,6 +34,12 @@ PoseGraph scaled(HeldVisits held) {
   return std::move(held.measured);
 }
 
+/// In the same words: a way is advised once.
+bool is_advised(const Advice& drive, const std::vector<Advice>& advice) {
+  return std::any_of(advice.begin(), advice.end(),
+                     [&](const Advice& other) { return words(other) == words(drive); });
+}
+
 Advice said_of(const Drive& drive, const LargestVariance& before, const LargestVariance& after) {
   Advice advice = drive.advice;
   advice.place_before_m = std::sqrt(before.position_m2);
@@ -59,6 +65,7 @@ std::vector<Advice> advice_on(const Assembly& assembly, const CorrectOptions& co
     LargestVariance after_best;
     double best_a_metre = 0.0;
     for (const Drive& drive : drives) {
+      if (is_advised(drive.advice, advice)) continue;
       const LargestVariance after = added.with({&drive.edge, 1});
       const double gained = looseness(before) - looseness(after);
       if (gained < kWorthDriving * looseness(before)) continue;

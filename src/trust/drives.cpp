@@ -211,6 +211,7 @@ class Drives {
     std::sort(ends.begin(), ends.end());
     if (ends.size() > kMostEnds) ends.resize(kMostEnds);
     std::vector<AsrId> list;
+    list.reserve(ends.size());
     for (const auto& [minus_m, asr] : ends) list.push_back(asr);
     return list;
   }

@@ -55,6 +55,7 @@ TEST(Advice, AnOpenChainIsToBeDrivenAgain) {
     EXPECT_EQ(one.to_room, 100 + one.to);
   }
   for (std::size_t i = 1; i < advice.size(); ++i) {
+    EXPECT_NE(words(advice[i]), words(advice[i - 1]));
     EXPECT_EQ(advice[i].place_before_m, advice[i - 1].place_after_m);
   }
 }
