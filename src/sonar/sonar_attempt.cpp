@@ -29,6 +29,8 @@ Attempt solve_from(const SonarMission& mission, const Idea& idea, const std::vec
   if (idea.is_odometry) batch_options.heading_weight = 0.0;
   const SonarBatchResult solved = solve_sonar_batch(problem.batch, batch_options);
   attempt.length_scale = solved.length_scale;
+  attempt.length_scale_sigma = solved.length_scale_sigma;
+  attempt.clutter_m = solved.clutter_m;
   attempt.strain = solved.strain;
   attempt.map_from_robot = poses_of(path, problem, solved.map_from_node);
   const auto turned = with_headings_of_returns(mission.readings, problem, attempt.map_from_robot,
@@ -73,6 +75,8 @@ std::vector<double> by_reading(const HeadingProblem& problem, const std::vector<
 bool is_better(const Attempt& attempt, const Attempt& than) {
   return attempt.score_m > than.score_m + std::max(kBetterM, kBetterShare * than.score_m);
 }
+
+double merit(const Attempt& attempt) { return attempt.score_m - attempt.strain; }
 
 Attempt solve(const SonarMission& mission, const Idea& idea, std::string name,
               std::vector<double> correction_rad, SonarBatchOptions batch_options) {

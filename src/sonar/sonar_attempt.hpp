@@ -50,6 +50,8 @@ struct Attempt {
   std::vector<double> correction_rad;  ///< of the heading, by node of the chain
   std::vector<Pose2> map_from_robot;
   double length_scale = 1.0;  ///< times what the heading's habits make of lengths
+  double length_scale_sigma = 0.0;
+  double clutter_m = 0.0;
   SonarVariant variant;
   double score_m = 0.0;  ///< of wall: confirmed, less what is contradicted; of a batch that could
                          ///< not be solved the lowest there is
@@ -59,6 +61,10 @@ struct Attempt {
 
 /// By more than noise.
 [[nodiscard]] bool is_better(const Attempt& attempt, const Attempt& than);
+
+/// Of attempts with like headings. Walls of two rooms that are held to be one confirm each other,
+/// but bend odometry: a metre of wall counts as much as one of log likelihood.
+[[nodiscard]] double merit(const Attempt& attempt);
 
 /// Habits, the heading that they make likely, and what came of it.
 struct Idea {

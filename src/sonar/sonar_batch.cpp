@@ -22,16 +22,19 @@ constexpr double kFarSigmas = 2.0;  // from a direction: scale at which Geman an
 
 /// Which walls are one, and how much that counts.
 struct Round {
-  double scale_m = 0.0;      ///< across, at which Geman and McClure let go of a pair
-  double wall_weight = 0.0;  ///< of a wall's partners together
+  double scale_m = 0.0;       ///< across, at which Geman and McClure let go of a pair
+  double wall_weight = 0.0;   ///< of a wall's partners together
+  double length_sigma = 0.0;  ///< of odometry's lengths as a whole, as a share
   std::vector<WallPair> pairs;
   std::vector<int> partners;  ///< of each wall
+  double clutter_m = 0.0;     ///< of the last rounds, as the poses stand when they begin
 };
 
 /// What is solved for.
 struct Unknowns {
   std::vector<Pose2> map_from_node;
   double length_scale = 1.0;
+  double length_scale_sigma = 0.0;
 };
 
 /// Geman and McClure's weight: 1 at 0, and 0 for what is far off.
@@ -54,8 +57,9 @@ std::array<double, 3> variances_of(const DrivenStep& step) {
           step.turn_sigma_rad * step.turn_sigma_rad};
 }
 
-void add_steps(const SonarBatch& batch, const SonarBatchOptions& options, const Unknowns& unknowns,
-               const std::vector<PairPlaces>& into_node, SonarEquations& equations) {
+void add_steps(const SonarBatch& batch, const SonarBatchOptions& options, double length_sigma,
+               const Unknowns& unknowns, const std::vector<PairPlaces>& into_node,
+               SonarEquations& equations) {
   const double robust = options.step_robust_sigmas * options.step_robust_sigmas;
   for (std::size_t k = 1; k < batch.steps.size(); ++k) {
     const Pose2& driven = batch.steps[k].before_from_here;
@@ -69,8 +73,7 @@ void add_steps(const SonarBatch& batch, const SonarBatchOptions& options, const 
       equations.add_scale(into_node[k - 1], residuals[i], by_scale[i], weight);
     }
   }
-  const double variance = options.length_sigma * options.length_sigma;
-  equations.add_scale(unknowns.length_scale - 1.0, 1.0, 1.0 / variance);
+  equations.add_scale(unknowns.length_scale - 1.0, 1.0, 1.0 / (length_sigma * length_sigma));
 }
 
 /// Cauchy's loss of all steps.
@@ -183,6 +186,12 @@ void add_pairs(const SonarBatch& batch, const SonarBatchOptions& options, const 
   }
 }
 
+/// Of odometry's lengths as a whole, once it is known which walls are one.
+double length_sigma_in(double clutter_m, const SonarBatchOptions& options) {
+  const double share = options.clutter_m / std::max(options.clutter_m, clutter_m);
+  return options.length_sigma * share * share;
+}
+
 /// @param shrunk how far the scale has gone from the start's to the end's, [0, 1]
 Round round_at(double shrunk, const SonarBatch& batch, const SonarBatchOptions& options,
                const std::vector<Pose2>& poses) {
@@ -196,6 +205,11 @@ Round round_at(double shrunk, const SonarBatch& batch, const SonarBatchOptions& 
   for (const WallPair& pair : round.pairs) {
     ++round.partners[pair.first];
     ++round.partners[pair.second];
+  }
+  round.length_sigma = options.start_length_sigma;
+  if (shrunk == 1.0) {
+    round.clutter_m = clutter_of(batch.walls, round.pairs, poses);
+    round.length_sigma = length_sigma_in(round.clutter_m, options);
   }
   return round;
 }
@@ -219,11 +233,12 @@ bool settle(const SonarBatch& batch, const SonarBatchOptions& options,
   for (int step = 0; step < kStepsARound; ++step) {
     equations.clear();
     equations.hold(0, kFirmly);
-    add_steps(batch, options, unknowns, into_node, equations);
+    add_steps(batch, options, round.length_sigma, unknowns, into_node, equations);
     add_headings(batch, headings, unknowns.map_from_node, equations);
     add_pairs(batch, options, round, pairs, unknowns.map_from_node, equations);
     Unknowns moved = unknowns;
     const double move = equations.solve(moved.map_from_node, moved.length_scale);
+    moved.length_scale_sigma = equations.scale_sigma();
     if (move < 0.0) return false;
     unknowns = std::move(moved);
     if (move < kStillM) break;
@@ -232,6 +247,24 @@ bool settle(const SonarBatch& batch, const SonarBatchOptions& options,
 }
 
 }  // namespace
+
+double clutter_of(const std::vector<SeenWall>& walls, const std::vector<WallPair>& pairs,
+                  const std::vector<Pose2>& map_from_node) {
+  double apart = 0.0;
+  double scatter = 0.0;
+  std::size_t count = 0;
+  for (const WallPair& pair : pairs) {
+    const SeenWall& a = walls[pair.first];
+    const SeenWall& b = walls[pair.second];
+    if (a.node == b.node) continue;
+    const double across_m =
+        across_residual(map_from_node[a.node], a, map_from_node[b.node], b, pair.along_m).value;
+    apart += across_m * across_m;
+    scatter += (a.sigma_m * a.sigma_m + b.sigma_m * b.sigma_m) / 2.0;
+    ++count;
+  }
+  return count == 0 ? 0.0 : std::sqrt(std::max(0.0, apart - scatter) / static_cast<double>(count));
+}
 
 double heading_information(const SeenWall& wall, const SonarBatchOptions& options) {
   const double sigma = heading_sigma(wall, options);
@@ -246,6 +279,7 @@ SonarBatchResult solve_sonar_batch(const SonarBatch& batch, const SonarBatchOpti
   for (const double shrunk : kShrunk) {
     const Round round = round_at(shrunk, batch, options, unknowns.map_from_node);
     result.pairs = round.pairs.size();
+    result.clutter_m = round.clutter_m;
     if (!settle(batch, options, headings, round, unknowns)) {
       result.solved = false;
       break;
@@ -254,6 +288,7 @@ SonarBatchResult solve_sonar_batch(const SonarBatch& batch, const SonarBatchOpti
   result.strain = strain_of(batch, options, unknowns);
   result.map_from_node = std::move(unknowns.map_from_node);
   result.length_scale = unknowns.length_scale;
+  result.length_scale_sigma = unknowns.length_scale_sigma;
   return result;
 }
 

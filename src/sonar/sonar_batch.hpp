@@ -39,18 +39,31 @@ struct SonarBatchOptions {
   double heading_weight = 0.5;   ///< of a wall that follows the building: the segments of one wall
                                  ///< say the same, so that each counts half
   double parallel_weight = 0.3;  ///< of the partners' headings, for the same reason
-  double length_sigma = 0.003;   ///< of odometry's lengths as a whole, as a share: tight, since
-                                 ///< cones full of clutter make rooms look smaller
+  double start_length_sigma = 0.003;  ///< of odometry's lengths as a whole, as a share, until it is
+                                      ///< known which walls are one: larger lets them draw together
+  double length_sigma = 0.03;  ///< and from then on, as recorded and drawn odometry has it ...
+  double clutter_m = 0.01;  ///< ... at so much clutter or less, and smaller by its square beyond:
+                            ///< cones full of clutter make rooms look smaller
   double wall_heading_rad = 0.035;  ///< sigma of a wall's direction, and one over its length more
 };
 
 struct SonarBatchResult {
   std::vector<Pose2> map_from_node;
-  double length_scale = 1.0;  ///< times odometry's lengths: what the walls make of them
-  double strain = 0.0;        ///< of odometry: half of its steps' robust squares, in sigmas
-  std::size_t pairs = 0;      ///< in the last round
-  bool solved = false;        ///< false: a system was singular, and the poses are those before it
+  double length_scale = 1.0;        ///< times odometry's lengths: what the walls make of them
+  double length_scale_sigma = 0.0;  ///< its posterior standard deviation; near the prior's, walls
+                                    ///< said nothing of it
+  double clutter_m =
+      0.0;                ///< what pairs are apart beyond their returns' scatter, in the last round
+  double strain = 0.0;    ///< of odometry: half of its steps' robust squares, in sigmas
+  std::size_t pairs = 0;  ///< in the last round
+  bool solved = false;    ///< false: a system was singular, and the poses are those before it
 };
+
+/// How far stretches of one wall stand apart beyond what the scatter of their returns explains:
+/// what was heard were not walls alone. Root mean square, metres; 0 without pairs.
+[[nodiscard]] double clutter_of(const std::vector<SeenWall>& walls,
+                                const std::vector<WallPair>& pairs,
+                                const std::vector<Pose2>& map_from_node);
 
 /// How sure a wall that follows the building makes its node's heading: one over the variance,
 /// 1/rad^2.

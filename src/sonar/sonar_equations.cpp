@@ -76,8 +76,9 @@ double SonarEquations::eliminate_scale() {
   const auto dot = [](const std::vector<double>& a, const std::vector<double>& b) {
     return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
   };
-  const double step = (scale_right_ - dot(by_scale_, right_side_)) /
-                      (scale_weight_ - dot(by_scale_, node_by_scale));
+  const double information = scale_weight_ - dot(by_scale_, node_by_scale);
+  const double step = (scale_right_ - dot(by_scale_, right_side_)) / information;
+  scale_sigma_ = 1.0 / std::sqrt(information);
   for (std::size_t i = 0; i < right_side_.size(); ++i) right_side_[i] -= step * node_by_scale[i];
   return step;
 }

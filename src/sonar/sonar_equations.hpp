@@ -66,6 +66,8 @@ class SonarEquations {
 
   /// Moves the poses. @return root mean square of the moves; negative when the system is singular
   [[nodiscard]] double solve(std::vector<Pose2>& map_from_node, double& length_scale);
+  /// Standard deviation of the scale, whatever the nodes are, as last solved.
+  [[nodiscard]] double scale_sigma() const { return scale_sigma_; }
 
  private:
   [[nodiscard]] std::size_t position(std::size_t node) const {
@@ -104,6 +106,7 @@ class SonarEquations {
   std::vector<double> by_scale_;  ///< of the normal matrix, the scale's column
   double scale_weight_ = 0.0;
   double scale_right_ = 0.0;
+  double scale_sigma_ = 0.0;
 };
 
 }  // namespace roomatlas

@@ -69,7 +69,7 @@ SonarProblem sonar_problem(Readings readings, const DrivenPath& path,
         inverse(path.odom_from_robot[nodes[node]]) * path.odom_from_robot[segment.reading];
     problem.batch.walls.push_back({node, wrap_angle(segment.normal_rad + node_from_robot.theta_rad),
                                    node_from_robot * segment.middle_robot, segment.length_m,
-                                   path.path_m[segment.reading]});
+                                   path.path_m[segment.reading], segment.sigma_m});
     const double normal_rad = start[segment.reading].theta_rad + segment.normal_rad;
     problem.batch.direction_rad.push_back(
         *std::min_element(directions_rad.begin(), directions_rad.end(), [&](double a, double b) {

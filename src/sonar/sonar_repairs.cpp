@@ -74,10 +74,6 @@ Idea with_learnt_habits(const SonarMission& mission, const Idea& idea) {
   return learnt;
 }
 
-/// Of attempts with one heading. Walls of two rooms that are held to be one confirm each other, but
-/// bend odometry: a metre of wall counts as much as one of log likelihood.
-double merit(const Attempt& attempt) { return attempt.score_m - attempt.strain; }
-
 }  // namespace
 
 void repair_slips(const SonarMission& mission, Idea& idea, std::vector<Attempt>& others,

@@ -149,10 +149,12 @@ struct Choice {
   std::optional<Idea> best;
   std::vector<Attempt> others;
 
-  /// The first stays unless another is clearly better.
+  /// The first stays unless another is clearly better. Odometry's own heading must not bend it
+  /// more, too: with the lengths free it fits a few more walls so.
   void offer(Idea idea, SonarTrajectory& result) {
     result.variants.push_back(idea.attempt.variant);
-    if (best && !is_better(idea.attempt, best->attempt)) {
+    const bool bends = best && idea.is_odometry && merit(idea.attempt) <= merit(best->attempt);
+    if (best && (bends || !is_better(idea.attempt, best->attempt))) {
       others.push_back(std::move(idea.attempt));
       return;
     }
@@ -271,6 +273,8 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
   }
   result.habits = best.habits;
   result.habits.length_scale *= best.attempt.length_scale;
+  result.length_scale_sigma = best.attempt.length_scale_sigma;
+  result.clutter_m = best.attempt.clutter_m;
   result.wall_directions_rad = best.directions_rad;
   result.log_evidence = best.heading.log_evidence;
   result.segments = best.problem.segments.size();

@@ -39,13 +39,59 @@ SonarBatch to_and_fro(double length_scale) {
 }
 
 TEST(SonarBatch, FindsTheScaleOfOdometrysLengths) {
-  for (const double scale : {0.98, 1.0, 1.02}) {
-    SonarBatchOptions options;
-    options.length_sigma = 0.03;
-    const SonarBatchResult result = solve_sonar_batch(to_and_fro(scale), options);
+  for (const double scale : {0.96, 0.98, 1.0, 1.02, 1.04}) {
+    const SonarBatchResult result = solve_sonar_batch(to_and_fro(scale), {});
     ASSERT_TRUE(result.solved);
     EXPECT_NEAR(result.length_scale, 1.0 / scale, 0.002);
+    EXPECT_LT(result.length_scale_sigma, 0.006);
   }
+}
+
+TEST(SonarBatch, KnowsNoScaleWithoutWallsSeenFromBothEnds) {
+  SonarBatch beside = to_and_fro(1.02);
+  for (std::size_t i = 0; i < beside.walls.size(); ++i) {  // along the way: they hold it across
+    beside.walls[i].normal_rad += kPi / 2.0;
+    beside.walls[i].middle_node = {0.0, i % 2 == 0 ? 1.0 : -1.0};
+  }
+  const SonarBatchOptions options;
+  const SonarBatchResult result = solve_sonar_batch(beside, options);
+  ASSERT_TRUE(result.solved);
+  EXPECT_NEAR(result.length_scale, 1.0, 1e-6);
+  EXPECT_NEAR(result.length_scale_sigma, options.length_sigma, 1e-6);
+}
+
+/// What is heard of walls from afar stands before them.
+SonarBatch cluttered(double length_scale) {
+  constexpr double kBeforeM = 0.09;
+  SonarBatch batch = to_and_fro(length_scale);
+  for (SeenWall& wall : batch.walls) {
+    const double range_m = std::abs(wall.middle_node.x());
+    if (range_m > 4.0 && wall.node % 3 != 0) wall.middle_node *= 1.0 - kBeforeM / range_m;
+  }
+  return batch;
+}
+
+TEST(SonarBatch, BelievesOdometrysLengthsInClutter) {
+  const SonarBatch batch = cluttered(1.0);
+  const SonarBatchResult result = solve_sonar_batch(batch, {});
+  EXPECT_GT(result.clutter_m, 0.02);
+  EXPECT_NEAR(result.length_scale, 1.0, 0.004);
+  SonarBatchOptions believing;
+  believing.clutter_m = 1.0;
+  EXPECT_LT(solve_sonar_batch(batch, believing).length_scale, result.length_scale - 0.002);
+}
+
+TEST(SonarBatch, CountsAsClutterWhatScatterDoesNotExplain) {
+  const std::vector<Pose2> poses = {{}, {}};
+  const auto apart = [&](double between_m, double scatter_m) {
+    const std::vector<SeenWall> walls = {{0, 0.0, {2.0, 0.0}, 1.0, 0.0, scatter_m},
+                                         {1, 0.0, {2.0 + between_m, 0.0}, 1.0, 9.0, scatter_m}};
+    return clutter_of(walls, {{0, 1, 0.0}}, poses);
+  };
+  EXPECT_NEAR(apart(0.05, 0.0), 0.05, 1e-9);
+  EXPECT_NEAR(apart(0.05, 0.03), 0.04, 1e-9);
+  EXPECT_EQ(apart(0.02, 0.03), 0.0);
+  EXPECT_EQ(clutter_of({}, {}, {}), 0.0);
 }
 
 TEST(SonarBatch, StrainsOdometryWhereWallsMoveIt) {
@@ -56,6 +102,7 @@ TEST(SonarBatch, StrainsOdometryWhereWallsMoveIt) {
 
   const SonarBatch batch = to_and_fro(1.02);
   SonarBatchOptions options;
+  options.start_length_sigma = 1e-6;
   options.length_sigma = 1e-6;  // the walls cannot change the scale: each step gives way
   const SonarBatchResult result = solve_sonar_batch(batch, options);
   double strain = 0.0;

@@ -49,8 +49,12 @@ struct SecondAnswer {
 struct SonarTrajectory {
   std::vector<Pose2> map_from_robot;  ///< one a reading; the first is odometry's first
   OdometryHabits habits;              ///< as found
-  std::optional<double> walls_rad;    ///< first of these directions in the map's frame, [-pi/4,
-                                      ///< pi/4); none where walls follow no direction
+  double length_scale_sigma = 0.0;  ///< of the habits' scale: posterior standard deviation, a share
+                                    ///< of all lengths; 0.03 where no wall tells it
+  double clutter_m = 0.0;  ///< how far stretches of one wall stand apart beyond their returns'
+                           ///< scatter; over 0.02 what was heard were not walls alone
+  std::optional<double> walls_rad;  ///< first of these directions in the map's frame, [-pi/4,
+                                    ///< pi/4); none where walls follow no direction
   std::vector<double> wall_directions_rad;  ///< of the building, modulo 90 degrees, from the first
   double log_evidence = 0.0;                ///< of the headings, against "walls lie anyhow"
   int drives_reversed = 0;                  ///< that odometry reported the wrong way round
