@@ -78,6 +78,15 @@ bool is_better(const Attempt& attempt, const Attempt& than) {
 
 double merit(const Attempt& attempt) { return attempt.score_m - attempt.strain; }
 
+bool takes_over(const Idea& idea, const Idea& best) {
+  constexpr double kOdometryTells = 5.0;  // of merit; less is noise
+  const double more = merit(idea.attempt) - merit(best.attempt);
+  if (idea.is_odometry)
+    return is_better(idea.attempt, best.attempt) && more > best.heading.log_evidence;
+  if (idea.is_open && more > kOdometryTells) return true;
+  return is_better(idea.attempt, best.attempt);
+}
+
 Attempt solve(const SonarMission& mission, const Idea& idea, std::string name,
               std::vector<double> correction_rad, SonarBatchOptions batch_options) {
   const auto start = with_headings(idea.problem.path, by_reading(idea.problem, correction_rad));

@@ -71,12 +71,19 @@ struct Idea {
   OdometryHabits habits;
   double doubt = 1.0;
   bool is_odometry = false;  ///< the heading is odometry's, and walls follow no direction
+  bool is_open = false;      ///< the heading's chain leaves its directions open
   SightingChainOptions chain_options;
   std::vector<double> directions_rad;  ///< of the building's walls
   HeadingProblem problem;
   MissionHeading heading;
   Attempt attempt;
 };
+
+/// Whether an idea takes the place of the best so far: by a better score. Odometry's own heading
+/// must make up for all that walls say for a direction, too: it fits a few more of them by bending
+/// corridors. Directions that the chain leaves open need no better score where odometry fits them
+/// clearly better.
+[[nodiscard]] bool takes_over(const Idea& idea, const Idea& best);
 
 [[nodiscard]] Idea idea_of(const SonarMission& mission, const Calibration& calibration,
                            const std::vector<double>& directions_rad);

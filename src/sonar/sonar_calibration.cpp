@@ -16,9 +16,6 @@ namespace {
 constexpr double kNodeM = 0.3;
 constexpr double kNodeRad = 0.25;
 
-constexpr double kClearly = 10.0;  // of log evidence, that another direction of the building or
-                                   // more doubt must bring; less is found in noise
-
 // Sigmas of a weak prior at no habits, which decides where the walls do not.
 constexpr double kBiasSigma = 2.0;   // degrees a metre
 constexpr double kGainSigma = 0.05;  // share of the turns
@@ -91,7 +88,7 @@ class Search {
   /// Looks for wings at an angle, so that the habits are not made to bend them.
   void find_directions() {
     const HeadingProblem problem = problem_of(best_, jobs_);
-    walls_rad_ = building_directions(problem, best_.doubting(chain_), jobs_);
+    walls_rad_ = building_directions(problem, best_.doubting(chain_), kClearly, jobs_);
     score_ = score(best_, problem);
   }
   [[nodiscard]] const Calibration& best() const { return best_; }
@@ -174,7 +171,7 @@ Calibration calibrate_odometry(std::span<const RangeReading> readings,
 }
 
 std::vector<double> building_directions(const HeadingProblem& problem, SightingChainOptions chain,
-                                        int jobs) {
+                                        double clearly, int jobs) {
   chain.states = 90;                  // enough for a comparison
   constexpr std::size_t kMost = 3;    // more would fit anything
   constexpr double kFirstDeg = 10.0;  // nearer ones are one direction, seen with noise
@@ -192,7 +189,7 @@ std::vector<double> building_directions(const HeadingProblem& problem, SightingC
       return heading_evidence(problem.nodes, problem.sightings, candidate, chain);
     });
     const auto best = std::max_element(found.begin(), found.end());  // the first of equal ones
-    if (*best <= evidence + kClearly) break;
+    if (*best <= evidence + clearly) break;
     directions_rad.push_back(tried_rad[static_cast<std::size_t>(best - found.begin())]);
     evidence = *best;
   }

@@ -18,6 +18,10 @@ struct HeadingProblem {
   std::vector<WallSighting> sightings;
 };
 
+/// Of log evidence, that another direction of the building or more doubt must bring; less is found
+/// in noise.
+constexpr double kClearly = 10.0;
+
 struct Calibration {
   OdometryHabits habits;
   double doubt = 1.0;  ///< times the drift of odometry's heading that the chain allows, [1, inf)
@@ -46,7 +50,9 @@ struct Calibration {
 /// The directions, modulo 90 degrees, that the building's walls follow: 0, and others as long as
 /// each makes the walls clearly more likely. A wing at an angle is one of them; without it, the
 /// heading would be bent to make the wing's walls follow the rest.
+/// @param clearly of log evidence, that each of the others must bring
 [[nodiscard]] std::vector<double> building_directions(const HeadingProblem& problem,
-                                                      SightingChainOptions chain, int jobs);
+                                                      SightingChainOptions chain, double clearly,
+                                                      int jobs);
 
 }  // namespace roomatlas

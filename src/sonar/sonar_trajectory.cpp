@@ -149,12 +149,10 @@ struct Choice {
   std::optional<Idea> best;
   std::vector<Attempt> others;
 
-  /// The first stays unless another is clearly better. Odometry's own heading must not bend it
-  /// more, too: with the lengths free it fits a few more walls so.
+  /// The first stays unless another takes over.
   void offer(Idea idea, SonarTrajectory& result) {
     result.variants.push_back(idea.attempt.variant);
-    const bool bends = best && idea.is_odometry && merit(idea.attempt) <= merit(best->attempt);
-    if (best && (bends || !is_better(idea.attempt, best->attempt))) {
+    if (best && !takes_over(idea, *best)) {
       others.push_back(std::move(idea.attempt));
       return;
     }
@@ -184,6 +182,7 @@ struct Consideration {
   Calibration calibration;
   std::vector<double> directions_rad;
   bool is_odometry = false;
+  bool is_open = false;
 };
 
 /// Independent of each other, and offered in their order.
@@ -196,6 +195,7 @@ void consider(const SonarMission& mission, const std::vector<Consideration>& all
       std::fill(idea.heading.correction_rad.begin(), idea.heading.correction_rad.end(), 0.0);
       idea.is_odometry = true;
     }
+    idea.is_open = one.is_open;
     idea.attempt = solve(alone, idea, one.name, idea.heading.correction_rad);
     return idea;
   };
@@ -204,20 +204,27 @@ void consider(const SonarMission& mission, const std::vector<Consideration>& all
   }
 }
 
+constexpr double kPerhaps = 2.0;  // of log evidence for another direction of the building
+
 /// Headings by the building's walls, where these follow directions, and odometry's own.
 Choice choose_heading(const SonarMission& mission, const Calibration& likely,
                       SonarTrajectory& result) {
   const HeadingProblem problem = heading_problem(
       mission.readings, mission.directions, likely.habits, mission.options.segments, mission.jobs);
   const SightingChainOptions chain = likely.doubting({});
-  const std::vector<double> walls_rad = building_directions(problem, chain, mission.jobs);
+  const std::vector<double> walls_rad = building_directions(problem, chain, kClearly, mission.jobs);
   std::vector<Consideration> all;
   if (walls_follow_directions(problem, walls_rad, chain)) {
     // all of them first: wings at an angle are believed
-    if (walls_rad.size() > 1) all.push_back({name_of(walls_rad), likely, walls_rad});
-    all.push_back({name_of({0.0}), likely, {0.0}});
+    if (walls_rad.size() > 1) all.push_back({name_of(walls_rad), likely, walls_rad, false, false});
+    all.push_back({name_of({0.0}), likely, {0.0}, false, false});
+    // a wing that was seldom entered says little of its angle: the batch decides
+    const auto open_rad = building_directions(problem, chain, kPerhaps, mission.jobs);
+    if (open_rad.size() > walls_rad.size()) {
+      all.push_back({name_of(open_rad), likely, open_rad, false, true});
+    }
   }
-  all.push_back({kOdometrysOwn, {}, {0.0}, true});
+  all.push_back({kOdometrysOwn, {}, {0.0}, true, false});
   Choice choice;
   consider(mission, all, choice, result);
   return choice;
@@ -230,7 +237,7 @@ void consider_other_habits(const SonarMission& mission, const Calibration& likel
     Calibration changed = likely;
     changed.habits.bias_rad_per_m += radians(change.bias_deg_per_m);
     changed.habits.turn_gain += change.turn_gain;
-    all.push_back({change.name, changed, choice.best->directions_rad});
+    all.push_back({change.name, changed, choice.best->directions_rad, false, false});
   }
   consider(mission, all, choice, result);
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "../../src/sonar/node_headings.hpp"
+#include "../../src/sonar/sonar_attempt.hpp"
 #include "support/sonar_world.hpp"
 
 namespace roomatlas {
@@ -236,6 +237,35 @@ TEST(SonarTrajectory, DoesNotBendABuildingWithWingsAtAnAngle) {
     EXPECT_LT(error.heading_deg, 5.0) << angle_deg;
     EXPECT_LT(error.position_m, 0.6) << angle_deg;
   }
+}
+
+Idea solved_idea(double score_m, double strain, double log_evidence) {
+  Idea idea;
+  idea.attempt.score_m = score_m;
+  idea.attempt.strain = strain;
+  idea.heading.log_evidence = log_evidence;
+  return idea;
+}
+
+TEST(TakesOver, OdometrysHeadingMustMakeUpForWhatWallsSayOfTheirDirection) {
+  const Idea best = solved_idea(1600.0, 50.0, 1200.0);
+  Idea odometry = solved_idea(1700.0, 50.0, 0.0);
+  EXPECT_TRUE(takes_over(odometry, best));
+  odometry.is_odometry = true;
+  EXPECT_FALSE(takes_over(odometry, best));
+  EXPECT_TRUE(takes_over(odometry, solved_idea(1600.0, 50.0, 40.0)));
+  odometry.attempt.strain = 120.0;  // more than it gains
+  EXPECT_FALSE(takes_over(odometry, solved_idea(1600.0, 50.0, 40.0)));
+}
+
+TEST(TakesOver, OpenDirectionsThatStrainOdometryLess) {
+  const Idea best = solved_idea(740.0, 35.0, 500.0);
+  Idea wings = solved_idea(739.0, 14.0, 510.0);
+  EXPECT_FALSE(takes_over(wings, best));
+  wings.is_open = true;
+  EXPECT_TRUE(takes_over(wings, best));
+  wings.attempt.strain = 33.0;
+  EXPECT_FALSE(takes_over(wings, best));
 }
 
 TEST(SonarTrajectory, DoesNotMakeARoundHallSquare) {
