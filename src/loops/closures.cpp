@@ -36,17 +36,22 @@ AsrShape shape_of(const Asr& asr, const LocalizeOptions& localize, const MatchMa
   shape.id = asr.id;
   shape.map = LocalMap(localize.cell_m);
   std::optional<Pose2> last_added;
+  RecentSweeps recent(localize.recent);
   for (std::size_t i = 0; i < asr.readings.size(); ++i) {
     const Pose2& pose = asr.path[i].asr_from_robot;
     if (shape.path.empty() || (shape.path.back() - pose.position()).norm() > kPathStepM) {
       shape.path.push_back(pose.position());
     }
-    if (!can_be_matched(asr.readings[i]) ||
-        (last_added && !is_new_view(*last_added, pose, localize))) {
-      continue;
-    }
+    if (!can_be_matched(asr.readings[i])) continue;
+    const bool has_few_beams = recent.are_needed(*asr.readings[i].sensor);
+    if (last_added && !is_new_view(*last_added, pose, localize, has_few_beams)) continue;
     last_added = pose;
-    shape.map.add(scan_of(asr.readings[i], localize.scan), pose);
+    Scan scan = scan_of(asr.readings[i], localize.scan);
+    if (has_few_beams) {
+      recent.add_normals(scan, pose);
+      recent.add(scan, pose);
+    }
+    shape.map.add(scan, pose);
   }
   shape.points = points_of(shape.map, match);
   return shape;

@@ -19,16 +19,18 @@ bool can_be_matched(const RangeReading& reading) {
   return reading.sensor->kind == SensorKind::laser;
 }
 
-bool is_new_view(const Pose2& from, const Pose2& to, const LocalizeOptions& options) {
+bool is_new_view(const Pose2& from, const Pose2& to, const LocalizeOptions& options,
+                 bool has_few_beams) {
   const Pose2 moved = inverse(from) * to;
-  return moved.position().norm() > options.insert_every_m ||
-         std::abs(moved.theta_rad) > radians(options.insert_every_deg);
+  const double every_m = has_few_beams ? options.insert_few_every_m : options.insert_every_m;
+  const double every_deg = has_few_beams ? options.insert_few_every_deg : options.insert_every_deg;
+  return moved.position().norm() > every_m || std::abs(moved.theta_rad) > radians(every_deg);
 }
 
 /// True when nearly every point found its wall, and near to where odometry had it.
 bool RoomLocalizer::is_at_ease(const ScanAlignment& aligned, const PosePrior& prior) const {
   const Pose2 moved = inverse(prior.mean) * aligned.map_from_points;
-  return aligned.matched > options_.min_matched &&
+  return aligned.matched > min_matched() &&
          aligned.matched > options_.ease_share * aligned.points &&
          moved.position().norm() < options_.ease_sigmas * prior.position_sigma_m &&
          std::abs(moved.theta_rad) < options_.ease_sigmas * prior.heading_sigma_rad;
@@ -57,6 +59,7 @@ void RoomLocalizer::clear() {
   learner_.interrupt();
   map_ = LocalMap(options_.cell_m);
   waiting_.clear();
+  recent_.clear();
   last_added_.reset();
   recent_turn_rad_ = 0.0;
 }
@@ -67,7 +70,7 @@ std::optional<OdometryHabits> RoomLocalizer::habits() const {
 }
 
 bool RoomLocalizer::is_worth_adding(const Pose2& map_from_robot) const {
-  return !last_added_ || is_new_view(*last_added_, map_from_robot, options_);
+  return !last_added_ || is_new_view(*last_added_, map_from_robot, options_, has_few_);
 }
 
 void RoomLocalizer::insert(const Scan& scan, const Pose2& map_from_robot) {
@@ -76,7 +79,16 @@ void RoomLocalizer::insert(const Scan& scan, const Pose2& map_from_robot) {
 }
 
 void RoomLocalizer::add(const RangeReading& reading, const Pose2& asr_from_robot) {
-  if (!can_be_matched(reading) || !is_worth_adding(asr_from_robot)) return;
+  if (!can_be_matched(reading)) return;
+  has_few_ = recent_.are_needed(*reading.sensor);
+  if (!is_worth_adding(asr_from_robot)) return;
+  if (has_few_) {
+    Scan scan = scan_of(reading, options_.scan);
+    recent_.add_normals(scan, asr_from_robot);
+    recent_.add(scan, asr_from_robot);
+    insert(scan, asr_from_robot);
+    return;
+  }
   last_added_ = asr_from_robot;
   waiting_.emplace_back(reading, asr_from_robot);
 }
@@ -118,12 +130,14 @@ Pose2 RoomLocalizer::locate(const RangeReading& reading, const Pose2& reckoned, 
   recent_turn_rad_ = kFade * recent_turn_rad_ + std::abs(step.theta_rad);
   if (!can_be_matched(reading)) return reckoned;
   insert_some_waiting();
-  const Scan scan = scan_of(reading, options_.scan);
+  has_few_ = recent_.are_needed(*reading.sensor);
+  Scan scan = scan_of(reading, options_.scan);
   const Pose2 before = reckoned * inverse(step);
   Pose2 pose = before * without_habits(step, learner_.habits());
+  if (has_few_) recent_.add_normals(scan, pose);
   if (!map_.empty()) {
     const ScanAlignment aligned = match(thinned(scan.points, options_.max_points), pose, step);
-    if (aligned.matched > options_.min_matched &&
+    if (aligned.matched > min_matched() &&
         aligned.matched > options_.min_matched_share * aligned.points) {
       pose = aligned.map_from_points;
       learner_.add(step, inverse(before) * pose, is_length_seen(aligned));
@@ -131,6 +145,7 @@ Pose2 RoomLocalizer::locate(const RangeReading& reading, const Pose2& reckoned, 
       learner_.interrupt();
     }
   }
+  if (has_few_) recent_.add(scan, pose);
   if (is_worth_adding(pose)) insert(scan, pose);
   return pose;
 }

@@ -46,8 +46,9 @@ Drive localized(const std::vector<RangeReading>& readings, Localizer& localizer,
 }
 
 /// Around the room, again and again.
-std::vector<RangeReading> laps(int count) {
+std::vector<RangeReading> laps(int count, int beams = 180) {
   LaserRobot robot;
+  robot.beams = beams;
   robot.noise_m = 0.01;
   Polyline way;
   for (int lap = 0; lap < count; ++lap) {
@@ -62,6 +63,19 @@ TEST(RoomLocalizer, StaysWithTheTruthWhileOdometryDriftsAway) {
   EXPECT_GT(drive.odometry_m, 0.5);
   EXPECT_LT(drive.worst_m, 0.04);
   EXPECT_LT(drive.worst_deg, 1.0);
+}
+
+TEST(RoomLocalizer, HoldsByFewBeamsWhatTheirLastSweepsTellTogether) {
+  const auto readings = laps(2, 24);
+  RoomLocalizer localizer{LocalizeOptions{}};
+  const Drive drive = localized(readings, localizer);
+  EXPECT_GT(drive.odometry_m, 0.5);
+  EXPECT_LT(drive.worst_m, 0.08);
+  EXPECT_LT(drive.worst_deg, 2.0);
+  LocalizeOptions alone;
+  alone.recent.few_beams = 0;
+  RoomLocalizer by_sweep{alone};
+  EXPECT_GT(localized(readings, by_sweep).worst_m, 0.3);
 }
 
 TEST(RoomLocalizer, LearnsTheHabitsOfOdometry) {
@@ -205,6 +219,7 @@ TEST(IsNewView, NeedsMotionOrATurn) {
   EXPECT_TRUE(is_new_view({1.0, 1.0, 3.1}, {1.08, 1.08, 3.1}, options));
   EXPECT_FALSE(is_new_view({1.0, 1.0, 3.1}, {1.0, 1.0, 3.1 + radians(3.9) - 2.0 * kPi}, options));
   EXPECT_TRUE(is_new_view({1.0, 1.0, 3.1}, {1.0, 1.0, 3.1 + radians(4.1) - 2.0 * kPi}, options));
+  EXPECT_TRUE(is_new_view({1.0, 1.0, 3.1}, {1.05, 1.05, 3.1}, options, true));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "roomatlas/match/align.hpp"
+#include "roomatlas/match/recent_sweeps.hpp"
 #include "roomatlas/odometry/habits.hpp"
 #include "roomatlas/odometry/noise.hpp"
 
@@ -39,6 +40,10 @@ struct LocalizeOptions {
                                   ///< odometry's lengths are learnt
   double insert_every_m = 0.10;   ///< a sweep enters the map after this much motion ...
   double insert_every_deg = 4.0;  ///< ... or turn
+  RecentSweepsOptions recent;     ///< of lasers with few beams, of which ...
+  int min_matched_of_few = 6;     ///< ... so many partners suffice, and ...
+  double insert_few_every_m = 0.03;  ///< ... each sweep enters the map sooner
+  double insert_few_every_deg = 1.5;
 };
 
 /// True for a sensor whose single sweeps can be matched.
@@ -66,11 +71,12 @@ class Localizer {
 /// Finds the robot in the room's own map, sweep by sweep, so that odometry's drift does not smear
 /// the walls. Remembers the room so far, and odometry's habits, which it takes out of each step;
 /// cost and memory do not depend on the mission's length.
+/// A laser of few beams takes the directions of walls from its last sweeps together.
 /// Sweeps of sonars are too sparse to be matched one by one: they are neither matched nor added.
 class RoomLocalizer : public Localizer {
  public:
   explicit RoomLocalizer(const LocalizeOptions& options)
-      : options_(options), map_(options.cell_m) {}
+      : options_(options), map_(options.cell_m), recent_(options.recent) {}
 
   void clear() override;
   void add(const RangeReading& reading, const Pose2& asr_from_robot) override;
@@ -93,11 +99,16 @@ class RoomLocalizer : public Localizer {
   [[nodiscard]] ScanAlignment search_wide(const std::vector<ScanPoint>& points,
                                           const Pose2& predicted, double step_m,
                                           double turned_rad) const;
+  [[nodiscard]] int min_matched() const {
+    return has_few_ ? options_.min_matched_of_few : options_.min_matched;
+  }
   [[nodiscard]] bool is_length_seen(const ScanAlignment& aligned) const;
   [[nodiscard]] bool is_at_ease(const ScanAlignment& aligned, const PosePrior& prior) const;
 
   LocalizeOptions options_;
   LocalMap map_;
+  RecentSweeps recent_;   ///< of a laser with few beams
+  bool has_few_ = false;  ///< the sweep at hand is one of few beams
   HabitLearner learner_;
   std::vector<std::pair<RangeReading, Pose2>> waiting_;  ///< to be drawn, the newest first: a new
                                                          ///< room begins with many at once
@@ -106,6 +117,8 @@ class RoomLocalizer : public Localizer {
 };
 
 /// True when a sweep at `to` shows the room from elsewhere than one at `from`.
-[[nodiscard]] bool is_new_view(const Pose2& from, const Pose2& to, const LocalizeOptions& options);
+/// @param has_few_beams see `RecentSweeps::are_needed`
+[[nodiscard]] bool is_new_view(const Pose2& from, const Pose2& to, const LocalizeOptions& options,
+                               bool has_few_beams = false);
 
 }  // namespace roomatlas
