@@ -12,6 +12,10 @@ constexpr double kMaxFlatness = 0.15;   // spread across the line over spread al
 constexpr double kStraightM = 0.03;     // a line this straight ...
 constexpr double kRoughFlatness = 0.1;  // ... may be less elongated than one that is not
 
+constexpr double kNarrowRad = radians(170.0);  // a wider view has other walls to hold by than one
+                                               // that is near
+constexpr std::size_t kMostBeside = 60;  // beams on each side: more cost time and tell the same
+
 constexpr std::size_t kMostLasers = 16;
 constexpr double kSamePlaceM = 1e-6;  // beams that start nearer to each other are one laser's
 
@@ -20,20 +24,42 @@ struct Span {
   std::size_t last = 0;  // included
 };
 
+/// How far to each side of a beam the surface is followed.
+struct Reach {
+  std::size_t beams = 0;  ///< so many in any case ...
+  std::size_t most = 0;   ///< ... and up to so many ...
+  double least_m = 0.0;   ///< ... while this is not reached
+};
+
+Reach reach_of(const RangeSensor& sensor, const ScanOptions& options) {
+  const auto beams = static_cast<std::size_t>(options.normal_neighbors);
+  const std::vector<Pose2>& at = sensor.robot_from_beam;
+  const double apart_rad =
+      at.size() > 1 ? std::abs(wrap_angle(at[1].theta_rad - at[0].theta_rad)) : kPi;
+  const double view_rad = apart_rad * static_cast<double>(at.size());
+  const bool is_fine = apart_rad < options.fine_rad && view_rad < kNarrowRad;
+  return {beams, is_fine ? std::max(beams, kMostBeside) : beams, options.fine_reach_m};
+}
+
 /// The beams beside `at`, of its own laser, that lie on the same surface: each near the one before.
 Span surface_around(const std::vector<ScanPoint>& points, const Span& laser, std::size_t at,
-                    const ScanOptions& options) {
+                    const Reach& reach, const ScanOptions& options) {
   const auto joined = [&](std::size_t a, std::size_t b) {
     return points[a].is_hit && points[b].is_hit &&
            (points[a].position - points[b].position).norm() < options.normal_gap_m;
   };
-  const auto reach = static_cast<std::size_t>(options.normal_neighbors);
+  const auto goes_on = [&](std::size_t end, std::size_t beams) {
+    return beams < reach.beams ||
+           (beams < reach.most &&
+            (points[end].position - points[at].position).norm() < reach.least_m);
+  };
   Span span{at, at};
-  while (span.first > laser.first && at - span.first < reach &&
+  while (span.first > laser.first && goes_on(span.first, at - span.first) &&
          joined(span.first - 1, span.first)) {
     --span.first;
   }
-  while (span.last < laser.last && span.last - at < reach && joined(span.last, span.last + 1)) {
+  while (span.last < laser.last && goes_on(span.last, span.last - at) &&
+         joined(span.last, span.last + 1)) {
     ++span.last;
   }
   return span;
@@ -66,11 +92,12 @@ Point2 normal_of(const std::vector<ScanPoint>& points, const Span& span, const P
 }
 
 /// Sets the directions of one laser's surfaces.
-void set_normals(Scan& scan, const Span& laser, const Point2& sensor, const ScanOptions& options) {
+void set_normals(Scan& scan, const Span& laser, const Point2& sensor, const Reach& reach,
+                 const ScanOptions& options) {
   for (std::size_t i = laser.first; i <= laser.last; ++i) {
     if (!scan.points[i].is_hit) continue;
     scan.points[i].normal =
-        normal_of(scan.points, surface_around(scan.points, laser, i, options), sensor);
+        normal_of(scan.points, surface_around(scan.points, laser, i, reach, options), sensor);
   }
 }
 
@@ -106,6 +133,7 @@ Scan scan_of(const RangeReading& reading, const ScanOptions& options) {
   const std::size_t middle = firsts.size() > 1 ? 0 : sensor.robot_from_beam.size() / 2;
   scan.sensor = sensor.robot_from_beam[middle].position();
   firsts.push_back(reading.ranges_m.size());
+  const Reach reach = reach_of(sensor, options);
   scan.points.reserve(reading.ranges_m.size());
   for (std::size_t laser = 0; laser + 1 < firsts.size(); ++laser) {
     const std::size_t first_point = scan.points.size();
@@ -115,7 +143,7 @@ Scan scan_of(const RangeReading& reading, const ScanOptions& options) {
       add_point(scan, sensor.robot_from_beam[i], reading.ranges_m[i], sensor.max_range_m, options);
     }
     if (scan.points.size() == first_point) continue;
-    set_normals(scan, {first_point, scan.points.size() - 1}, from, options);
+    set_normals(scan, {first_point, scan.points.size() - 1}, from, reach, options);
   }
   return scan;
 }

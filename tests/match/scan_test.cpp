@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace roomatlas {
 namespace {
@@ -47,6 +48,35 @@ TEST(Scan, TheNormalsOfAWallArePerpendicularToItAndLookAtTheSensor) {
     }
     EXPECT_GT(with_normal, 50) << angle_deg;
   }
+}
+
+/// How many points of a noisy sweep from near a wall have a direction more than 20 degrees off it.
+int normals_astray(const ScanOptions& options) {
+  constexpr int kBeams = 401;
+  std::mt19937 engine(5);
+  std::normal_distribution<double> noise(0.0, 0.02);
+  auto sensor = std::make_shared<RangeSensor>();
+  sensor->max_range_m = 10.0;
+  RangeReading reading;
+  for (int i = 0; i < kBeams; ++i) {
+    const double at_rad = radians(-40.0 + 80.0 * i / (kBeams - 1));
+    sensor->robot_from_beam.push_back({0.0, 0.0, at_rad});
+    reading.ranges_m.push_back(static_cast<float>(0.6 / std::cos(at_rad) + noise(engine)));
+  }
+  reading.sensor = sensor;
+  int astray = 0;
+  for (const ScanPoint& point : scan_of(reading, options).points) {
+    const bool is_told = point.normal.squaredNorm() > 0.0;
+    if (is_told && -point.normal.x() < std::cos(radians(20.0))) ++astray;
+  }
+  return astray;
+}
+
+TEST(Scan, FineBeamsOnANearWallTellItsDirectionInSpiteOfTheirNoise) {
+  ScanOptions options;
+  EXPECT_LT(normals_astray(options), 20);
+  options.fine_rad = 0.0;
+  EXPECT_GT(normals_astray(options), 200);
 }
 
 TEST(Scan, ANormalIsNotDrawnAcrossAGap) {
