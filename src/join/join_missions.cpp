@@ -42,16 +42,30 @@ class Component {
         placement_[id] = piece.place.building_from_query * mission.mission_from_asr.at(id);
       }
     }
-    match(mission);
+    const std::vector<Closure> found = matched(mission, near_, options_.window);
+    closures_.insert(closures_.end(), found.begin(), found.end());
     missions_.push_back(&mission);
     solve_joint(missions_, options_, placement_, closures_);
     missions_.pop_back();
     take_in(mission);
-    MissionMap placed{mission.shapes, {}, mission.sensor};
+    MissionMap placed{mission.shapes, {}, mission.sensor, {}};
     for (const AsrShape& shape : mission.shapes) {
       placed.mission_from_asr[shape.id] = placement_.at(shape.id);
     }
     index_.add(sketch_of(placed));
+  }
+
+  /// Once all are placed: every visit is matched again with those of other missions that came to
+  /// lie near, farther around, and what was found before is forgotten.
+  void match_again() {
+    VisitsNear near(options_.near_m);
+    closures_.clear();
+    for (const MissionMap* mission : missions_) {
+      const std::vector<Closure> found = matched(*mission, near, options_.again_window);
+      closures_.insert(closures_.end(), found.begin(), found.end());
+      for (const AsrShape& shape : mission->shapes) near.add(shape, placement_.at(shape.id));
+    }
+    solve_joint(missions_, options_, placement_, closures_);
   }
 
  private:
@@ -69,22 +83,25 @@ class Component {
     }
   }
 
-  /// Each visit with the nearest ones that are joined already.
-  void match(const MissionMap& mission) {
+  /// Each visit with the nearest ones of other missions that are joined already.
+  /// @param visits where these are
+  [[nodiscard]] std::vector<Closure> matched(const MissionMap& mission, const VisitsNear& visits,
+                                             const SearchWindow& window) const {
     std::vector<Pair> pairs;
     for (const AsrShape& shape : mission.shapes) {
-      const std::vector<Pair> near = nearest(shape);
+      const std::vector<Pair> near = nearest_to(shape, visits);
       pairs.insert(pairs.end(), near.begin(), near.end());
     }
-    const auto matches = results_of<Closure>(
-        pairs.size(), jobs_, [&](std::size_t k) { return tried(pairs[k], mission.sensor); });
-    closures_.insert(closures_.end(), matches.begin(), matches.end());
+    return results_of<Closure>(pairs.size(), jobs_, [&](std::size_t k) {
+      return tried(pairs[k], mission.sensor, window);
+    });
   }
 
-  [[nodiscard]] std::vector<Pair> nearest(const AsrShape& shape) const {
+  [[nodiscard]] std::vector<Pair> nearest_to(const AsrShape& shape,
+                                             const VisitsNear& visits) const {
     std::vector<Pair> near;
     const Pose2& pose = placement_.at(shape.id);
-    for (const AsrId id : near_.near(shape, pose)) {
+    for (const AsrId id : visits.near(shape, pose)) {
       const AsrShape& other = *shapes_.at(id).shape;
       const double apart_m = path_distance_m(other, shape, inverse(placement_.at(id)) * pose);
       if (apart_m <= options_.near_m) near.push_back({&other, &shape, apart_m});
@@ -95,13 +112,14 @@ class Component {
     return near;
   }
 
-  [[nodiscard]] Closure tried(const Pair& pair, SensorKind sensor) const {
+  [[nodiscard]] Closure tried(const Pair& pair, SensorKind sensor,
+                              const SearchWindow& window) const {
     Closure closure;
     closure.from = pair.first->id;
     closure.to = pair.second->id;
     const Pose2 guess = inverse(placement_.at(closure.from)) * placement_.at(closure.to);
-    closure.match = SearchableMap(pair.first->map, options_.match)
-                        .find(pair.second->points, guess, options_.window);
+    closure.match =
+        SearchableMap(pair.first->map, options_.match).find(pair.second->points, guess, window);
     const bool is_laser =
         sensor == SensorKind::laser && shapes_.at(pair.first->id).sensor == SensorKind::laser;
     closure.verdict =
@@ -162,6 +180,10 @@ JoinedMissions join_missions(const std::vector<MissionMap>& missions, const Join
         mission.component = number;
         at = open.erase(at);
       }
+    }
+    for (int round = 0; component.missions() > 1 && round < options.rounds; ++round) {
+      report(progress, "join missions again", static_cast<double>(round) / options.rounds);
+      component.match_again();
     }
     joined.placement.insert(component.placement().begin(), component.placement().end());
     joined.closures.insert(joined.closures.end(), component.closures().begin(),

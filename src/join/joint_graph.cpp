@@ -25,9 +25,16 @@ class OwnMeasurements {
   OwnMeasurements(const MissionMap& mission, const JoinOptions& options)
       : mission_(mission),
         sigmas_(mission.sensor == SensorKind::laser ? options.laser : options.sonar),
+        robust_sigmas_(options.robust_sigmas),
         neighbours_(static_cast<std::size_t>(std::max(0, options.own_neighbours))) {}
 
   void add_to(PoseGraph& graph, const std::map<AsrId, std::int32_t>& node_of) const {
+    for (const OwnMeasurement& one : mission_.measured) {
+      graph.edges.push_back({node_of.at(one.from), node_of.at(one.to),
+                             one.is_closure ? EdgeKind::loop : EdgeKind::odometry, one.from_from_to,
+                             one.information, one.is_closure ? robust_sigmas_ : 0.0});
+    }
+    if (!mission_.measured.empty()) return;
     for (std::size_t i = 1; i < mission_.shapes.size(); ++i) {
       for (const std::size_t earlier : held_to(i)) {
         const Pose2 between = inverse(pose(earlier)) * pose(i);
@@ -60,6 +67,7 @@ class OwnMeasurements {
 
   const MissionMap& mission_;
   const OwnSigmas& sigmas_;
+  double robust_sigmas_;
   std::size_t neighbours_;
 };
 

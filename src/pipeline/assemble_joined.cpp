@@ -14,6 +14,7 @@
 #include "roomatlas/asr/shared_source.hpp"
 #include "roomatlas/core/for_each_index.hpp"
 #include "roomatlas/locate/sonar_shape.hpp"
+#include "roomatlas/loops/visit_graph.hpp"
 #include "strategies.hpp"
 
 namespace roomatlas {
@@ -34,6 +35,19 @@ struct Candidate {
   std::size_t walls = 0;   ///< wall points: how much was seen
   AsrId offset = 0;        ///< what its visits' numbers are raised by
 };
+
+/// What a laser's mission measured between its visits.
+std::vector<OwnMeasurement> measured_of(const AssemblyStore& store, const Options& options) {
+  const PoseGraph graph = pose_graph_of(build_graph(load(store, AsrDetail::path)), store.closures(),
+                                        options.assemble.correct);
+  const auto id = [&](std::int32_t node) { return graph.ids[static_cast<std::size_t>(node)]; };
+  std::vector<OwnMeasurement> measured;
+  for (const PoseEdge& edge : graph.edges) {
+    measured.push_back({id(edge.from), id(edge.to), edge.from_from_to, edge.information,
+                        edge.kind == EdgeKind::loop});
+  }
+  return measured;
+}
 
 Candidate candidate_of(std::size_t index, const AssemblyStore& store, const Options& options) {
   if (!store.has_assembly()) {
@@ -62,6 +76,7 @@ Candidate candidate_of(std::size_t index, const AssemblyStore& store, const Opti
   }
   if (2 * sonars > shaped.size()) candidate.sensor = SensorKind::sonar;
   candidate.map.sensor = candidate.sensor;
+  if (sonars == 0) candidate.map.measured = measured_of(store, options);
   return candidate;
 }
 
@@ -82,6 +97,10 @@ void renumber(MissionMap& map, AsrId offset) {
   for (const auto& [id, pose] : map.mission_from_asr) placement[id + offset] = pose;
   map.mission_from_asr = std::move(placement);
   for (AsrShape& shape : map.shapes) shape.id += offset;
+  for (OwnMeasurement& one : map.measured) {
+    one.from += offset;
+    one.to += offset;
+  }
 }
 
 Closure renumbered(Closure closure, const std::map<AsrId, AsrId>& number) {

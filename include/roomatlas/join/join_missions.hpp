@@ -23,11 +23,13 @@ struct JoinOptions {
   int own_neighbours = 3;  ///< earlier visits of a mission that each visit is held to
   double near_m = 3.0;     ///< visits whose paths come this near to each other are matched ...
   int max_matches = 3;     ///< ... the nearest of other missions, so many at most
-  SearchWindow window{0.5, radians(2.5)};  ///< around where the mission was placed
-  int min_agreeing = 60;                   ///< points on common walls, of lasers ...
-  int min_agreeing_sonar = 30;             ///< ... and where one of the two is a sonars' visit
-  double min_agreement = 0.65;             ///< of the points that can tell
-  double robust_sigmas = 2.0;              ///< matches off by more lose weight (Cauchy)
+  SearchWindow window{0.5, radians(2.5)};        ///< around where the mission was placed
+  SearchWindow again_window{1.2, radians(4.0)};  ///< once all are placed: what a mission bent ...
+  int rounds = 2;                                ///< ... is straightened in so many rounds
+  int min_agreeing = 60;                         ///< points on common walls, of lasers ...
+  int min_agreeing_sonar = 30;  ///< ... and where one of the two is a sonars' visit
+  double min_agreement = 0.65;  ///< of the points that can tell
+  double robust_sigmas = 2.0;   ///< matches off by more lose weight (Cauchy)
 };
 
 /// What became of one mission.

@@ -8,12 +8,23 @@
 
 namespace roomatlas {
 
+/// What a mission measured of one of its visits against another.
+struct OwnMeasurement {
+  AsrId from = 0;
+  AsrId to = 0;
+  Pose2 from_from_to;
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< in the frame of `to`
+  bool is_closure = false;                                ///< matched by walls, not driven
+};
+
 /// A mission as others are matched with it: its visits, each where the mission's own correction
 /// puts it.
 struct MissionMap {
   std::vector<AsrShape> shapes;           ///< ascending by id, in the order of the drive
   Placement mission_from_asr;             ///< of each of them
   SensorKind sensor = SensorKind::laser;  ///< sonars' corrections bend more
+  /// What its correction was made of; empty: only how it came out is known.
+  std::vector<OwnMeasurement> measured;
 };
 
 struct PlaceMissionOptions {
