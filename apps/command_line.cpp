@@ -42,6 +42,7 @@ struct Arguments {
   std::vector<std::string> formats = export_formats();
   bool print_config = false;
   OptimizeArguments optimize;
+  CompareArguments compare;
 };
 
 CLI::Option* positional(CLI::App* command, const char* name, Path& value, const char* meaning) {
@@ -170,6 +171,20 @@ void add_optimize(CLI::App* command, OptimizeArguments& a) {
       ->configurable(false);
 }
 
+void add_compare(CLI::App* command, CompareArguments& a) {
+  positional(command, "OLD", a.before, "assembled store of the older mission");
+  positional(command, "NEW", a.after, "assembled store of the newer mission");
+  command
+      ->add_option("--old-from-new", a.old_from_new,
+                   "X,Y,DEG: about where the new building's frame lies in the old one; without it, "
+                   "looked for within 3 m and 20 deg")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(finite())
+      ->configurable(false);
+  output(command, a.out, "folder for changes.svg, changes.png, changes.geojson and changes.csv");
+}
+
 /// The commands with their files; what runs is left in `chosen`.
 class Commands {
  public:
@@ -268,6 +283,10 @@ class Commands {
         ->configurable(false);
     add_truth(evaluate, a_);
     add_comparison_files(evaluate, a_.comparison);
+
+    add_compare(command("compare", "what changed between two missions in one building",
+                        [this] { apps::compare(settings_, a_.compare); }),
+                a_.compare);
 
     CLI::App* report =
         command("report", "a page to look at in a browser: map, rooms, correction, errors",

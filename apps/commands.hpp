@@ -46,6 +46,14 @@ struct BuildArguments {
   bool strict = false;  ///< a doubtful map ends with exit code 5
 };
 
+/// Files and choices of `compare`.
+struct CompareArguments {
+  Path before;                       ///< store of the older mission
+  Path after;                        ///< and of the newer one
+  std::vector<double> old_from_new;  ///< x and y in metres, heading in degrees; or empty
+  Path out;
+};
+
 // Each command reads, makes one call of the library, writes and reports. They throw what the
 // library throws; `main` turns that into an exit code.
 
@@ -67,6 +75,8 @@ void export_all(const Settings& settings, const Path& store,
 void evaluate(const Settings& settings, const std::vector<Path>& files,
               const std::vector<Path>& truth_files, const TrajectoryFlags& flags,
               const ComparisonFiles& results);
+/// What changed between two missions in one building.
+void compare(const Settings& settings, const CompareArguments& arguments);
 /// The report page as one file.
 void report(const Settings& settings, const Path& store, const std::vector<Path>& truth,
             const TrajectoryFlags& flags, const Path& out);

@@ -43,25 +43,30 @@ std::ptrdiff_t count_of_doors(const FloorPlan& plan) {
                        [](const PlanDoor& door) { return door.kind == DoorKind::door; });
 }
 
-void add_heading(pugi::xml_node group, const Cell& cell, const FloorPlan& plan,
-                 const PlanAnnotations& annotations) {
-  const bool has_title = !plan.title.empty() && plan.title != annotations.mission;
-  const std::string title = has_title ? plan.title : "Floor plan";
+std::vector<std::string> lines_of(const PlanAnnotations& annotations) {
+  std::vector<std::string> lines;
+  if (!annotations.mission.empty()) {
+    const char* const kind = annotations.path_length_m > 0.0 ? "Mission " : "Map ";
+    lines.push_back(kind + annotations.mission);
+  }
+  if (!annotations.date.empty()) lines.push_back("Recorded " + annotations.date);
+  return lines;
+}
+
+void add_heading(pugi::xml_node group, const Cell& cell, const TitleStrip& strip) {
   const double width = cell.width() - 2.0 * kCompassRadius_mm;  // but for the line below it
   const auto add_row = [&](int line, const std::string& text, const TextStyle& style) {
     add_text(group, {cell.left(), cell.baseline(line) + (line > 0 ? 0.6 : 0.0)},
              shortened(text, line < 4 ? width : cell.width(), style.size_mm, style.weight), style);
   };
   double title_mm = 4.2;
-  while (title_mm > 2.6 && text_width_mm(title, title_mm, Weight::bold) > width) title_mm -= 0.2;
-  add_row(0, title, {title_mm, Weight::bold, Anchor::start, kInk});
-  int line = 1;
-  if (!annotations.mission.empty()) {
-    const char* const kind = annotations.path_length_m > 0.0 ? "Mission " : "Map ";
-    add_row(line++, kind + annotations.mission, {kText_mm, Weight::normal, {}, kInk});
+  while (title_mm > 2.6 && text_width_mm(strip.title, title_mm, Weight::bold) > width) {
+    title_mm -= 0.2;
   }
-  if (!annotations.date.empty()) {
-    add_row(line++, "Recorded " + annotations.date, {kText_mm, Weight::normal, {}, kInk});
+  add_row(0, strip.title, {title_mm, Weight::bold, Anchor::start, kInk});
+  int line = 1;
+  for (const std::string& text : strip.lines) {
+    add_row(line++, text, {kText_mm, Weight::normal, {}, kInk});
   }
   add_row(4, "Measured by a robot. Not a survey.", {2.1, Weight::normal, {}, kFaintInk});
 }
@@ -74,12 +79,6 @@ std::string accuracy_text(double accuracy_m) {
 std::string percent_text(double probability) {
   return fixed(std::min(99.0, 100.0 * probability), 0) + "\u00a0%";
 }
-
-/// A name and what is said of it; alone where there is nothing to be said.
-struct Fact {
-  std::string name;
-  std::string value;
-};
 
 std::vector<Fact> accuracy_facts(const PlanAccuracy& accuracy) {
   std::vector<Fact> facts;
@@ -155,8 +154,7 @@ void add_scale_bar(pugi::xml_node parent, const Point2& at, double longest_mm, d
   }
 }
 
-void add_title_block(pugi::xml_node svg, const FloorPlan& plan, const PlanAnnotations& annotations,
-                     const DrawOptions& options, const Sheet& sheet) {
+void add_title_strip(pugi::xml_node svg, const TitleStrip& strip, const Sheet& sheet) {
   pugi::xml_node group = add_layer(svg, "title");
   const Attributes frame = {{"fill", "none"}, {"stroke", kInk}, {"stroke-width", kFrame_mm}};
   add_rectangle(group, sheet.strip_mm, frame);
@@ -165,15 +163,15 @@ void add_title_block(pugi::xml_node svg, const FloorPlan& plan, const PlanAnnota
     add_line(group, cells[i].box.min, {cells[i].box.min.x(), cells[i].box.max.y()},
              {{"stroke", kInk}, {"stroke-width", kHairline_mm}});
   }
-  add_heading(group, cells[0], plan, annotations);
+  add_heading(group, cells[0], strip);
   add_compass(group,
               {cells[0].box.max.x() - kCompassRadius_mm - 1.5,
                cells[0].box.min.y() + kCompassRadius_mm + 1.5},
-              options.north_deg, sheet.turn_rad);
-  add_facts(group, cells[1], facts_of(plan, annotations));
+              strip.north_deg, sheet.turn_rad);
+  add_facts(group, cells[1], strip.facts);
   const Box2 legend{{cells[2].left(), cells[2].box.min.y()},
                     {cells[2].box.max.x() - kInset_mm, cells[2].box.max.y()}};
-  add_legend(group, legend, legend_of(plan, annotations, options, sheet.scale));
+  add_legend(group, legend, strip.legend);
   const Cell& last = cells[3];
   add_text(group, {last.left(), last.baseline(0)}, "Scale", {kText_mm, {}, {}, kFaintInk});
   add_text(group, {last.left() + last.width(), last.baseline(0)},
@@ -187,6 +185,16 @@ void add_title_block(pugi::xml_node svg, const FloorPlan& plan, const PlanAnnota
            {kText_mm, {}, Anchor::end, kInk});
   add_scale_bar(group, {last.left() + 1.0, last.box.min.y() + 20.0}, last.width() - 6.0,
                 sheet.to_paper.mm_per_m);
+}
+
+void add_title_block(pugi::xml_node svg, const FloorPlan& plan, const PlanAnnotations& annotations,
+                     const DrawOptions& options, const Sheet& sheet) {
+  const bool has_title = !plan.title.empty() && plan.title != annotations.mission;
+  add_title_strip(svg,
+                  {has_title ? plan.title : "Floor plan", lines_of(annotations),
+                   facts_of(plan, annotations),
+                   legend_of(plan, annotations, options, sheet.scale), options.north_deg},
+                  sheet);
 }
 
 }  // namespace roomatlas::drawing

@@ -5,9 +5,31 @@
 
 #include "roomatlas/draw/draw.hpp"
 
+#include "legend.hpp"
+
 #include <pugixml.hpp>
 
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace roomatlas::drawing {
+
+/// A name and what is said of it; alone where there is nothing to be said.
+struct Fact {
+  std::string name;
+  std::string value;
+};
+
+/// What stands in the strip along the lower edge, beside scale and paper.
+struct TitleStrip {
+  std::string title;
+  std::vector<std::string> lines;  ///< below it, three at most
+  std::vector<Fact> facts;
+  std::vector<LegendEntry> legend;
+  std::optional<double> north_deg;  ///< see `add_compass`
+};
+void add_title_strip(pugi::xml_node svg, const TitleStrip& strip, const Sheet& sheet);
 
 /// The strip along the lower edge: what the sheet shows, measures, legend and scale.
 void add_title_block(pugi::xml_node svg, const FloorPlan& plan, const PlanAnnotations& annotations,

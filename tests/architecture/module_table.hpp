@@ -27,6 +27,8 @@ inline const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"rooms", {"core", "plan", "mission", "grid", "polyline", "asr", "graph"}},
     {"planar", {"core"}},
     {"draft", {"core", "plan", "mission", "grid", "polyline", "asr", "graph", "rooms", "planar"}},
+    {"changes",
+     {"core", "plan", "mission", "grid", "polyline", "match", "asr", "draft", "planar"}},
     {"merge", {"core", "plan", "planar"}},
     {"locate", {"core", "grid", "match", "asr", "sonar", "loops"}},
     {"join", {"core", "mission", "grid", "match", "asr", "solve", "loops", "locate"}},

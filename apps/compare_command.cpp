@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "commands.hpp"
+#include "console.hpp"
+#include "output_places.hpp"
+#include "roomatlas/changes/find_changes.hpp"
+#include "roomatlas/changes/lay_on.hpp"
+#include "roomatlas/correct/correct.hpp"
+#include "roomatlas/draw/changes.hpp"
+#include "roomatlas/io/files/files.hpp"
+#include "roomatlas/io/pictures/svg_pictures.hpp"
+#include "roomatlas/io/plans/changes_files.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
+#include "store_metadata.hpp"
+
+namespace roomatlas::apps {
+namespace {
+
+constexpr SearchWindow kAroundGiven{1.0, radians(5.0)};  // of a pose that somebody measured
+
+/// Refuses a store that holds no mission that can be compared.
+AssembledMission mission_of(const GeoPackageStore& store, const Path& file) {
+  if (!store.has_assembly()) {
+    throw NotEnoughError(file.string() +
+                         ": not assembled yet: run `roomatlas assemble` on it first");
+  }
+  AssembledMission mission{&store, placement_of(store.correction()), store.plan(),
+                           store.mission().footprint};
+  const std::vector<AsrId> ids = store.ids();
+  if (ids.empty()) {
+    throw NotEnoughError(file.string() +
+                         ": holds a finished map and no readings, expected a mission: changes are "
+                         "told by what both missions' readings saw");
+  }
+  if (store.get(ids.front(), AsrDetail::readings).readings.empty()) {
+    throw NotEnoughError(file.string() +
+                         ": was stored without its readings; map the log again without "
+                         "--no-keep-readings");
+  }
+  return mission;
+}
+
+/// The new mission in the old one's frame.
+AssembledMission laid_on(const AssembledMission& before, const AssembledMission& after,
+                         const CompareArguments& arguments, const Progress& progress,
+                         Pose2& old_from_new) {
+  Pose2 guess;
+  LayOnOptions options;
+  if (!arguments.old_from_new.empty()) {
+    guess = {arguments.old_from_new[0], arguments.old_from_new[1],
+             wrap_angle(radians(arguments.old_from_new[2]))};
+    options.around = kAroundGiven;
+  }
+  const std::optional<LaidOn> laid = lay_on(before, after, guess, options, progress);
+  if (!laid) {
+    throw NotEnoughError(fmt::format(
+        "{} and {}: nothing in common within {:.0f} m and {:.0f} deg: give where the new building's "
+        "frame lies in the old one with --old-from-new X,Y,DEG",
+        arguments.before.string(), arguments.after.string(), options.around.reach_m,
+        degrees(options.around.reach_rad)));
+  }
+  old_from_new = laid->old_from_new;
+  return {after.source, laid->placement, moved(after.plan, old_from_new), after.footprint};
+}
+
+std::string place_of(const Change& change) {
+  return change.room ? change.room_name : std::string("outside of rooms");
+}
+
+void print(const PlanChanges& found) {
+  fmt::print("new building in the old one: {:.2f} m, {:.2f} m, {:.2f} deg; {:.0f} m2 seen by both\n",
+             found.old_from_new.x_m, found.old_from_new.y_m, degrees(found.old_from_new.theta_rad),
+             found.compared_m2);
+  if (!found.tells_changes) {
+    fmt::print("sonars: what stands where is not told by echoes, rooms alone are compared\n");
+  }
+  for (const Change& change : found.changes) {
+    fmt::print("{:4}  {:<17} {:5.2f} m  at {:7.2f}, {:7.2f}  in {}; readings {} then, {} now\n",
+               change.id, to_string(change.kind), change.size_m, change.at.x(), change.at.y(),
+               place_of(change), change.before.readings(), change.after.readings());
+  }
+  for (const OneSidedRoom& room : found.rooms) {
+    fmt::print("      {}: {}, {:.1f} m2, {:.0f} % of it seen from outside\n", to_string(room),
+               room.name, room.area_m2, 100.0 * room.seen_share);
+  }
+  if (found.tells_changes && found.changes.empty()) fmt::print("nothing changed\n");
+}
+
+}  // namespace
+
+void compare(const Settings& settings, const CompareArguments& arguments) {
+  const GeoPackageStore old_store(arguments.before, GeoPackageStore::Mode::read);
+  const GeoPackageStore new_store(arguments.after, GeoPackageStore::Mode::read);
+  const AssembledMission before = mission_of(old_store, arguments.before);
+  const AssembledMission after = mission_of(new_store, arguments.after);
+  make_folder(arguments.out);
+
+  const Progress progress = console_progress(settings);
+  Pose2 old_from_new;
+  const AssembledMission laid = laid_on(before, after, arguments, progress, old_from_new);
+  PlanChanges found = find_changes(before, laid, {}, progress, settings.jobs);
+  found.old_from_new = old_from_new;
+
+  const std::string svg = draw_changes(
+      before.plan, laid.plan, found,
+      {old_store.mission().file, date_of(old_store.metadata()), new_store.mission().file,
+       date_of(new_store.metadata())},
+      settings.draw);
+  write_file(arguments.out / "changes.svg", svg);
+  write_png(arguments.out / "changes.png", svg, settings.png_dpi);
+  write_file(arguments.out / "changes.geojson", changes_geojson(found));
+  write_file(arguments.out / "changes.csv", changes_csv(found));
+  if (settings.json) {
+    fmt::print("{}", changes_json(found));
+  } else {
+    print(found);
+  }
+}
+
+}  // namespace roomatlas::apps

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "changes/score_changes.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+
+namespace roomatlas::bench {
+namespace {
+
+constexpr double kNear_m = 0.75;  // from the middle of what was altered
+
+/// Doors, furniture or walls.
+int family_of(ChangeKind kind) { return static_cast<int>(kind) / 3; }
+
+double distance_m(const Alteration& alteration, const Point2& at) {
+  return std::min((alteration.from - at).norm(), (alteration.to - at).norm());
+}
+
+std::string remark(const char* what, ChangeKind kind, const Point2& at) {
+  char text[128];
+  std::snprintf(text, sizeof text, "%s: %s at %.2f, %.2f", what, to_string(kind), at.x(), at.y());
+  return text;
+}
+
+}  // namespace
+
+double ChangeScore::precision() const {
+  return found + invented > 0 ? static_cast<double>(found) / (found + invented) : 1.0;
+}
+
+double ChangeScore::recall() const {
+  return altered > 0 ? static_cast<double>(found) / altered : 1.0;
+}
+
+double ChangeScore::f1() const {
+  const double sum = precision() + recall();
+  return sum > 0.0 ? 2.0 * precision() * recall() / sum : 0.0;
+}
+
+void ChangeScore::add(const ChangeScore& other) {
+  altered += other.altered;
+  found += other.found;
+  named += other.named;
+  invented += other.invented;
+}
+
+ChangeScore scored(const std::vector<Alteration>& alterations, const std::set<RoomId>& seen,
+                   const std::vector<Change>& changes, const Pose2& world_from_old) {
+  ChangeScore score;
+  std::vector<bool> is_told(alterations.size(), false);
+  for (const Change& change : changes) {
+    const Point2 at = world_from_old * change.at;
+    std::size_t best = alterations.size();
+    double least_m = kNear_m;
+    for (std::size_t i = 0; i < alterations.size(); ++i) {
+      if (is_told[i] || family_of(alterations[i].kind) != family_of(change.kind)) continue;
+      if (distance_m(alterations[i], at) > least_m) continue;
+      least_m = distance_m(alterations[i], at);
+      best = i;
+    }
+    if (best == alterations.size()) {
+      ++score.invented;
+      score.remarks.push_back(remark("invented", change.kind, at));
+      continue;
+    }
+    is_told[best] = true;
+    const auto& rooms = alterations[best].rooms;
+    if (std::none_of(rooms.begin(), rooms.end(), [&](RoomId id) { return seen.contains(id); })) {
+      continue;
+    }
+    ++score.found;
+    if (alterations[best].kind == change.kind) {
+      ++score.named;
+    } else {
+      score.remarks.push_back(remark("misnamed", change.kind, at) + ", is " +
+                              to_string(alterations[best].kind));
+    }
+  }
+  for (std::size_t i = 0; i < alterations.size(); ++i) {
+    const auto& rooms = alterations[i].rooms;
+    if (std::none_of(rooms.begin(), rooms.end(), [&](RoomId id) { return seen.contains(id); })) {
+      continue;
+    }
+    ++score.altered;
+    if (!is_told[i]) {
+      score.remarks.push_back(remark("missed", alterations[i].kind, alterations[i].to));
+    }
+  }
+  return score;
+}
+
+}  // namespace roomatlas::bench

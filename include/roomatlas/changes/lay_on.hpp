@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "roomatlas/changes/assembled_mission.hpp"
+#include "roomatlas/core/progress.hpp"
+#include "roomatlas/match/match_maps.hpp"
+#include "roomatlas/match/room_localizer.hpp"
+
+namespace roomatlas {
+
+/// How one mission's building is laid on another's.
+struct LayOnOptions {
+  LocalizeOptions localize;                  ///< how readings become a map
+  MatchMapsOptions match;
+  SearchWindow around{3.0, radians(20.0)};   ///< the guess; wider takes longer
+  int min_agreeing = 150;      ///< of 1500 points of the new map: fewer walls in common prove nothing
+  double min_agreement = 0.5;  ///< of the points that can tell. Lower than between two visits of a
+                               ///< mission: a building may be altered
+  // A visit is then moved by itself onto the old map, where maps bend otherwise:
+  double settle_m = 0.1;                ///< a step of one sigma of its place ...
+  double settle_rad = radians(0.5);     ///< ... and heading
+  double settled_share = 0.5;  ///< of its points on walls of the old map; fewer leave it where it is
+};
+
+/// A mission in another one's frame.
+struct LaidOn {
+  Pose2 old_from_new;
+  Placement placement;     ///< old_from_asr of each ASR of the new mission
+  double agreement = 0.0;  ///< of the points of the new map that can tell, [0, 1]
+};
+
+/// Lays the laser map of a mission on that of another, near a guess.
+/// @param guess_old_from_new of the two building frames
+/// @returns nothing where the two have too little in common, or no laser readings
+/// @throws InputError for an ASR without its readings, Interrupted when `progress` says so
+[[nodiscard]] std::optional<LaidOn> lay_on(const AssembledMission& before,
+                                           const AssembledMission& after,
+                                           const Pose2& guess_old_from_new,
+                                           const LayOnOptions& options,
+                                           const Progress& progress = {});
+
+}  // namespace roomatlas

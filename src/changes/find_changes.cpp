@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/changes/find_changes.hpp"
+
+#include <algorithm>
+
+#include "things.hpp"
+#include "unseen.hpp"
+
+namespace roomatlas {
+namespace {
+
+using namespace changes;
+
+CellBox around(const CellBox& a, const CellBox& b) {
+  if (a.count() == 0) return b;
+  if (b.count() == 0) return a;
+  return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y)},
+          {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y)}};
+}
+
+/// Enough readings of it, over long enough, and enough that say that it is not there.
+bool is_sure(const Altered& altered, const ChangeOptions& options) {
+  const Witness& of_it = altered.is_new ? altered.after : altered.before;
+  const Witness& of_nothing = altered.is_new ? altered.before : altered.after;
+  return of_it.hits >= options.min_readings && of_it.lasting_s >= options.min_lasting_s &&
+         of_nothing.passes >= options.min_readings;
+}
+
+/// Both missions' groups of cells, with what their readings say of them.
+std::vector<Altered> altered_in(const AssembledMission& before, const AssembledMission& after,
+                                const SeenCells& then, const SeenCells& now,
+                                const ChangeOptions& options, const Progress& progress, int jobs) {
+  const CellFrame frame{options.evidence.cell_m};
+  std::vector<CellGroup> groups = groups_of(only_in(then, now, frame.cell_m, options),
+                                            frame.cell_m, options);
+  const std::size_t gone = groups.size();
+  const std::vector<CellGroup> appeared =
+      groups_of(only_in(now, then, frame.cell_m, options), frame.cell_m, options);
+  groups.insert(groups.end(), appeared.begin(), appeared.end());
+  const auto by_before = ask(before, groups, options.evidence, progress, jobs);
+  const auto by_after = ask(after, groups, options.evidence, progress, jobs);
+
+  std::vector<Altered> altered;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    Altered one{i >= gone, {}, by_before[i], by_after[i]};
+    for (const Cell& cell : groups[i]) one.points.push_back(frame.center_of(cell));
+    if (is_sure(one, options)) altered.push_back(std::move(one));
+  }
+  return altered;
+}
+
+}  // namespace
+
+PlanChanges find_changes(const AssembledMission& before, const AssembledMission& after,
+                         const ChangeOptions& options, const Progress& progress, int jobs) {
+  const auto gathered = [&](const AssembledMission& mission) {
+    return gather_evidence(*mission.source, mission.placement, mission.footprint, options.evidence,
+                           progress, jobs);
+  };
+  const BuildingEvidence of_before = gathered(before);
+  const BuildingEvidence of_after = gathered(after);
+  const CellFrame frame{options.evidence.cell_m};
+  const CellBox box = around(of_before.counts.box(), of_after.counts.box());
+  const SeenCells then = seen_cells(of_before, box, options);
+  const SeenCells now = seen_cells(of_after, box, options);
+
+  PlanChanges found;
+  found.tells_changes = of_before.kind == SensorKind::laser && of_after.kind == SensorKind::laser;
+  if (found.tells_changes) {
+    const std::vector<Altered> altered =
+        altered_in(before, after, then, now, options, progress, jobs);
+    found.changes = changes_of(altered, before.plan, after.plan, options);
+  }
+  const Seen seen_before{then, of_before.building_from_robot, before.plan};
+  const Seen seen_after{now, of_after.building_from_robot, after.plan};
+  found.rooms = one_sided_rooms(seen_before, seen_after, frame);
+  found.not_seen_again = not_seen_again(seen_before, now, frame, options);
+  found.compared_m2 = static_cast<double>(both(then.clear, now.clear).count()) * frame.cell_m *
+                      frame.cell_m;
+  return found;
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/changes/lay_on.hpp"
+
+#include <vector>
+
+#include "roomatlas/asr/load.hpp"
+
+namespace roomatlas {
+namespace {
+
+/// The views of an ASR that are worth adding to a map.
+template <typename Visit>
+void for_each_view(const Asr& asr, const LocalizeOptions& localize, Visit visit) {
+  std::optional<Pose2> last;
+  for (std::size_t i = 0; i < asr.readings.size(); ++i) {
+    const Pose2& pose = asr.path[i].asr_from_robot;
+    if (!can_be_matched(asr.readings[i]) || (last && !is_new_view(*last, pose, localize))) continue;
+    last = pose;
+    visit(scan_of(asr.readings[i], localize.scan), pose);
+  }
+}
+
+/// Adds all of a mission to a map, and hands on the points of each visit, in its own frame.
+template <typename Visit>
+LocalMap map_of(const AssembledMission& mission, const LayOnOptions& options,
+                const Progress& progress, Visit visit) {
+  LocalMap map(options.localize.cell_m);
+  const std::vector<AsrId> ids = mission.source->ids();
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    report(progress, "lay on each other", share_of(i, ids.size()));
+    const Asr asr = load_with_readings(*mission.source, ids[i]);
+    const Pose2& placed = mission.placement.at(asr.id);
+    LocalMap own(options.localize.cell_m);
+    for_each_view(asr, options.localize, [&](const Scan& scan, const Pose2& asr_from_robot) {
+      map.add(scan, placed * asr_from_robot);
+      own.add(scan, asr_from_robot);
+    });
+    visit(asr.id, points_of(own, options.match));
+  }
+  return map;
+}
+
+/// Where a visit fits the old map best, near where the whole put it.
+Pose2 settled(const LocalMap& old_map, const std::vector<ScanPoint>& points,
+              const Pose2& old_from_asr, const LayOnOptions& options) {
+  const PosePrior prior{old_from_asr, options.settle_m, options.settle_rad};
+  const ScanAlignment aligned =
+      align(old_map, points, old_from_asr, prior, options.match.align);
+  const Pose2 moved = inverse(old_from_asr) * aligned.map_from_points;
+  const bool is_found = aligned.matched >= options.settled_share * aligned.points &&
+                        aligned.points > 0 &&
+                        moved.position().norm() <= 2.0 * options.settle_m &&
+                        std::abs(moved.theta_rad) <= 2.0 * options.settle_rad;
+  return is_found ? aligned.map_from_points : old_from_asr;
+}
+
+}  // namespace
+
+std::optional<LaidOn> lay_on(const AssembledMission& before, const AssembledMission& after,
+                             const Pose2& guess_old_from_new, const LayOnOptions& options,
+                             const Progress& progress) {
+  const LocalMap old_map = map_of(before, options, progress, [](AsrId, const auto&) {});
+  std::map<AsrId, std::vector<ScanPoint>> points;
+  const LocalMap new_map =
+      map_of(after, options, progress, [&](AsrId id, std::vector<ScanPoint> of_visit) {
+        points[id] = thinned(of_visit, options.match.aligned_points);
+      });
+  if (old_map.empty() || new_map.empty()) return std::nullopt;
+  const MapMatch match = SearchableMap(old_map, options.match)
+                             .find(points_of(new_map, options.match), guess_old_from_new,
+                                   options.around);
+  if (match.agreeing < options.min_agreeing || match.agreement() < options.min_agreement) {
+    return std::nullopt;
+  }
+  LaidOn laid{match.first_from_second, {}, match.agreement()};
+  for (const auto& [id, of_visit] : points) {
+    laid.placement[id] =
+        settled(old_map, of_visit, laid.old_from_new * after.placement.at(id), options);
+  }
+  return laid;
+}
+
+}  // namespace roomatlas
