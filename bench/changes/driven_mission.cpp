@@ -7,7 +7,6 @@
 
 #include "roomatlas/correct/correct.hpp"
 #include "roomatlas/pipeline/map_mission.hpp"
-#include "roomatlas/simulate/tour.hpp"
 #include "support/memory_mission.hpp"
 
 namespace roomatlas::bench {
@@ -49,12 +48,12 @@ AssembledMission DrivenMission::mission() const {
   return {source.get(), placement_of(assembly.correction), assembly.plan, {}};
 }
 
-std::unique_ptr<DrivenMission> driven(const FloorPlan& world, const Point2& start,
+std::unique_ptr<DrivenMission> driven(const FloorPlan& world, const Drive& drive,
                                       const SimulationOptions& robot) {
   auto result = std::make_unique<DrivenMission>();
   std::vector<MissionEvent> events;
   std::map<double, Pose2> truth;
-  simulate(world, tour(world, start, {}), robot, [&](const SimulatedStep& step) {
+  simulate(world, drive, robot, [&](const SimulatedStep& step) {
     events.emplace_back(step.reading);
     truth[step.reading.timestamp_s] = step.truth.world_from_robot;
     if (const RoomId room = room_at(world, step.truth.world_from_robot.position())) {

@@ -23,9 +23,9 @@ struct DrivenMission {
   [[nodiscard]] AssembledMission mission() const;
 };
 
-/// A tour through all rooms that the robot gets to.
+/// Drives through a world, maps and assembles.
 /// @throws what simulating, mapping and assembling throw
-[[nodiscard]] std::unique_ptr<DrivenMission> driven(const FloorPlan& world, const Point2& start,
+[[nodiscard]] std::unique_ptr<DrivenMission> driven(const FloorPlan& world, const Drive& drive,
                                                     const SimulationOptions& robot);
 
 }  // namespace roomatlas::bench

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <utility>
 
 namespace roomatlas::bench {
 namespace {
@@ -21,6 +22,22 @@ std::string remark(const char* what, ChangeKind kind, const Point2& at) {
   char text[128];
   std::snprintf(text, sizeof text, "%s: %s at %.2f, %.2f", what, to_string(kind), at.x(), at.y());
   return text;
+}
+
+/// Alterations by their place, and as what they were told.
+using Told = std::vector<std::pair<std::size_t, ChangeKind>>;
+
+/// Whether it is the rest of a piece that was moved: told as one that is gone and one that is new.
+bool is_other_half(const Change& change, const Point2& at,
+                   const std::vector<Alteration>& alterations, const Told& told) {
+  return std::any_of(told.begin(), told.end(), [&](const auto& entry) {
+    const auto& [place, kind] = entry;
+    const bool is_pair =
+        (kind == ChangeKind::furniture_gone && change.kind == ChangeKind::furniture_new) ||
+        (kind == ChangeKind::furniture_new && change.kind == ChangeKind::furniture_gone);
+    return is_pair && alterations[place].kind == ChangeKind::furniture_moved &&
+           distance_m(alterations[place], at) <= kNear_m;
+  });
 }
 
 }  // namespace
@@ -49,6 +66,7 @@ ChangeScore scored(const std::vector<Alteration>& alterations, const std::set<Ro
                    const std::vector<Change>& changes, const Pose2& world_from_old) {
   ChangeScore score;
   std::vector<bool> is_told(alterations.size(), false);
+  Told told;
   for (const Change& change : changes) {
     const Point2 at = world_from_old * change.at;
     std::size_t best = alterations.size();
@@ -59,12 +77,14 @@ ChangeScore scored(const std::vector<Alteration>& alterations, const std::set<Ro
       least_m = distance_m(alterations[i], at);
       best = i;
     }
+    if (best == alterations.size() && is_other_half(change, at, alterations, told)) continue;
     if (best == alterations.size()) {
       ++score.invented;
       score.remarks.push_back(remark("invented", change.kind, at));
       continue;
     }
     is_told[best] = true;
+    told.emplace_back(best, change.kind);
     const auto& rooms = alterations[best].rooms;
     if (std::none_of(rooms.begin(), rooms.end(), [&](RoomId id) { return seen.contains(id); })) {
       continue;

@@ -23,6 +23,7 @@ bool is_sure(const Altered& altered, const ChangeOptions& options) {
   const Witness& of_it = altered.is_new ? altered.after : altered.before;
   const Witness& of_nothing = altered.is_new ? altered.before : altered.after;
   return of_it.hits >= options.min_readings && of_it.lasting_s >= options.min_lasting_s &&
+         of_it.hits >= options.least_standing * (of_it.hits + of_it.passes) &&
          of_nothing.passes >= options.min_readings;
 }
 

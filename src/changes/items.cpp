@@ -13,6 +13,7 @@ constexpr double kStep_m = 0.05;       // along edges
 constexpr double kSameWay_deg = 10.0;  // two walls that are parallel
 constexpr double kOverlap = 0.5;       // of the shorter of two walls that are one, or one moved
 constexpr double kMarginM = 0.025;     // half a cell
+constexpr double kDoor_m = 0.1;        // as thick as a shut door is drawn
 
 void add(const Witness& more, Witness& to) {
   const bool is_first = to.visits.empty();
@@ -59,6 +60,12 @@ void measure(Item& item, const FloorPlan& plan, const ChangeOptions& options) {
   if (changed_share(piece.outer, item.altered.points, options.wall_reach_m) < kChangedShare) return;
   item.extent = extent_of(piece.outer);
   item.outline = piece;
+}
+
+/// A door from jamb to jamb.
+Ring filled(const DoorPlace& door) {
+  const Point2 along = (door.jambs.b - door.jambs.a) / door.width_m;
+  return ring_of({door.middle(), along, door.width_m, kDoor_m});
 }
 
 bool same_way(const Extent& a, const Extent& b) {
@@ -127,10 +134,11 @@ std::vector<Item> items_of(const std::vector<Altered>& altered, const FloorPlan&
   std::vector<Item> items;
   for (const Altered& one : altered) {
     const FloorPlan& plan = one.is_new ? after : before;
-    Item item{thing_of(one, plan, doors, options), one, {}, {}};
+    const FloorPlan& other = one.is_new ? before : after;
+    Item item{thing_of(one, plan, other, doors, options), one, {}, {}};
     item.extent = extent_of(one.points, kMarginM);
-    const auto same = std::find_if(items.begin(), items.end(), [&](const Item& other) {
-      return are_one(item, other, options);
+    const auto same = std::find_if(items.begin(), items.end(), [&](const Item& so_far) {
+      return are_one(item, so_far, options);
     });
     if (same == items.end()) {
       items.push_back(std::move(item));
@@ -139,7 +147,10 @@ std::vector<Item> items_of(const std::vector<Altered>& altered, const FloorPlan&
       same->extent = extent_of(same->altered.points, kMarginM);
     }
   }
-  for (Item& item : items) measure(item, item.altered.is_new ? after : before, options);
+  for (Item& item : items) {
+    measure(item, item.altered.is_new ? after : before, options);
+    if (item.thing.kind == ThingKind::gap) item.outline = {filled(doors[item.thing.door]), {}};
+  }
   return items;
 }
 

@@ -8,6 +8,8 @@
 namespace roomatlas::changes {
 namespace {
 
+constexpr double kBeside_m = 0.4;  // from the middle of a wall to the room beside it
+
 /// What a mission says of an alteration, of which the item is one half.
 Sighting sighting_of(const Witness& witness, bool stands) {
   return {stands ? witness.hits : 0, stands ? 0 : witness.passes, witness.visits, witness.first_s,
@@ -96,14 +98,23 @@ std::vector<Change> other_changes(const std::vector<Item>& items, const ChangeOp
   return changes;
 }
 
-/// Says in which room of a plan a change lies.
+const PlanRoom* room_at(const FloorPlan& plan, const Point2& at) {
+  const auto holds = [&](const PlanRoom& room) {
+    return std::any_of(room.parts.begin(), room.parts.end(),
+                       [&](const Polygon& part) { return contains(part, at); });
+  };
+  const auto found = std::find_if(plan.rooms.begin(), plan.rooms.end(), holds);
+  return found == plan.rooms.end() ? nullptr : &*found;
+}
+
+/// Says in which room of a plan a change lies; of a door in a wall, in one beside it.
 void place(Change& change, const FloorPlan& plan) {
-  for (const PlanRoom& room : plan.rooms) {
-    const bool is_inside = std::any_of(room.parts.begin(), room.parts.end(),
-                                       [&](const Polygon& part) { return contains(part, change.at); });
-    if (!is_inside) continue;
-    change.room = room.id;
-    change.room_name = room.name;
+  for (const Point2& off : {Point2(0.0, 0.0), Point2(-kBeside_m, 0.0), Point2(0.0, -kBeside_m),
+                            Point2(kBeside_m, 0.0), Point2(0.0, kBeside_m)}) {
+    const PlanRoom* const room = room_at(plan, change.at + off);
+    if (room == nullptr) continue;
+    change.room = room->id;
+    change.room_name = room->name;
     return;
   }
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace roomatlas::changes {
 namespace {
@@ -12,8 +13,13 @@ constexpr double kWidestDoor_m = 1.8;   // what stands in wider ones is a wall, 
 constexpr double kBesideJamb_m = 0.1;   // of what shuts a door, along the wall
 constexpr double kMostOfIt = 0.75;      // of its cells
 constexpr double kLeastFilled = 0.35;   // of a door's width: near jambs nothing can be told
+constexpr double kHalf = 0.5;           // of its cells
 constexpr double kThickestLeaf_m = 0.25;
-constexpr double kHinge_m = 0.4;        // from a jamb to the nearer end of what is seen of a leaf
+constexpr double kHinge_m = 0.4;    // from a jamb to the nearer end of what is seen of a leaf
+constexpr double kSlender = 3.0;    // the length of a wall that sticks out, over its thickness
+constexpr double kFoot_m = 0.2;     // from a wall to where it is seen, and beyond `apart_m`
+constexpr double kDeepest_m = 0.7;  // from walls to its free end: cupboards end before
+constexpr double kDeep_m = 0.55;    // the same of its middle
 
 template <typename Holds>
 double share_of(const std::vector<Point2>& points, Holds holds) {
@@ -70,6 +76,46 @@ bool is_leaf(const Altered& altered, const DoorPlace& door, const ChangeOptions&
   return false;
 }
 
+/// How far a point is from a plan's walls, in metres; 0 inside.
+double from_walls_m(const FloorPlan& plan, const Point2& point) {
+  double nearest_m = std::numeric_limits<double>::infinity();
+  for (const Polygon& wall : plan.walls) {
+    nearest_m = std::min(nearest_m, distance_m(wall, point));
+  }
+  return nearest_m;
+}
+
+/// Whether it is a wall that sticks out of another: long and thin, with one end near walls that
+/// stand in both missions, and the other in the room. What stands along a wall is furniture.
+bool sticks_out(const Extent& extent, const FloorPlan& other, const ChangeOptions& options) {
+  if (extent.length_m < options.shortest_wall_m ||
+      extent.width_m > std::min(options.longest_across_m, extent.length_m / kSlender)) {
+    return false;
+  }
+  const Point2 half = extent.length_m / 2.0 * extent.along;
+  const auto [foot_m, end_m] = std::minmax({from_walls_m(other, extent.middle - half),
+                                            from_walls_m(other, extent.middle + half)});
+  return foot_m <= options.apart_m + kFoot_m && end_m >= kDeepest_m &&
+         from_walls_m(other, extent.middle) >= std::min(kDeep_m, kHalf * extent.length_m);
+}
+
+/// The piece of furniture that most of it belongs to, and the share that does.
+struct Piece {
+  std::optional<std::size_t> place;
+  double share = kHalf;
+};
+Piece piece_of(const Altered& altered, const FloorPlan& plan, double reach_m) {
+  Piece best;
+  for (std::size_t i = 0; i < plan.furniture.size(); ++i) {
+    const double share = share_of(altered.points, [&](const Point2& point) {
+      return distance_m(plan.furniture[i].outline, point) <= reach_m;
+    });
+    if (share < best.share) continue;
+    best = {i, share};
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<DoorPlace> doors_of(const FloorPlan& before, const FloorPlan& after) {
@@ -97,35 +143,23 @@ std::vector<DoorPlace> doors_of(const FloorPlan& before, const FloorPlan& after)
   return doors;
 }
 
-Thing thing_of(const Altered& altered, const FloorPlan& plan, const std::vector<DoorPlace>& doors,
-               const ChangeOptions& options) {
+Thing thing_of(const Altered& altered, const FloorPlan& plan, const FloorPlan& other,
+               const std::vector<DoorPlace>& doors, const ChangeOptions& options) {
   for (std::size_t i = 0; i < doors.size(); ++i) {
     if (fills(altered, doors[i], options)) return {ThingKind::gap, i, {}};
   }
   for (std::size_t i = 0; i < doors.size(); ++i) {
     if (is_leaf(altered, doors[i], options)) return {ThingKind::leaf, i, {}};
   }
-  Thing thing;
-  double most = 0.5;
-  for (std::size_t i = 0; i < plan.furniture.size(); ++i) {
-    const double share = share_of(altered.points, [&](const Point2& point) {
-      return distance_m(plan.furniture[i].outline, point) <= options.wall_reach_m;
-    });
-    if (share < most) continue;
-    most = share;
-    thing.piece = i;
-  }
+  const Piece piece = piece_of(altered, plan, options.wall_reach_m);
   const double of_walls = share_of(altered.points, [&](const Point2& point) {
-    return std::any_of(plan.walls.begin(), plan.walls.end(), [&](const Polygon& wall) {
-      return distance_m(wall, point) <= options.wall_reach_m;
-    });
+    return from_walls_m(plan, point) <= options.wall_reach_m;
   });
   const Extent extent = extent_of(altered.points);
-  if (of_walls > (thing.piece ? most : 0.5) && extent.length_m >= options.shortest_wall_m &&
-      extent.width_m <= options.longest_across_m) {
-    return {ThingKind::wall, 0, {}};
-  }
-  return thing;
+  const bool is_drawn = of_walls > piece.share && extent.length_m >= options.shortest_wall_m &&
+                        extent.width_m <= options.longest_across_m;
+  if (is_drawn || sticks_out(extent, other, options)) return {ThingKind::wall, 0, {}};
+  return {ThingKind::furniture, 0, piece.place};
 }
 
 }  // namespace roomatlas::changes

@@ -46,7 +46,8 @@ struct Thing {
 };
 
 /// @param plan of the mission in which it stands
-[[nodiscard]] Thing thing_of(const Altered& altered, const FloorPlan& plan,
+/// @param other plan
+[[nodiscard]] Thing thing_of(const Altered& altered, const FloorPlan& plan, const FloorPlan& other,
                              const std::vector<DoorPlace>& doors, const ChangeOptions& options);
 
 /// Names what was altered, and puts together what is one change: a door's leaf and its gap, the two

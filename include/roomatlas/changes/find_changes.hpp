@@ -24,6 +24,8 @@ struct ChangeOptions {
   int min_cells = 5;        ///< smaller is noise
   double min_lasting_s = 2.0;  ///< most of its cells were hit over this long; people walk on
   int min_readings = 5;        ///< of each mission
+  double least_standing = 0.5; ///< of the readings that met it in the mission in which it stands: in
+                               ///< more of them it stopped a beam, rather than that all went through
   // What it is:
   double door_reach_m = 0.3;       ///< across a wall, of what stands in its doors
   double leaf_reach_m = 0.15;      ///< from a leaf as it was drawn
