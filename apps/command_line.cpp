@@ -174,14 +174,10 @@ void add_optimize(CLI::App* command, OptimizeArguments& a) {
 void add_compare(CLI::App* command, CompareArguments& a) {
   positional(command, "OLD", a.before, "assembled store of the older mission");
   positional(command, "NEW", a.after, "assembled store of the newer mission");
-  command
-      ->add_option("--old-from-new", a.old_from_new,
-                   "X,Y,DEG: about where the new building's frame lies in the old one; without it, "
-                   "looked for within 3 m and 20 deg")
-      ->delimiter(',')
-      ->expected(3)
-      ->check(finite())
-      ->configurable(false);
+  CLI::Option* pose = command->add_option(
+      "--old-from-new", a.old_from_new,
+      "X,Y,DEG: about where the new building's frame lies in the old one; else near it");
+  pose->delimiter(',')->expected(3)->check(finite())->configurable(false);
   output(command, a.out, "folder for changes.svg, changes.png, changes.geojson and changes.csv");
 }
 

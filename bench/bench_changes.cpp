@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include "roomatlas/draw/changes.hpp"
+#include "roomatlas/io/pictures/svg_pictures.hpp"
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -23,6 +25,7 @@
 #include "roomatlas/simulate/furnish.hpp"
 #include "roomatlas/simulate/random_world.hpp"
 #include "roomatlas/simulate/tour.hpp"
+#include "roomatlas/simulate/world.hpp"
 
 namespace roomatlas::bench {
 namespace {
@@ -70,12 +73,13 @@ std::size_t rooms_entered(const FloorPlan& world, const Drive& drive) {
 
 /// A tour from the middle of some room, of a few the one that enters most: furniture can shut a
 /// robot in.
-Drive drawn_drive(const FloorPlan& world, Draw& draw) {
+Drive drawn_drive(const FloorPlan& world, const RobotFootprint& footprint, Draw& draw) {
   Drive best;
   for (int attempt = 0; attempt < 6; ++attempt) {
     if (!best.empty() && rooms_entered(world, best) == world.rooms.size()) break;
     const Point2 start = draw.one_of(world.rooms).label_point;
     try {
+      require_free(world, start, footprint.length_m);
       Drive drive = tour(world, start, {});
       if (best.empty() || rooms_entered(world, drive) > rooms_entered(world, best)) {
         best = std::move(drive);
@@ -116,8 +120,8 @@ Case run_case(std::uint64_t seed, std::uint64_t number) {
   const SimulationOptions first = drawn_robot(draw);
   const SimulationOptions second = drawn_robot(draw);
   const auto before =
-      driven(altered_world.before, drawn_drive(altered_world.before, draw), first);
-  const auto after = driven(altered_world.after, drawn_drive(altered_world.after, draw), second);
+      driven(altered_world.before, drawn_drive(altered_world.before, first.footprint, draw), first);
+  const auto after = driven(altered_world.after, drawn_drive(altered_world.after, second.footprint, draw), second);
   const Pose2 about{draw.between(-0.4, 0.4), draw.between(-0.4, 0.4),
                     radians(draw.between(-2.0, 2.0))};
   const Pose2 guess =
@@ -133,9 +137,12 @@ Case run_case(std::uint64_t seed, std::uint64_t number) {
     one.score.remarks.emplace_back("not laid on each other");
     return one;
   }
+  for (const auto* m : {before.get(), after.get()}) std::fprintf(stderr, "      off %.2f m, people %d %d\n", m->off_m, first.people, second.people);
+  std::fprintf(stderr, "      agreement %.2f\n", laid->agreement);
   new_mission.placement = laid->placement;
   new_mission.plan = moved(std::move(new_mission.plan), laid->old_from_new);
   const PlanChanges found = find_changes(old_mission, new_mission, {});
+  if (std::getenv("DUMP")) write_png("/tmp/hD/dump.png", draw_changes(old_mission.plan, new_mission.plan, found, {}, {}), 80);
   one.score =
       scored(altered_world.alterations, seen, found.changes, before->world_from_building);
   return one;

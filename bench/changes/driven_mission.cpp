@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "changes/driven_mission.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <vector>
@@ -22,8 +23,9 @@ RoomId room_at(const FloorPlan& world, const Point2& at) {
 }
 
 /// The building's frame, of all poses: headings by their mean, then places.
+/// @param[out] off_m the farthest pose from its true place
 Pose2 world_from_building(const AsrSource& source, const Placement& placement,
-                          const std::map<double, Pose2>& truth) {
+                          const std::map<double, Pose2>& truth, double& off_m) {
   std::vector<std::pair<Pose2, Pose2>> pairs;  // world, building
   Point2 turn = Point2::Zero();
   for (const AsrId id : source.ids()) {
@@ -39,7 +41,11 @@ Pose2 world_from_building(const AsrSource& source, const Placement& placement,
   Point2 off = Point2::Zero();
   for (const auto& [world, building] : pairs) off += world.position() - pose * building.position();
   off /= static_cast<double>(pairs.size());
-  return {off.x(), off.y(), pose.theta_rad};
+  pose = {off.x(), off.y(), pose.theta_rad};
+  for (const auto& [world, building] : pairs) {
+    off_m = std::max(off_m, (world.position() - pose * building.position()).norm());
+  }
+  return pose;
 }
 
 }  // namespace
@@ -66,7 +72,7 @@ std::unique_ptr<DrivenMission> driven(const FloorPlan& world, const Drive& drive
   result->assembly = assemble(result->store, {}, options);
   result->source = std::make_unique<WithPaths>(result->store, result->assembly.paths);
   result->world_from_building = world_from_building(
-      *result->source, placement_of(result->assembly.correction), truth);
+      *result->source, placement_of(result->assembly.correction), truth, result->off_m);
   return result;
 }
 

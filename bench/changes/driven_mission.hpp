@@ -18,6 +18,7 @@ struct DrivenMission {
   Assembly assembly;
   std::unique_ptr<WithPaths> source;
   Pose2 world_from_building;  ///< as the whole path has it
+  double off_m = 0.0;         ///< the farthest pose from where the robot truly was
   std::set<RoomId> entered;   ///< rooms of the world
 
   [[nodiscard]] AssembledMission mission() const;

@@ -18,6 +18,25 @@ CellBox around(const CellBox& a, const CellBox& b) {
           {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y)}};
 }
 
+/// The ASRs of a mission that have a place.
+class PlacedVisits : public AsrSource {
+ public:
+  explicit PlacedVisits(const AssembledMission& mission) : mission_(mission) {}
+
+  [[nodiscard]] std::vector<AsrId> ids() const override {
+    std::vector<AsrId> ids = mission_.source->ids();
+    std::erase_if(ids, [&](AsrId id) { return !mission_.placement.contains(id); });
+    return ids;
+  }
+  [[nodiscard]] Asr get(AsrId id, AsrDetail detail) const override {
+    return mission_.source->get(id, detail);
+  }
+  [[nodiscard]] std::vector<TruePose> truth() const override { return mission_.source->truth(); }
+
+ private:
+  const AssembledMission& mission_;
+};
+
 /// Enough readings of it, over long enough, and enough that say that it is not there.
 bool is_sure(const Altered& altered, const ChangeOptions& options) {
   const Witness& of_it = altered.is_new ? altered.after : altered.before;
@@ -52,8 +71,14 @@ std::vector<Altered> altered_in(const AssembledMission& before, const AssembledM
 
 }  // namespace
 
-PlanChanges find_changes(const AssembledMission& before, const AssembledMission& after,
+PlanChanges find_changes(const AssembledMission& all_before, const AssembledMission& all_after,
                          const ChangeOptions& options, const Progress& progress, int jobs) {
+  const PlacedVisits visits_before(all_before);
+  const PlacedVisits visits_after(all_after);
+  const AssembledMission before{&visits_before, all_before.placement, all_before.plan,
+                                all_before.footprint};
+  const AssembledMission after{&visits_after, all_after.placement, all_after.plan,
+                               all_after.footprint};
   const auto gathered = [&](const AssembledMission& mission) {
     return gather_evidence(*mission.source, mission.placement, mission.footprint, options.evidence,
                            progress, jobs);

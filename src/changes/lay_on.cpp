@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/changes/lay_on.hpp"
 
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "roomatlas/asr/load.hpp"
@@ -40,18 +42,15 @@ LocalMap map_of(const AssembledMission& mission, const LayOnOptions& options,
   return map;
 }
 
-/// Where a visit fits the old map best, near where the whole put it.
-Pose2 settled(const LocalMap& old_map, const std::vector<ScanPoint>& points,
-              const Pose2& old_from_asr, const LayOnOptions& options) {
-  const PosePrior prior{old_from_asr, options.settle_m, options.settle_rad};
-  const ScanAlignment aligned =
-      align(old_map, points, old_from_asr, prior, options.match.align);
-  const Pose2 moved = inverse(old_from_asr) * aligned.map_from_points;
-  const bool is_found = aligned.matched >= options.settled_share * aligned.points &&
-                        aligned.points > 0 &&
-                        moved.position().norm() <= 2.0 * options.settle_m &&
-                        std::abs(moved.theta_rad) <= 2.0 * options.settle_rad;
-  return is_found ? aligned.map_from_points : old_from_asr;
+/// Where a visit fits the old map best, near where the whole put it; nothing where it contradicts
+/// the old map wherever it is laid.
+std::optional<Pose2> settled(const SearchableMap& old_map, const std::vector<ScanPoint>& points,
+                             const Pose2& old_from_asr, const LayOnOptions& options) {
+  const MapMatch match = old_map.find(points, old_from_asr, options.settle);
+  const int telling = match.agreeing + match.contradicting;
+  if (telling < options.settle_min_telling) return old_from_asr;
+  if (match.agreement() < options.settle_min_agreement) return std::nullopt;
+  return match.first_from_second;
 }
 
 }  // namespace
@@ -63,19 +62,20 @@ std::optional<LaidOn> lay_on(const AssembledMission& before, const AssembledMiss
   std::map<AsrId, std::vector<ScanPoint>> points;
   const LocalMap new_map =
       map_of(after, options, progress, [&](AsrId id, std::vector<ScanPoint> of_visit) {
-        points[id] = thinned(of_visit, options.match.aligned_points);
+        points[id] = std::move(of_visit);
       });
   if (old_map.empty() || new_map.empty()) return std::nullopt;
-  const MapMatch match = SearchableMap(old_map, options.match)
-                             .find(points_of(new_map, options.match), guess_old_from_new,
-                                   options.around);
+  const SearchableMap searched(old_map, options.match);
+  const MapMatch match = searched.find(points_of(new_map, options.match), guess_old_from_new,
+                                       options.around);
   if (match.agreeing < options.min_agreeing || match.agreement() < options.min_agreement) {
     return std::nullopt;
   }
   LaidOn laid{match.first_from_second, {}, match.agreement()};
   for (const auto& [id, of_visit] : points) {
-    laid.placement[id] =
-        settled(old_map, of_visit, laid.old_from_new * after.placement.at(id), options);
+    const std::optional<Pose2> place =
+        settled(searched, of_visit, laid.old_from_new * after.placement.at(id), options);
+    if (place) laid.placement[id] = *place;
   }
   return laid;
 }

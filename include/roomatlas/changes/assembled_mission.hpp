@@ -11,7 +11,8 @@ namespace roomatlas {
 /// A mission as it was assembled: its readings, where they were taken, and what was drawn of them.
 struct AssembledMission {
   const AsrSource* source = nullptr;  ///< with readings; outlives this
-  Placement placement;                ///< of all its ASRs, in the frame of the plan
+  Placement placement;                ///< of its ASRs, in the frame of the plan; those without a
+                                      ///< place are left out
   FloorPlan plan;
   RobotFootprint footprint;
 };

@@ -18,16 +18,17 @@ struct LayOnOptions {
   int min_agreeing = 150;      ///< of 1500 points of the new map: fewer walls in common prove nothing
   double min_agreement = 0.5;  ///< of the points that can tell. Lower than between two visits of a
                                ///< mission: a building may be altered
-  // A visit is then moved by itself onto the old map, where maps bend otherwise:
-  double settle_m = 0.1;                ///< a step of one sigma of its place ...
-  double settle_rad = radians(0.5);     ///< ... and heading
-  double settled_share = 0.5;  ///< of its points on walls of the old map; fewer leave it where it is
+  // Each visit is then laid on the old map by itself, where maps bend otherwise:
+  SearchWindow settle{0.6, radians(3.0)};  ///< around where the whole put it
+  int settle_min_telling = 80;             ///< points of it that can tell; fewer leave it there
+  double settle_min_agreement = 0.55;      ///< of these; a visit with less is left out
 };
 
 /// A mission in another one's frame.
 struct LaidOn {
   Pose2 old_from_new;
-  Placement placement;     ///< old_from_asr of each ASR of the new mission
+  Placement placement;     ///< old_from_asr of the new mission's ASRs, but for those that
+                           ///< contradict the old map wherever they are laid
   double agreement = 0.0;  ///< of the points of the new map that can tell, [0, 1]
 };
 
