@@ -46,20 +46,21 @@ AssembledMission mission_of(const GeoPackageStore& store, const Path& file) {
 AssembledMission laid_on(const AssembledMission& before, const AssembledMission& after,
                          const CompareArguments& arguments, const Progress& progress,
                          Pose2& old_from_new) {
-  Pose2 guess;
+  std::vector<Pose2> guesses = quarter_turns();
   LayOnOptions options;
   if (!arguments.old_from_new.empty()) {
-    guess = {arguments.old_from_new[0], arguments.old_from_new[1],
-             wrap_angle(radians(arguments.old_from_new[2]))};
+    guesses = {{arguments.old_from_new[0], arguments.old_from_new[1],
+                wrap_angle(radians(arguments.old_from_new[2]))}};
     options.around = kAroundGiven;
   }
-  const std::optional<LaidOn> laid = lay_on(before, after, guess, options, progress);
+  const std::optional<LaidOn> laid = lay_on(before, after, guesses, options, progress);
   if (!laid) {
-    throw NotEnoughError(fmt::format(
-        "{} and {}: nothing in common within {:.0f} m and {:.0f} deg: give where the new building's "
-        "frame lies in the old one with --old-from-new X,Y,DEG",
-        arguments.before.string(), arguments.after.string(), options.around.reach_m,
-        degrees(options.around.reach_rad)));
+    throw NotEnoughError(
+        fmt::format("{} and {}: nothing in common within {:.0f} m and {:.0f} deg: give where the "
+                    "new building's "
+                    "frame lies in the old one with --old-from-new X,Y,DEG",
+                    arguments.before.string(), arguments.after.string(), options.around.reach_m,
+                    degrees(options.around.reach_rad)));
   }
   old_from_new = laid->old_from_new;
   return {after.source, laid->placement, moved(after.plan, old_from_new), after.footprint};
@@ -70,9 +71,10 @@ std::string place_of(const Change& change) {
 }
 
 void print(const PlanChanges& found) {
-  fmt::print("new building in the old one: {:.2f} m, {:.2f} m, {:.2f} deg; {:.0f} m2 seen by both\n",
-             found.old_from_new.x_m, found.old_from_new.y_m, degrees(found.old_from_new.theta_rad),
-             found.compared_m2);
+  fmt::print(
+      "new building in the old one: {:.2f} m, {:.2f} m, {:.2f} deg; {:.0f} m2 seen by both\n",
+      found.old_from_new.x_m, found.old_from_new.y_m, degrees(found.old_from_new.theta_rad),
+      found.compared_m2);
   if (!found.tells_changes) {
     fmt::print("sonars: what stands where is not told by echoes, rooms alone are compared\n");
   }
@@ -103,11 +105,10 @@ void compare(const Settings& settings, const CompareArguments& arguments) {
   PlanChanges found = find_changes(before, laid, {}, progress, settings.jobs);
   found.old_from_new = old_from_new;
 
-  const std::string svg = draw_changes(
-      before.plan, laid.plan, found,
-      {old_store.mission().file, date_of(old_store.metadata()), new_store.mission().file,
-       date_of(new_store.metadata())},
-      settings.draw);
+  const std::string svg = draw_changes(before.plan, laid.plan, found,
+                                       {old_store.mission().file, date_of(old_store.metadata()),
+                                        new_store.mission().file, date_of(new_store.metadata())},
+                                       settings.draw);
   write_file(arguments.out / "changes.svg", svg);
   write_png(arguments.out / "changes.png", svg, settings.png_dpi);
   write_file(arguments.out / "changes.geojson", changes_geojson(found));

@@ -11,9 +11,9 @@
 namespace roomatlas::bench {
 namespace {
 
-constexpr int kAttempts = 40;          // at finding a place
-constexpr double kApart_m = 0.12;      // from anything else
-constexpr double kFromDoors_m = 1.1;   // so that the robot gets through
+constexpr int kAttempts = 40;         // at finding a place
+constexpr double kApart_m = 0.12;     // from anything else
+constexpr double kFromDoors_m = 1.1;  // so that the robot gets through
 constexpr double kLeastPiece_m2 = 0.15;
 
 std::vector<Point2> edge_points(const Ring& ring) {
@@ -96,8 +96,7 @@ class Alterer {
   void alter_door() {
     const auto& doors = done_.before.doors;
     if (doors.empty()) return;
-    const auto i =
-        static_cast<std::size_t>(draw_.whole(0, static_cast<int>(doors.size()) - 1));
+    const auto i = static_cast<std::size_t>(draw_.whole(0, static_cast<int>(doors.size()) - 1));
     const PlanDoor door = doors[i];
     if (shut_.contains(i) || door.kind != DoorKind::door || door.width_m > 1.3) return;
     if (!door.room_a || !door.room_b || !is_joined_without(i)) return;
@@ -105,7 +104,9 @@ class Alterer {
     (is_shut ? done_.after : done_.before).doors[i].leaf = door.jambs;
     shut_.insert(i);
     const Point2 at = (door.jambs.a + door.jambs.b) / 2.0;
-    done_.alterations.push_back({is_shut ? ChangeKind::door_shut : ChangeKind::door_opened, at, at,
+    done_.alterations.push_back({is_shut ? ChangeKind::door_shut : ChangeKind::door_opened,
+                                 at,
+                                 at,
                                  {*door.room_a, *door.room_b}});
   }
 
@@ -179,9 +180,10 @@ class Alterer {
     const bool is_gone = draw_.happens(0.5);
     (is_gone ? done_.after : done_.before).furniture[*i].outline = {};
     moved_.insert(*i);
-    done_.alterations.push_back(
-        {is_gone ? ChangeKind::furniture_gone : ChangeKind::furniture_new, at, at,
-         {room_at(at)->id}});
+    done_.alterations.push_back({is_gone ? ChangeKind::furniture_gone : ChangeKind::furniture_new,
+                                 at,
+                                 at,
+                                 {room_at(at)->id}});
   }
 
   void build_wall() {
@@ -204,14 +206,17 @@ class Alterer {
       };
       // A wall's end leaves a way around it, and its foot stands in the wall.
       const Polygon free_end{{at(0.2, -half_m), at(length_m + 1.1, -half_m),
-                              at(length_m + 1.1, half_m), at(0.2, half_m)}, {}};
-      const Polygon body{{at(-0.03, -half_m), at(length_m, -half_m), at(length_m, half_m),
-                          at(-0.03, half_m)}, {}};
+                              at(length_m + 1.1, half_m), at(0.2, half_m)},
+                             {}};
+      const Polygon body{
+          {at(-0.03, -half_m), at(length_m, -half_m), at(length_m, half_m), at(-0.03, half_m)}, {}};
       if (!is_off_walls(free_end) || !is_clear(body, {})) continue;
       const bool is_new = draw_.happens(0.6);
       (is_new ? done_.after : done_.before).walls.push_back(body);
       done_.alterations.push_back({is_new ? ChangeKind::wall_new : ChangeKind::wall_gone,
-                                   at(length_m / 2.0, 0.0), at(length_m / 2.0, 0.0), {room.id}});
+                                   at(length_m / 2.0, 0.0),
+                                   at(length_m / 2.0, 0.0),
+                                   {room.id}});
       return;
     }
   }

@@ -25,8 +25,8 @@ struct AlteredWorld {
 };
 
 /// Alters a world in up to `count` places: doors shut or opened that leave a way round, pieces of
-/// furniture of 0.15 m2 and more gone, new or moved by 0.4 m and more, walls of 1 m to 2.5 m built or
-/// taken away. Nothing overlaps anything or stands in the way of a door.
+/// furniture of 0.15 m2 and more gone, new or moved by 0.4 m and more, walls of 1 m to 2.5 m built
+/// or taken away. Nothing overlaps anything or stands in the way of a door.
 [[nodiscard]] AlteredWorld altered(const FloorPlan& world, int count, Draw& draw);
 
 }  // namespace roomatlas::bench

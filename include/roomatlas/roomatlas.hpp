@@ -53,3 +53,9 @@
 #include "roomatlas/io/trajectories/relations.hpp"
 #include "roomatlas/io/trajectories/trajectory_file.hpp"
 #include "roomatlas/io/trajectories/tum.hpp"
+
+// What changed between two missions in one building.
+#include "roomatlas/changes/find_changes.hpp"
+#include "roomatlas/changes/lay_on.hpp"
+#include "roomatlas/draw/changes.hpp"
+#include "roomatlas/io/plans/changes_files.hpp"

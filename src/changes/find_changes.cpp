@@ -51,8 +51,8 @@ std::vector<Altered> altered_in(const AssembledMission& before, const AssembledM
                                 const SeenCells& then, const SeenCells& now,
                                 const ChangeOptions& options, const Progress& progress, int jobs) {
   const CellFrame frame{options.evidence.cell_m};
-  std::vector<CellGroup> groups = groups_of(only_in(then, now, frame.cell_m, options),
-                                            frame.cell_m, options);
+  std::vector<CellGroup> groups =
+      groups_of(only_in(then, now, frame.cell_m, options), frame.cell_m, options);
   const std::size_t gone = groups.size();
   const std::vector<CellGroup> appeared =
       groups_of(only_in(now, then, frame.cell_m, options), frame.cell_m, options);
@@ -101,8 +101,8 @@ PlanChanges find_changes(const AssembledMission& all_before, const AssembledMiss
   const Seen seen_after{now, of_after.building_from_robot, after.plan};
   found.rooms = one_sided_rooms(seen_before, seen_after, frame);
   found.not_seen_again = not_seen_again(seen_before, now, frame, options);
-  found.compared_m2 = static_cast<double>(both(then.clear, now.clear).count()) * frame.cell_m *
-                      frame.cell_m;
+  found.compared_m2 =
+      static_cast<double>(both(then.clear, now.clear).count()) * frame.cell_m * frame.cell_m;
   return found;
 }
 

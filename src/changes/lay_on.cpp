@@ -53,21 +53,41 @@ std::optional<Pose2> settled(const SearchableMap& old_map, const std::vector<Sca
   return match.first_from_second;
 }
 
+/// The match near a guess for which most speaks.
+MapMatch best_match(const SearchableMap& old_map, const std::vector<ScanPoint>& points,
+                    const std::vector<Pose2>& guesses, const LayOnOptions& options) {
+  MapMatch best;
+  for (const Pose2& guess : guesses) {
+    const MapMatch match = old_map.find(points, guess, options.around);
+    const bool is_better =
+        match.agreeing - match.contradicting > best.agreeing - best.contradicting;
+    if (is_better) best = match;
+  }
+  return best;
+}
+
 }  // namespace
 
+std::vector<Pose2> quarter_turns() {
+  std::vector<Pose2> guesses;
+  for (const double turn_deg : {0.0, 90.0, -90.0, -180.0}) {
+    guesses.push_back({0.0, 0.0, radians(turn_deg)});
+  }
+  return guesses;
+}
+
 std::optional<LaidOn> lay_on(const AssembledMission& before, const AssembledMission& after,
-                             const Pose2& guess_old_from_new, const LayOnOptions& options,
-                             const Progress& progress) {
+                             const std::vector<Pose2>& guesses_old_from_new,
+                             const LayOnOptions& options, const Progress& progress) {
   const LocalMap old_map = map_of(before, options, progress, [](AsrId, const auto&) {});
   std::map<AsrId, std::vector<ScanPoint>> points;
   const LocalMap new_map =
-      map_of(after, options, progress, [&](AsrId id, std::vector<ScanPoint> of_visit) {
-        points[id] = std::move(of_visit);
-      });
+      map_of(after, options, progress,
+             [&](AsrId id, std::vector<ScanPoint> of_visit) { points[id] = std::move(of_visit); });
   if (old_map.empty() || new_map.empty()) return std::nullopt;
   const SearchableMap searched(old_map, options.match);
-  const MapMatch match = searched.find(points_of(new_map, options.match), guess_old_from_new,
-                                       options.around);
+  const MapMatch match =
+      best_match(searched, points_of(new_map, options.match), guesses_old_from_new, options);
   if (match.agreeing < options.min_agreeing || match.agreement() < options.min_agreement) {
     return std::nullopt;
   }

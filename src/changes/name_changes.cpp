@@ -85,8 +85,8 @@ std::vector<Change> other_changes(const std::vector<Item>& items, const ChangeOp
   std::vector<bool> is_told(items.size(), false);
   for (const auto& [gone, appeared] : moved_pairs(items, options)) {
     const bool is_wall = items[gone].thing.kind == ThingKind::wall;
-    changes.push_back(change_of(is_wall ? ChangeKind::wall_moved : ChangeKind::furniture_moved,
-                                items[gone]));
+    changes.push_back(
+        change_of(is_wall ? ChangeKind::wall_moved : ChangeKind::furniture_moved, items[gone]));
     add(items[appeared], changes.back());
     is_told[gone] = is_told[appeared] = true;
   }
@@ -129,8 +129,8 @@ std::vector<Change> changes_of(const std::vector<Altered>& altered, const FloorP
   const std::vector<Change> others = other_changes(items, options);
   changes.insert(changes.end(), others.begin(), others.end());
   const auto order = [](const Change& change) {
-    const bool is_furniture = change.kind >= ChangeKind::furniture_gone &&
-                              change.kind <= ChangeKind::furniture_moved;
+    const bool is_furniture =
+        change.kind >= ChangeKind::furniture_gone && change.kind <= ChangeKind::furniture_moved;
     const bool is_door = change.kind < ChangeKind::furniture_gone;
     return std::tuple(is_door ? 0 : is_furniture ? 2 : 1, change.at.x(), change.at.y());
   };

@@ -8,12 +8,12 @@
 namespace roomatlas::changes {
 namespace {
 
-constexpr double kSameDoor_m = 0.5;     // between the middles of a door in two plans
-constexpr double kWidestDoor_m = 1.8;   // what stands in wider ones is a wall, or furniture
-constexpr double kBesideJamb_m = 0.1;   // of what shuts a door, along the wall
-constexpr double kMostOfIt = 0.75;      // of its cells
-constexpr double kLeastFilled = 0.35;   // of a door's width: near jambs nothing can be told
-constexpr double kHalf = 0.5;           // of its cells
+constexpr double kSameDoor_m = 0.5;    // between the middles of a door in two plans
+constexpr double kWidestDoor_m = 1.8;  // what stands in wider ones is a wall, or furniture
+constexpr double kBesideJamb_m = 0.1;  // of what shuts a door, along the wall
+constexpr double kMostOfIt = 0.75;     // of its cells
+constexpr double kLeastFilled = 0.35;  // of a door's width: near jambs nothing can be told
+constexpr double kHalf = 0.5;          // of its cells
 constexpr double kThickestLeaf_m = 0.25;
 constexpr double kHinge_m = 0.4;    // from a jamb to the nearer end of what is seen of a leaf
 constexpr double kSlender = 3.0;    // the length of a wall that sticks out, over its thickness
@@ -93,8 +93,8 @@ bool sticks_out(const Extent& extent, const FloorPlan& other, const ChangeOption
     return false;
   }
   const Point2 half = extent.length_m / 2.0 * extent.along;
-  const auto [foot_m, end_m] = std::minmax({from_walls_m(other, extent.middle - half),
-                                            from_walls_m(other, extent.middle + half)});
+  const auto [foot_m, end_m] = std::minmax(
+      {from_walls_m(other, extent.middle - half), from_walls_m(other, extent.middle + half)});
   return foot_m <= options.apart_m + kFoot_m && end_m >= kDeepest_m &&
          from_walls_m(other, extent.middle) >= std::min(kDeep_m, kHalf * extent.length_m);
 }

@@ -32,8 +32,8 @@ struct DoorPlace {
 [[nodiscard]] std::vector<DoorPlace> doors_of(const FloorPlan& before, const FloorPlan& after);
 
 enum class ThingKind {
-  gap,        ///< what shuts a door
-  leaf,       ///< of a door that stands open
+  gap,   ///< what shuts a door
+  leaf,  ///< of a door that stands open
   wall,
   furniture,
 };

@@ -28,7 +28,7 @@ constexpr const char* kUnseenWall = "#cfd4da";
 constexpr const char* kUnseenFloor = "#f3f4f6";
 constexpr const char* kUnseenHatch = "#c5cad1";
 constexpr double kUnseenPitch_mm = 2.2;
-constexpr double kNumber_mm = 2.4;       // of its letters
+constexpr double kNumber_mm = 2.4;  // of its letters
 constexpr double kNumberRadius_mm = 2.1;
 constexpr double kNoteSize_mm = 2.2;
 constexpr double kNoteLine_mm = 3.4;
@@ -60,20 +60,18 @@ void add_state(pugi::xml_node svg, const char* id, const FloorPlan& plan, const 
                     {"stroke-width", number(weights.fine)}}),
                outlines_of(plan.furniture), sheet);
   add_polygons(add(layer, "g", {{"class", "walls"}, {"fill", wall}}), plan.walls, sheet);
-  pugi::xml_node leaves = add(layer, "g",
-                              {{"class", "leaves"},
-                               {"stroke", wall},
-                               {"stroke-width", number(weights.visible)}});
+  pugi::xml_node leaves =
+      add(layer, "g",
+          {{"class", "leaves"}, {"stroke", wall}, {"stroke-width", number(weights.visible)}});
   for (const PlanDoor& door : plan.doors) {
     if (door.leaf) add_line(leaves, sheet.to_paper(door.leaf->a), sheet.to_paper(door.leaf->b));
   }
 }
 
 void add_unseen(pugi::xml_node svg, const std::vector<Polygon>& pieces, const Sheet& sheet) {
-  pugi::xml_node layer = add_layer(svg, "not-seen-again", true,
-                                   {{"fill", "none"},
-                                    {"stroke", kUnseenHatch},
-                                    {"stroke-width", kHairline_mm}});
+  pugi::xml_node layer =
+      add_layer(svg, "not-seen-again", true,
+                {{"fill", "none"}, {"stroke", kUnseenHatch}, {"stroke-width", kHairline_mm}});
   for (const Polygon& piece : sheet.to_paper(pieces)) {
     const auto lines = hatched(piece, kAgainstWall_rad, kUnseenPitch_mm);
     if (!lines.empty()) add(layer, "path", {{"d", path_of_lines(lines)}});
@@ -217,8 +215,8 @@ std::vector<Fact> facts_of(const PlanChanges& changes) {
 
 void add_notes(pugi::xml_node svg, const std::vector<std::string>& notes, const Sheet& sheet) {
   pugi::xml_node group = add_layer(svg, "notes");
-  double baseline = sheet.drawing_mm.max.y() - 1.0 -
-                    kNoteLine_mm * (static_cast<double>(notes.size()) - 1.0);
+  double baseline =
+      sheet.drawing_mm.max.y() - 1.0 - kNoteLine_mm * (static_cast<double>(notes.size()) - 1.0);
   for (const std::string& note : notes) {
     add_text(group, {sheet.drawing_mm.min.x(), baseline}, note, {kNoteSize_mm, {}, {}, kInk});
     baseline += kNoteLine_mm;
@@ -251,7 +249,9 @@ std::string draw_changes(const FloorPlan& before, const FloorPlan& after,
                   {"Changes",
                    {said("From ", missions.before, missions.before_date),
                     said("to ", missions.after, missions.after_date)},
-                   facts_of(changes), legend(), options.north_deg},
+                   facts_of(changes),
+                   legend(),
+                   options.north_deg},
                   sheet);
   return to_text(document);
 }

@@ -190,11 +190,11 @@ void add_title_strip(pugi::xml_node svg, const TitleStrip& strip, const Sheet& s
 void add_title_block(pugi::xml_node svg, const FloorPlan& plan, const PlanAnnotations& annotations,
                      const DrawOptions& options, const Sheet& sheet) {
   const bool has_title = !plan.title.empty() && plan.title != annotations.mission;
-  add_title_strip(svg,
-                  {has_title ? plan.title : "Floor plan", lines_of(annotations),
-                   facts_of(plan, annotations),
-                   legend_of(plan, annotations, options, sheet.scale), options.north_deg},
-                  sheet);
+  add_title_strip(
+      svg,
+      {has_title ? plan.title : "Floor plan", lines_of(annotations), facts_of(plan, annotations),
+       legend_of(plan, annotations, options, sheet.scale), options.north_deg},
+      sheet);
 }
 
 }  // namespace roomatlas::drawing

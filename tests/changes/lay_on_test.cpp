@@ -27,7 +27,7 @@ TEST(LayOn, FindsWhereTheOtherFrameLies) {
               {test::kSecondRoom, {{1.2, 3.3}, {1.2, 0.9}, {4.2, 0.9}}});
   const Pose2 truth{1.3, -0.8, radians(9.0)};
   reframe(after, truth);
-  const std::optional<LaidOn> laid = lay_on(before.mission, after.mission, {}, {});
+  const std::optional<LaidOn> laid = lay_on(before.mission, after.mission, {Pose2{}}, {});
   ASSERT_TRUE(laid);
   EXPECT_LT((laid->old_from_new.position() - truth.position()).norm(), 0.05);
   EXPECT_NEAR(wrap_angle(laid->old_from_new.theta_rad - truth.theta_rad), 0.0, radians(0.5));
@@ -38,13 +38,27 @@ TEST(LayOn, FindsWhereTheOtherFrameLies) {
   }
 }
 
+TEST(LayOn, AxesMayBeAQuarterTurnApart) {
+  test::KnownMission before;
+  test::KnownMission after;
+  test::drive(before, furnished_rooms(), {test::kFirstRoom, test::kSecondRoom});
+  test::drive(after, furnished_rooms(), {test::kFirstRoom, test::kSecondRoom});
+  const Pose2 truth{0.2, 0.3, radians(-89.0)};
+  reframe(after, truth);
+  EXPECT_FALSE(lay_on(before.mission, after.mission, {Pose2{}}, {}));
+  const std::optional<LaidOn> laid = lay_on(before.mission, after.mission, quarter_turns(), {});
+  ASSERT_TRUE(laid);
+  EXPECT_LT((laid->old_from_new.position() - truth.position()).norm(), 0.05);
+  EXPECT_NEAR(wrap_angle(laid->old_from_new.theta_rad - truth.theta_rad), 0.0, radians(0.5));
+}
+
 TEST(LayOn, RoomsFarFromEachOtherHaveNothingInCommon) {
   test::KnownMission before;
   test::KnownMission after;
   test::drive(before, furnished_rooms(), {test::kFirstRoom, test::kSecondRoom});
   test::drive(after, furnished_rooms(), {test::kFirstRoom, test::kSecondRoom});
   reframe(after, {30.0, 0.0, 0.0});
-  EXPECT_FALSE(lay_on(before.mission, after.mission, {}, {}));
+  EXPECT_FALSE(lay_on(before.mission, after.mission, {Pose2{}}, {}));
 }
 
 TEST(LayOn, AVisitThatLiesALittleOffIsSettled) {
@@ -53,7 +67,7 @@ TEST(LayOn, AVisitThatLiesALittleOffIsSettled) {
   test::drive(before, furnished_rooms(), {test::kFirstRoom, test::kSecondRoom});
   test::drive(after, furnished_rooms(), {test::kFirstRoom, test::kSecondRoom});
   after.mission.placement.at(2) = {0.08, -0.06, radians(0.6)};
-  const std::optional<LaidOn> laid = lay_on(before.mission, after.mission, {}, {});
+  const std::optional<LaidOn> laid = lay_on(before.mission, after.mission, {Pose2{}}, {});
   ASSERT_TRUE(laid);
   EXPECT_LT(laid->placement.at(2).position().norm(), 0.04);
 }

@@ -38,9 +38,8 @@ PlanChanges changes() {
 
 pugi::xml_document drawn(const PlanChanges& found) {
   pugi::xml_document document;
-  const std::string svg =
-      draw_changes(test::office(), test::office(), found,
-                   {"old.clf", "2024-01-02", "new.clf", "2025-01-02"}, {});
+  const std::string svg = draw_changes(test::office(), test::office(), found,
+                                       {"old.clf", "2024-01-02", "new.clf", "2025-01-02"}, {});
   EXPECT_TRUE(document.load_string(svg.c_str()));
   return document;
 }

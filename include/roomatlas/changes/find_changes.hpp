@@ -20,23 +20,24 @@ struct ChangeOptions {
   double apart_m = 0.15;      ///< from anything that was hit; smaller takes errors of the maps for
                               ///< changes, and what moved by less is not told
   // What is one thing:
-  double join_m = 0.1;      ///< gaps up to twice this are bridged
-  int min_cells = 5;        ///< smaller is noise
+  double join_m = 0.1;         ///< gaps up to twice this are bridged
+  int min_cells = 5;           ///< smaller is noise
   double min_lasting_s = 2.0;  ///< most of its cells were hit over this long; people walk on
   int min_readings = 5;        ///< of each mission
-  double least_standing = 0.5; ///< of the readings that met it in the mission in which it stands: in
-                               ///< more of them it stopped a beam, rather than that all went through
+  double least_standing =
+      0.5;  ///< of the readings that met it in the mission in which it stands: in
+            ///< more of them it stopped a beam, rather than that all went through
   // What it is:
-  double door_reach_m = 0.3;       ///< across a wall, of what stands in its doors
-  double leaf_reach_m = 0.15;      ///< from a leaf as it was drawn
-  double wall_reach_m = 0.12;      ///< from the faces of a wall as drawn
-  double longest_across_m = 0.4;   ///< of a wall, ...
-  double shortest_wall_m = 0.8;    ///< ... which is longer than this
-  double like_size_m = 0.25;       ///< sides of what moved differ by no more ...
-  double moved_m = 6.0;            ///< ... and it moved no farther
-  double wall_moved_m = 2.0;       ///< the same of a wall, across it
+  double door_reach_m = 0.3;      ///< across a wall, of what stands in its doors
+  double leaf_reach_m = 0.15;     ///< from a leaf as it was drawn
+  double wall_reach_m = 0.12;     ///< from the faces of a wall as drawn
+  double longest_across_m = 0.4;  ///< of a wall, ...
+  double shortest_wall_m = 0.8;   ///< ... which is longer than this
+  double like_size_m = 0.25;      ///< sides of what moved differ by no more ...
+  double moved_m = 6.0;           ///< ... and it moved no farther
+  double wall_moved_m = 2.0;      ///< the same of a wall, across it
   // What was not seen again:
-  double min_unseen_m2 = 0.5;      ///< smaller pieces of floor are corners
+  double min_unseen_m2 = 0.5;  ///< smaller pieces of floor are corners
 };
 
 /// What changed between two missions. A change has been seen by both: see `Change`. What one of
@@ -45,8 +46,7 @@ struct ChangeOptions {
 /// @param jobs threads at once, see `for_each_index`
 /// @throws InputError for an ASR without its readings, Interrupted when `progress` says so
 [[nodiscard]] PlanChanges find_changes(const AssembledMission& before,
-                                       const AssembledMission& after,
-                                       const ChangeOptions& options,
+                                       const AssembledMission& after, const ChangeOptions& options,
                                        const Progress& progress = {}, int jobs = 1);
 
 }  // namespace roomatlas

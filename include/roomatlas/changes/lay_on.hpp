@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "roomatlas/changes/assembled_mission.hpp"
 #include "roomatlas/core/progress.hpp"
@@ -12,10 +13,10 @@ namespace roomatlas {
 
 /// How one mission's building is laid on another's.
 struct LayOnOptions {
-  LocalizeOptions localize;                  ///< how readings become a map
+  LocalizeOptions localize;  ///< how readings become a map
   MatchMapsOptions match;
-  SearchWindow around{3.0, radians(20.0)};   ///< the guess; wider takes longer
-  int min_agreeing = 150;      ///< of 1500 points of the new map: fewer walls in common prove nothing
+  SearchWindow around{3.0, radians(20.0)};  ///< the guess; wider takes longer
+  int min_agreeing = 150;  ///< of 1500 points of the new map: fewer walls in common prove nothing
   double min_agreement = 0.5;  ///< of the points that can tell. Lower than between two visits of a
                                ///< mission: a building may be altered
   // Each visit is then laid on the old map by itself, where maps bend otherwise:
@@ -23,6 +24,10 @@ struct LayOnOptions {
   int settle_min_telling = 80;             ///< points of it that can tell; fewer leave it there
   double settle_min_agreement = 0.55;      ///< of these; a visit with less is left out
 };
+
+/// The guesses of who knows nothing: both missions began at about the same place, and their
+/// buildings' axes may be quarter turns apart, since each looks along the wall that is nearest.
+[[nodiscard]] std::vector<Pose2> quarter_turns();
 
 /// A mission in another one's frame.
 struct LaidOn {
@@ -32,13 +37,13 @@ struct LaidOn {
   double agreement = 0.0;  ///< of the points of the new map that can tell, [0, 1]
 };
 
-/// Lays the laser map of a mission on that of another, near a guess.
-/// @param guess_old_from_new of the two building frames
+/// Lays the laser map of a mission on that of another, near the best of some guesses.
+/// @param guesses_old_from_new of the two building frames
 /// @returns nothing where the two have too little in common, or no laser readings
 /// @throws InputError for an ASR without its readings, Interrupted when `progress` says so
 [[nodiscard]] std::optional<LaidOn> lay_on(const AssembledMission& before,
                                            const AssembledMission& after,
-                                           const Pose2& guess_old_from_new,
+                                           const std::vector<Pose2>& guesses_old_from_new,
                                            const LayOnOptions& options,
                                            const Progress& progress = {});
 

@@ -22,8 +22,7 @@ struct ComparedMissions {
 /// not-seen-again, gone, new, numbers, labels, notes, title.
 /// @param after in the frame of `before`
 [[nodiscard]] std::string draw_changes(const FloorPlan& before, const FloorPlan& after,
-                                       const PlanChanges& changes,
-                                       const ComparedMissions& missions,
+                                       const PlanChanges& changes, const ComparedMissions& missions,
                                        const DrawOptions& options);
 
 }  // namespace roomatlas

@@ -31,11 +31,11 @@ constexpr int kChangeKinds = 9;  ///< how many there are
 
 /// What one mission's readings say of a change.
 struct Sighting {
-  int stood = 0;               ///< readings that hit what stands in one of the missions alone
-  int passed = 0;              ///< readings that saw through where the other mission has something
-  std::vector<AsrId> visits;   ///< whose readings these are, ascending
-  double first_s = 0.0;        ///< of these readings, in the mission's times
-  double last_s = 0.0;         ///< the same
+  int stood = 0;              ///< readings that hit what stands in one of the missions alone
+  int passed = 0;             ///< readings that saw through where the other mission has something
+  std::vector<AsrId> visits;  ///< whose readings these are, ascending
+  double first_s = 0.0;       ///< of these readings, in the mission's times
+  double last_s = 0.0;        ///< the same
 
   [[nodiscard]] int readings() const { return stood + passed; }
 };
@@ -45,11 +45,11 @@ struct Sighting {
 struct Change {
   std::int64_t id = 0;  ///< 1, 2, 3 ..., as the drawing numbers them
   ChangeKind kind = ChangeKind::furniture_gone;
-  std::vector<Polygon> gone;      ///< old building's metres; empty where nothing is gone
-  std::vector<Polygon> appeared;  ///< the same of what is new
-  Point2 at = Point2::Zero();     ///< the middle of what stands now, or else stood
-  std::optional<RoomId> room;     ///< of the old plan; none where it lies in no room
-  std::string room_name;          ///< empty without a room
+  std::vector<Polygon> gone;         ///< old building's metres; empty where nothing is gone
+  std::vector<Polygon> appeared;     ///< the same of what is new
+  Point2 at = Point2::Zero();        ///< the middle of what stands now, or else stood
+  std::optional<RoomId> room;        ///< of the old plan; none where it lies in no room
+  std::string room_name;             ///< empty without a room
   std::optional<std::int64_t> door;  ///< of the old plan, of a change of a door that it has
   double size_m = 0.0;               ///< the longer side of it
   Sighting before;                   ///< by the old mission
@@ -60,7 +60,7 @@ struct Change {
 struct OneSidedRoom {
   RoomId room = 0;  ///< of the plan of the mission that entered it
   std::string name;
-  bool was_before = true;   ///< the old mission was in it; else the new one alone
+  bool was_before = true;  ///< the old mission was in it; else the new one alone
   double area_m2 = 0.0;
   double seen_share = 0.0;  ///< of its floor that the other saw from outside, [0, 1]
 };

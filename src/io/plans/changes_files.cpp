@@ -31,14 +31,10 @@ Json or_null(const std::optional<Value>& value) {
 }
 
 Json properties_of(const Change& change) {
-  return {{"kind", to_string(change.kind)},
-          {"id", change.id},
-          {"room", or_null(change.room)},
-          {"room_name", change.room_name},
-          {"door", or_null(change.door)},
-          {"size_m", to_millimetre(change.size_m)},
-          {"at", to_json(change.at)},
-          {"before", json_of(change.before)},
+  return {{"kind", to_string(change.kind)}, {"id", change.id},
+          {"room", or_null(change.room)},   {"room_name", change.room_name},
+          {"door", or_null(change.door)},   {"size_m", to_millimetre(change.size_m)},
+          {"at", to_json(change.at)},       {"before", json_of(change.before)},
           {"after", json_of(change.after)}};
 }
 
@@ -72,8 +68,8 @@ void add_half(const Change& change, const char* state, const std::vector<Polygon
 std::string row_of(const Sighting& sighting) {
   std::string visits;
   for (const AsrId id : sighting.visits) visits += (visits.empty() ? "" : " ") + std::to_string(id);
-  std::string row = ',' + std::to_string(sighting.stood) + ',' + std::to_string(sighting.passed) +
-                    ',' + visits;
+  std::string row =
+      ',' + std::to_string(sighting.stood) + ',' + std::to_string(sighting.passed) + ',' + visits;
   if (sighting.visits.empty()) return row + ",,";
   io::add_csv(row, sighting.first_s);
   io::add_csv(row, sighting.last_s);
