@@ -42,6 +42,14 @@ AssembledMission mission_of(const GeoPackageStore& store, const Path& file) {
   return mission;
 }
 
+/// Errors of a map look like changes.
+void warn_of_doubts(const GeoPackageStore& store, const Path& file) {
+  const std::optional<Judgement> judgement = store.judgement();
+  if (!judgement || judgement->probability >= kTrusted) return;
+  spdlog::warn("{}: right with a probability of {:.0f} % alone: what is told may be its errors",
+               file.string(), 100.0 * judgement->probability);
+}
+
 /// The new mission in the old one's frame.
 AssembledMission laid_on(const AssembledMission& before, const AssembledMission& after,
                          const CompareArguments& arguments, const Progress& progress,
@@ -67,7 +75,7 @@ AssembledMission laid_on(const AssembledMission& before, const AssembledMission&
 }
 
 std::string place_of(const Change& change) {
-  return change.room ? change.room_name : std::string("outside of rooms");
+  return change.room ? "room " + change.room_name : std::string("no room");
 }
 
 void print(const PlanChanges& found) {
@@ -97,6 +105,8 @@ void compare(const Settings& settings, const CompareArguments& arguments) {
   const GeoPackageStore new_store(arguments.after, GeoPackageStore::Mode::read);
   const AssembledMission before = mission_of(old_store, arguments.before);
   const AssembledMission after = mission_of(new_store, arguments.after);
+  warn_of_doubts(old_store, arguments.before);
+  warn_of_doubts(new_store, arguments.after);
   make_folder(arguments.out);
 
   const Progress progress = console_progress(settings);

@@ -15,11 +15,11 @@ constexpr double kMostOfIt = 0.75;     // of its cells
 constexpr double kLeastFilled = 0.35;  // of a door's width: near jambs nothing can be told
 constexpr double kHalf = 0.5;          // of its cells
 constexpr double kThickestLeaf_m = 0.25;
-constexpr double kHinge_m = 0.4;    // from a jamb to the nearer end of what is seen of a leaf
-constexpr double kSlender = 3.0;    // the length of a wall that sticks out, over its thickness
-constexpr double kFoot_m = 0.2;     // from a wall to where it is seen, and beyond `apart_m`
-constexpr double kDeepest_m = 0.7;  // from walls to its free end: cupboards end before
-constexpr double kDeep_m = 0.55;    // the same of its middle
+constexpr double kHinge_m = 0.4;     // from a jamb to the nearer end of what is seen of a leaf
+constexpr double kSlender = 3.0;     // the length of a wall that sticks out, over its thickness
+constexpr double kFoot_m = 0.2;      // from a wall to where it is seen, and beyond `apart_m`
+constexpr double kDeepest_m = 0.65;  // from walls to its free end: cupboards end before
+constexpr double kDeep_m = 0.55;     // the same of its middle
 
 template <typename Holds>
 double share_of(const std::vector<Point2>& points, Holds holds) {
