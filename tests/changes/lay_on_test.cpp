@@ -72,6 +72,18 @@ TEST(LayOn, AVisitThatLiesALittleOffIsSettled) {
   EXPECT_LT(laid->placement.at(2).position().norm(), 0.04);
 }
 
+TEST(LayOn, AVisitThatContradictsTheOldMapEverywhereIsLeftOut) {
+  test::KnownMission before;
+  test::KnownMission after;
+  test::drive(before, furnished_rooms(), {test::kFirstRoom, test::kSecondRoom});
+  test::drive(after, furnished_rooms(), {test::kFirstRoom, test::kSecondRoom});
+  after.mission.placement.at(2) = {1.2, 0.9, radians(15.0)};  // torn from where it belongs
+  const std::optional<LaidOn> laid = lay_on(before.mission, after.mission, {Pose2{}}, {});
+  ASSERT_TRUE(laid);
+  EXPECT_TRUE(laid->placement.contains(1));
+  EXPECT_FALSE(laid->placement.contains(2));
+}
+
 TEST(MovedPlan, ThereAndBackIsTheSame) {
   FloorPlan plan = test::plan_of_rooms();
   plan.doors[0].leaf = Segment2{{5.0, 1.5}, {5.8, 1.6}};
