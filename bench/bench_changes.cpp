@@ -150,8 +150,11 @@ void print_row(const std::string& name, const ChangeScore& score) {
               score.named, score.invented, score.f1());
 }
 
+constexpr double kRight_m = 0.25;  // a map whose poses are all this near to truth is right
+
 int run(std::uint64_t cases, std::uint64_t seed, std::uint64_t from) {
   ChangeScore altered_sum;
+  ChangeScore right_sum;
   ChangeScore same_sum;
   int failed = 0;
   using Clock = std::chrono::steady_clock;
@@ -161,6 +164,7 @@ int run(std::uint64_t cases, std::uint64_t seed, std::uint64_t from) {
     try {
       const Case one = run_case(seed, i);
       (one.is_altered ? altered_sum : same_sum).add(one.score);
+      if (one.is_altered && one.off_m <= kRight_m) right_sum.add(one.score);
       print_row(std::to_string(i) + ", " + one.world + (one.is_altered ? "" : ", unaltered"),
                 one.score);
       (void)std::fflush(stdout);
@@ -176,6 +180,7 @@ int run(std::uint64_t cases, std::uint64_t seed, std::uint64_t from) {
     }
   }
   print_row("all altered", altered_sum);
+  print_row("of these with both maps right", right_sum);
   print_row("all unaltered", same_sum);
   std::printf("\n%d cases could not be driven.\n", failed);
   return 0;

@@ -107,7 +107,8 @@ class Alterer {
     done_.alterations.push_back({is_shut ? ChangeKind::door_shut : ChangeKind::door_opened,
                                  at,
                                  at,
-                                 {*door.room_a, *door.room_b}});
+                                 {*door.room_a, *door.room_b},
+                                 {{door.opening, {}}}});
   }
 
   const PlanRoom* room_at(const Point2& at) const {
@@ -168,7 +169,8 @@ class Alterer {
       if (room_at(to) != room || !is_off_walls(body) || !is_clear(body, *i)) continue;
       done_.after.furniture[*i].outline = body;
       moved_.insert(*i);
-      done_.alterations.push_back({ChangeKind::furniture_moved, from, to, {room->id}});
+      done_.alterations.push_back(
+          {ChangeKind::furniture_moved, from, to, {room->id}, {piece, body}});
       return;
     }
   }
@@ -176,14 +178,16 @@ class Alterer {
   void remove_furniture() {
     const std::optional<std::size_t> i = some_piece();
     if (!i) return;
-    const Point2 at = middle_of(done_.before.furniture[*i].outline.outer);
+    const Polygon outline = done_.before.furniture[*i].outline;
+    const Point2 at = middle_of(outline.outer);
     const bool is_gone = draw_.happens(0.5);
     (is_gone ? done_.after : done_.before).furniture[*i].outline = {};
     moved_.insert(*i);
     done_.alterations.push_back({is_gone ? ChangeKind::furniture_gone : ChangeKind::furniture_new,
                                  at,
                                  at,
-                                 {room_at(at)->id}});
+                                 {room_at(at)->id},
+                                 {outline}});
   }
 
   void build_wall() {
@@ -216,7 +220,8 @@ class Alterer {
       done_.alterations.push_back({is_new ? ChangeKind::wall_new : ChangeKind::wall_gone,
                                    at(length_m / 2.0, 0.0),
                                    at(length_m / 2.0, 0.0),
-                                   {room.id}});
+                                   {room.id},
+                                   {body}});
       return;
     }
   }

@@ -12,9 +12,10 @@ namespace roomatlas::bench {
 /// What was done to a world; world metres.
 struct Alteration {
   ChangeKind kind = ChangeKind::furniture_gone;
-  Point2 from = Point2::Zero();  ///< the middle of what stood ...
-  Point2 to = Point2::Zero();    ///< ... and of what stands; the same where nothing was moved
-  std::vector<RoomId> rooms;     ///< that it can be seen from
+  Point2 from = Point2::Zero();   ///< the middle of what stood ...
+  Point2 to = Point2::Zero();     ///< ... and of what stands; the same where nothing was moved
+  std::vector<RoomId> rooms;      ///< that it can be seen from
+  std::vector<Polygon> outlines;  ///< of what stood and of what stands
 };
 
 /// A world as two missions find it.

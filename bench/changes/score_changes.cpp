@@ -9,13 +9,18 @@
 namespace roomatlas::bench {
 namespace {
 
-constexpr double kNear_m = 0.75;  // from the middle of what was altered
+constexpr double kNear_m = 0.5;  // from what was altered to the middle of what is told
 
 /// Doors, furniture or walls.
 int family_of(ChangeKind kind) { return static_cast<int>(kind) / 3; }
 
 double distance_m(const Alteration& alteration, const Point2& at) {
-  return std::min((alteration.from - at).norm(), (alteration.to - at).norm());
+  double nearest_m = std::numeric_limits<double>::infinity();
+  for (const Polygon& outline : alteration.outlines) {
+    nearest_m =
+        std::min(nearest_m, contains(outline, at) ? 0.0 : distance_to_boundary(outline.outer, at));
+  }
+  return nearest_m;
 }
 
 std::string remark(const char* what, ChangeKind kind, const Point2& at) {

@@ -157,7 +157,8 @@ Thing thing_of(const Altered& altered, const FloorPlan& plan, const FloorPlan& o
   });
   const Extent extent = extent_of(altered.points);
   const bool is_drawn = of_walls > piece.share && extent.length_m >= options.shortest_wall_m &&
-                        extent.width_m <= options.longest_across_m;
+                        extent.width_m <= options.longest_across_m &&
+                        from_walls_m(other, extent.middle) >= kDeepest_m;
   if (is_drawn || sticks_out(extent, other, options)) return {ThingKind::wall, 0, {}};
   return {ThingKind::furniture, 0, piece.place};
 }
