@@ -46,19 +46,24 @@ bool is_sure(const Altered& altered, const ChangeOptions& options) {
          of_nothing.passes >= options.min_readings;
 }
 
+/// A mission, and what it says of the cells.
+struct Compared {
+  const AssembledMission& mission;
+  const SeenCells& cells;
+};
+
 /// Both missions' groups of cells, with what their readings say of them.
-std::vector<Altered> altered_in(const AssembledMission& before, const AssembledMission& after,
-                                const SeenCells& then, const SeenCells& now,
+std::vector<Altered> altered_in(const Compared& before, const Compared& after,
                                 const ChangeOptions& options, const Progress& progress, int jobs) {
   const CellFrame frame{options.evidence.cell_m};
   std::vector<CellGroup> groups =
-      groups_of(only_in(then, now, frame.cell_m, options), frame.cell_m, options);
+      groups_of(only_in(before.cells, after.cells, frame.cell_m, options), frame.cell_m, options);
   const std::size_t gone = groups.size();
   const std::vector<CellGroup> appeared =
-      groups_of(only_in(now, then, frame.cell_m, options), frame.cell_m, options);
+      groups_of(only_in(after.cells, before.cells, frame.cell_m, options), frame.cell_m, options);
   groups.insert(groups.end(), appeared.begin(), appeared.end());
-  const auto by_before = ask(before, groups, options.evidence, progress, jobs);
-  const auto by_after = ask(after, groups, options.evidence, progress, jobs);
+  const auto by_before = ask(before.mission, groups, options.evidence, progress, jobs);
+  const auto by_after = ask(after.mission, groups, options.evidence, progress, jobs);
 
   std::vector<Altered> altered;
   for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -94,7 +99,7 @@ PlanChanges find_changes(const AssembledMission& all_before, const AssembledMiss
   found.tells_changes = of_before.kind == SensorKind::laser && of_after.kind == SensorKind::laser;
   if (found.tells_changes) {
     const std::vector<Altered> altered =
-        altered_in(before, after, then, now, options, progress, jobs);
+        altered_in({before, then}, {after, now}, options, progress, jobs);
     found.changes = changes_of(altered, before.plan, after.plan, options);
   }
   const Seen seen_before{then, of_before.building_from_robot, before.plan};

@@ -36,7 +36,7 @@ std::vector<Point2> along(const Ring& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point2 side = ring[(i + 1) % ring.size()] - ring[i];
     const int steps = std::max(1, static_cast<int>(std::ceil(side.norm() / kStep_m)));
-    for (int k = 0; k < steps; ++k) points.push_back(ring[i] + side * k / steps);
+    for (int k = 0; k < steps; ++k) points.emplace_back(ring[i] + side * k / steps);
   }
   return points;
 }
