@@ -84,7 +84,12 @@ std::optional<LaidOn> lay_on(const AssembledMission& before, const AssembledMiss
   const LocalMap new_map =
       map_of(after, options, progress,
              [&](AsrId id, std::vector<ScanPoint> of_visit) { points[id] = std::move(of_visit); });
-  if (old_map.empty() || new_map.empty()) return std::nullopt;
+  if (old_map.empty() || new_map.empty()) {  // sonars: nothing to match by
+    if (guesses_old_from_new.size() != 1) return std::nullopt;
+    LaidOn laid{guesses_old_from_new.front(), {}, 0.0};
+    for (const auto& [id, pose] : after.placement) laid.placement[id] = laid.old_from_new * pose;
+    return laid;
+  }
   const SearchableMap searched(old_map, options.match);
   const MapMatch match =
       best_match(searched, points_of(new_map, options.match), guesses_old_from_new, options);

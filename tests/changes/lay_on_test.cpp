@@ -84,6 +84,21 @@ TEST(LayOn, AVisitThatContradictsTheOldMapEverywhereIsLeftOut) {
   EXPECT_FALSE(laid->placement.contains(2));
 }
 
+TEST(LayOn, SonarsAreLaidWhereTheyAreSaidToLie) {
+  test::KnownMission before;
+  test::KnownMission after;
+  test::drive(before, furnished_rooms(), {test::kFirstRoom});
+  test::drive(after, furnished_rooms(), {test::kFirstRoom});
+  auto sonars = std::make_shared<RangeSensor>(*after.store.asrs.front().readings.front().sensor);
+  sonars->kind = SensorKind::sonar;
+  for (RangeReading& reading : after.store.asrs.front().readings) reading.sensor = sonars;
+  const Pose2 said{1.0, 2.0, 0.3};
+  const std::optional<LaidOn> laid = lay_on(before.mission, after.mission, {said}, {});
+  ASSERT_TRUE(laid);
+  EXPECT_EQ(laid->placement.at(1), said);
+  EXPECT_FALSE(lay_on(before.mission, after.mission, quarter_turns(), {}));
+}
+
 TEST(MovedPlan, ThereAndBackIsTheSame) {
   FloorPlan plan = test::plan_of_rooms();
   plan.doors[0].leaf = Segment2{{5.0, 1.5}, {5.8, 1.6}};

@@ -39,7 +39,9 @@ struct LaidOn {
 
 /// Lays the laser map of a mission on that of another, near the best of some guesses.
 /// @param guesses_old_from_new of the two building frames
-/// @returns nothing where the two have too little in common, or no laser readings
+/// @returns nothing where the two have too little in common. Without laser readings of both there
+/// is
+///   nothing to match by: a single guess is believed then, of several none
 /// @throws InputError for an ASR without its readings, Interrupted when `progress` says so
 [[nodiscard]] std::optional<LaidOn> lay_on(const AssembledMission& before,
                                            const AssembledMission& after,
