@@ -69,8 +69,11 @@ std::vector<Polygon> polygons_of(const CellMask& mask, const CellFrame& frame, d
     const double area_m2 = signed_area(boundary.edge_midpoints);
     if (std::abs(area_m2) < min_m2) continue;
     Ring ring = planar::simplified(boundary.edge_midpoints, kSimplify_m);
-    if (area_m2 > 0.0) polygons.push_back({std::move(ring), {}});
-    if (area_m2 < 0.0) holes.push_back(std::move(ring));
+    if (area_m2 > 0.0) {
+      polygons.push_back({std::move(ring), {}});
+    } else {
+      holes.push_back(std::move(ring));
+    }
   }
   for (Ring& hole : holes) {
     const auto around = std::find_if(polygons.begin(), polygons.end(), [&](const Polygon& polygon) {
