@@ -66,7 +66,9 @@ void RoomLocalizer::clear() {
 
 std::optional<OdometryHabits> RoomLocalizer::habits() const {
   if (learner_.stretches() == 0) return std::nullopt;
-  return learner_.habits();
+  OdometryHabits habits = learner_.habits();
+  habits.lag_s = lag_.lag_s();
+  return habits;
 }
 
 bool RoomLocalizer::is_worth_adding(const Pose2& map_from_robot) const {
@@ -140,9 +142,12 @@ Pose2 RoomLocalizer::locate(const RangeReading& reading, const Pose2& reckoned, 
     if (aligned.matched > min_matched() &&
         aligned.matched > options_.min_matched_share * aligned.points) {
       pose = aligned.map_from_points;
-      learner_.add(step, inverse(before) * pose, is_length_seen(aligned));
+      const Pose2 matched = inverse(before) * pose;
+      learner_.add(step, matched, is_length_seen(aligned));
+      lag_.add(reading.timestamp_s, reading.odom_from_robot.theta_rad, matched.theta_rad);
     } else {
       learner_.interrupt();
+      lag_.interrupt();
     }
   }
   if (has_few_) recent_.add(scan, pose);

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <deque>
-#include <iterator>
-#include <limits>
-
-#include "roomatlas/odometry/dead_reckoner.hpp"
 #include "roomatlas/pipeline/map_mission.hpp"
+#include "roomatlas/odometry/dead_reckoner.hpp"
+#include "roomatlas/odometry/late_odometry.hpp"
 
 namespace roomatlas {
 namespace {
@@ -53,23 +49,26 @@ MapSummary map_mission(MissionSource& mission, AsrSink& sink, const MapOptions& 
   CountingSink counting(sink);
   DeadReckoner reckoner(options.directions);
   std::optional<AsrRecorder> recorder;  // made once the log has told the robot's footprint
-  std::deque<DeadReckoned> waiting;
+  LateOdometry waiting;
   const auto take = [&](std::vector<DeadReckoned> readings) {
     if (!recorder) {
       recorder.emplace(
           options.record, mission.info().footprint, counting,
           options.localize.enabled ? std::make_unique<RoomLocalizer>(options.localize) : nullptr);
     }
-    std::move(readings.begin(), readings.end(), std::back_inserter(waiting));
+    for (DeadReckoned& reading : readings) waiting.add(std::move(reading));
   };
   const auto record_one = [&] {
-    if (waiting.empty()) return;
-    recorder->add(waiting.front().reading, waiting.front().reckoned_from_robot);
-    waiting.pop_front();
+    const auto habits = recorder->habits();
+    const auto next = waiting.next(habits ? habits->lag_s : 0.0);
+    if (next) recorder->add(next->reading, next->reckoned_from_robot);
+    return next.has_value();
   };
   const auto finish = [&] {
     take(reckoner.finish());
-    while (!waiting.empty()) record_one();
+    waiting.finish();
+    while (record_one()) {
+    }
     recorder->finish();
   };
 

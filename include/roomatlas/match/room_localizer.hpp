@@ -9,6 +9,7 @@
 #include "roomatlas/match/align.hpp"
 #include "roomatlas/match/recent_sweeps.hpp"
 #include "roomatlas/odometry/habits.hpp"
+#include "roomatlas/odometry/lag_learner.hpp"
 #include "roomatlas/odometry/noise.hpp"
 
 namespace roomatlas {
@@ -110,6 +111,7 @@ class RoomLocalizer : public Localizer {
   RecentSweeps recent_;   ///< of a laser with few beams
   bool has_few_ = false;  ///< the sweep at hand is one of few beams
   HabitLearner learner_;
+  LagLearner lag_;
   std::vector<std::pair<RangeReading, Pose2>> waiting_;  ///< to be drawn, the newest first: a new
                                                          ///< room begins with many at once
   std::optional<Pose2> last_added_;
