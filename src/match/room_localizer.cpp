@@ -128,13 +128,14 @@ ScanAlignment RoomLocalizer::match(const std::vector<ScanPoint>& points, const P
   return is_there ? found : aligned;
 }
 
-Pose2 RoomLocalizer::locate(const RangeReading& reading, const Pose2& reckoned, const Pose2& step) {
+Pose2 RoomLocalizer::locate(const RangeReading& reading, const Pose2& predicted_asr_from_robot,
+                            const Pose2& step) {
   recent_turn_rad_ = kFade * recent_turn_rad_ + std::abs(step.theta_rad);
-  if (!can_be_matched(reading)) return reckoned;
+  if (!can_be_matched(reading)) return predicted_asr_from_robot;
   insert_some_waiting();
   has_few_ = recent_.are_needed(*reading.sensor);
   Scan scan = scan_of(reading, options_.scan);
-  const Pose2 before = reckoned * inverse(step);
+  const Pose2 before = predicted_asr_from_robot * inverse(step);
   Pose2 pose = before * without_habits(step, learner_.habits());
   if (has_few_) recent_.add_normals(scan, pose);
   if (!map_.empty()) {
