@@ -15,7 +15,7 @@ namespace {
 constexpr float kBesideWall = 0.5F;    // of a wall's worth: half a cell is half a cell
 constexpr float kWallOnFloor = -0.5F;  // more forgets that doors and chairs move
 constexpr float kFloorOnWall = -0.5F;
-constexpr int kPeaksAHeading = 60;
+constexpr std::size_t kPeaksAHeading = 60;
 constexpr double kFaceHits = 4.0;  // of the building's walls: all count alike
 constexpr double kCoreM = 0.06;    // a wall this near to the middle of free floor stands on it
 
@@ -107,15 +107,18 @@ Pose2 middle_of(const FloorSketch& sketch) {
 
 /// The likeliest, none of them near to a likelier one.
 template <typename Place, typename PoseOf>
-std::vector<Place> apart(std::vector<Place> places, const LocateOptions& options, PoseOf pose_of) {
+std::vector<Place> apart(std::vector<Place> places, std::size_t most, const LocateOptions& options,
+                         PoseOf pose_of) {
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.score > b.score; });
   std::vector<Place> kept;
   for (const Place& place : places) {
+    if (kept.size() >= most) break;
     const bool is_known = std::any_of(kept.begin(), kept.end(), [&](const Place& better) {
-      const Pose2 between = inverse(pose_of(better)) * pose_of(place);
-      return between.position().norm() < options.apart_m &&
-             std::abs(degrees(between.theta_rad)) < options.apart_deg;
+      const Pose2& one = pose_of(better);
+      const Pose2& other = pose_of(place);
+      return (one.position() - other.position()).norm() < options.apart_m &&
+             std::abs(degrees(wrap_angle(one.theta_rad - other.theta_rad))) < options.apart_deg;
     });
     if (!is_known) kept.push_back(place);
   }
@@ -148,14 +151,13 @@ void BuildingIndex::add(const FloorSketch& sketch) {
 std::vector<BuildingIndex::Coarse> BuildingIndex::search(const FloorSketch& query,
                                                          double heading_rad) const {
   const Raster<float> scores = plane_->scores(query_of(moved(query, Pose2{0.0, 0.0, heading_rad})));
+  const auto pose = [](const Coarse& peak) -> const Pose2& { return peak.pose; };
   std::vector<Coarse> peaks;
   for_each_cell(scores.box, [&](const Cell& shift) {
     if (scores[shift] <= 0.0F || !is_peak(scores, shift)) return;
     peaks.push_back({{shift.x * kFloorCellM, shift.y * kFloorCellM, heading_rad}, scores[shift]});
   });
-  peaks = apart(std::move(peaks), options_, [](const Coarse& peak) { return peak.pose; });
-  if (peaks.size() > kPeaksAHeading) peaks.resize(kPeaksAHeading);
-  return peaks;
+  return apart(std::move(peaks), kPeaksAHeading, options_, pose);
 }
 
 std::optional<double> BuildingIndex::distance_to_wall(const Point2& at,
@@ -235,17 +237,19 @@ std::vector<PlaceHypothesis> BuildingIndex::find(const FloorSketch& query, int j
       near_middle(moved(query, inverse(middle)), options_.max_query_m / 2.0);
   const std::vector<double> headings =
       heading_candidates(directions_, direction_histogram(centred.walls));
+  const auto pose = [](const Coarse& peak) -> const Pose2& { return peak.pose; };
   std::vector<Coarse> all;
   for (const auto& peaks : results_of<std::vector<Coarse>>(
            headings.size(), jobs, [&](std::size_t i) { return search(centred, headings[i]); })) {
     all.insert(all.end(), peaks.begin(), peaks.end());
   }
-  all = apart(std::move(all), options_, [](const Coarse& one) { return one.pose; });
-  all.resize(std::min(all.size(), static_cast<std::size_t>(options_.candidates)));
+  all = apart(std::move(all), static_cast<std::size_t>(options_.candidates), options_, pose);
   std::vector<PlaceHypothesis> places = results_of<PlaceHypothesis>(
       all.size(), jobs, [&](std::size_t i) { return fit(query, all[i].pose * inverse(middle)); });
-  return apart(std::move(places), options_,
-               [](const PlaceHypothesis& place) { return place.building_from_query; });
+  return apart(std::move(places), all.size(), options_,
+               [](const PlaceHypothesis& place) -> const Pose2& {
+                 return place.building_from_query;
+               });
 }
 
 }  // namespace roomatlas

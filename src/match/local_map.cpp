@@ -43,13 +43,13 @@ void LocalMap::add_hit(const Point2& position, const Point2& normal) {
 }
 
 void LocalMap::add(const Face& seen) {
-  std::uint16_t* slot = &cells_.edit(frame_.cell_of(seen.position)).face;
+  std::uint32_t* slot = &cells_.edit(frame_.cell_of(seen.position)).face;
   if (*slot != 0 && faces_[*slot - 1U].normal_sum.dot(seen.normal) < 0.0) {
     slot = &faces_[*slot - 1U].other;  // the wall's other side
   }
   if (*slot == 0) {
-    if (faces_.size() == std::numeric_limits<std::uint16_t>::max()) return;
-    *slot = static_cast<std::uint16_t>(faces_.size() + 1);
+    if (faces_.size() == std::numeric_limits<std::uint32_t>::max()) return;
+    *slot = static_cast<std::uint32_t>(faces_.size() + 1);
     faces_.emplace_back();  // `slot` may point into `faces_`: it is not used any more
     faces_.back().mean = seen;
     faces_.back().normal_sum = seen.hits * seen.normal;
@@ -87,7 +87,7 @@ void LocalMap::add(const Scan& scan, const Pose2& map_from_robot) {
 std::vector<Face> LocalMap::faces(double min_hits) const {
   std::vector<Face> found;
   cells_.for_each([&](const Cell&, const LocalCell& cell) {
-    for (std::uint16_t i = cell.face; i != 0; i = faces_[i - 1U].other) {
+    for (std::uint32_t i = cell.face; i != 0; i = faces_[i - 1U].other) {
       if (faces_[i - 1U].mean.hits >= min_hits) found.push_back(faces_[i - 1U].mean);
     }
   });

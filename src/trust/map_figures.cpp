@@ -153,6 +153,8 @@ void add_sonars(const SonarTrajectory& sonars, double path_m, std::vector<Judged
        {"undecided drives", log_of(sonars.undecided_m / metres, 0.001)},
        {"score of another winding", sonars.rival_score},
        {"slips repaired", std::log1p(sonars.slips_repaired)},
+       {"uncertainty of the scale", log_of(sonars.length_scale_sigma, 0.0005)},
+       {"clutter before walls", log_of(sonars.clutter_m, 0.001)},
        {"odometry's bias", log_of(std::abs(sonars.habits.bias_rad_per_m), 0.0005)},
        {"odometry's gain", log_of(std::abs(sonars.habits.turn_gain - 1.0), 0.002)}});
 }

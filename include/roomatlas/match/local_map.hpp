@@ -37,7 +37,7 @@ class LocalMap {
     const Cell low = frame_.cell_of({at.x() - radius_m, at.y() - radius_m});
     const Cell high = frame_.cell_of({at.x() + radius_m, at.y() + radius_m});
     cells_.for_each_in({low, {high.x + 1, high.y + 1}}, [&](const LocalCell& cell) {
-      for (std::uint16_t i = cell.face; i != 0; i = faces_[i - 1U].other) {
+      for (std::uint32_t i = cell.face; i != 0; i = faces_[i - 1U].other) {
         visit(faces_[i - 1U].mean);
       }
     });
@@ -52,7 +52,7 @@ class LocalMap {
       if (value.certainty <= kSeenFree) free(cell);
     });
     cells_.for_each([&](const Cell& cell, const LocalCell& value) {
-      for (std::uint16_t i = value.face; i != 0; i = faces_[i - 1U].other) {
+      for (std::uint32_t i = value.face; i != 0; i = faces_[i - 1U].other) {
         if (faces_[i - 1U].mean.hits < min_hits) continue;
         face(cell);
         break;
@@ -69,12 +69,12 @@ class LocalMap {
 
   struct LocalCell {
     std::int8_t certainty = 0;
-    std::uint16_t face = 0;  ///< index into `faces_` plus one; 0: none
+    std::uint32_t face = 0;  ///< index into `faces_` plus one; 0: none
   };
   struct StoredFace {
     Face mean;
     Point2 normal_sum = Point2::Zero();
-    std::uint16_t other = 0;  ///< the cell's second face
+    std::uint32_t other = 0;  ///< the cell's second face
   };
 
   void add_free(const Point2& from, const Point2& to);
