@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <map>
+
 #include "commands.hpp"
 #include "console.hpp"
 #include "evaluation_report.hpp"
+#include "join_stores.hpp"
 #include "map_store.hpp"
 #include "new_store.hpp"
 #include "output_places.hpp"
@@ -71,16 +74,16 @@ Path topmost_missing(const Path& folder) {
 
 /// A finished map: a store with its plan and no mission.
 void build_from_map(const Settings& settings, const BuildArguments& arguments) {
-  const MapCells cells = read_map(arguments.input, arguments.resolution_m);
+  const MapCells cells = read_map(arguments.inputs.front(), arguments.resolution_m);
   make_folder(arguments.out);
   const Path store = arguments.out / "building.gpkg";
-  require_output_store(store, {arguments.input});
+  require_output_store(store, {arguments.inputs.front()});
   settle_new_store(store);
-  const std::size_t rooms = map_into_store(settings, arguments.input, cells, store);
+  const std::size_t rooms = map_into_store(settings, arguments.inputs.front(), cells, store);
   write_results(settings, store, arguments,
                 {"svg", "pdf", "png", "geojson", "graphml", "csv", "nav2"});
   if (rooms > 0) return;
-  throw NotEnoughError(arguments.input.string() +
+  throw NotEnoughError(arguments.inputs.front().string() +
                        ": no room was found in this map; all files are written nevertheless. Rooms "
                        "are free cells of 2 m2 and more among occupied ones: are resolution, "
                        "thresholds and negate those of the map?");
@@ -94,8 +97,64 @@ void require_trust(const Path& store_file) {
                    ": the map is doubtful, or could not be judged; it is written nevertheless");
 }
 
+/// One mission of several in a store of its own, which an earlier run may have left.
+void map_and_assemble(const Settings& settings, const Path& log, const Path& store) {
+  require_output_store(store, {log});
+  settle_new_store(store);
+  if (is_mapped_already(settings, log, store) &&
+      GeoPackageStore(store, GeoPackageStore::Mode::read).has_assembly()) {
+    spdlog::info("{} holds this mission already", store.string());
+    return;
+  }
+  map(settings, log, store);
+  (void)assemble(settings, store);
+}
+
+/// Stores of several missions, named after their logs: NAME.gpkg, and NAME-2.gpkg where two logs
+/// have one name.
+std::vector<Path> stores_for(const std::vector<Path>& logs, const Path& folder) {
+  std::vector<Path> stores;
+  std::map<std::string, int> named;
+  for (const Path& log : logs) {
+    std::string name = log.filename().string();
+    name = name.substr(0, name.find('.'));
+    const int number = ++named[name];
+    if (number > 1) name += fmt::format("-{}", number);
+    stores.push_back(folder / (name + ".gpkg"));
+  }
+  return stores;
+}
+
+/// Each mission in OUT/missions, what holds together in OUT, and whatever does not beside it.
+void build_joined(const Settings& settings, const BuildArguments& arguments) {
+  const Path& out = arguments.out;
+  for (const Path& log : arguments.inputs) {
+    if (is_map(log)) {
+      throw UsageError(log.string() + ": a finished map stands alone: joined are missions");
+    }
+    (void)open_mission(log, settings.mission);
+  }
+  make_folder(out / "missions");
+  const std::vector<Path> stores = stores_for(arguments.inputs, out / "missions");
+  for (std::size_t i = 0; i < stores.size(); ++i) {
+    map_and_assemble(settings, arguments.inputs[i], stores[i]);
+  }
+  const Path store = out / "building.gpkg";
+  for (const WrittenBuilding& written : join_into(settings, stores, store)) {
+    BuildArguments drawn = arguments;
+    if (written.store != store) {
+      drawn.out = out / "beside" / written.store.stem();
+      drawn.truth.clear();
+      make_folder(drawn.out);
+    }
+    write_results(settings, written.store, drawn, {"svg", "pdf", "png", "geojson", "csv", "nav2"});
+    require_a_room(written.rooms, written.store);
+  }
+  if (arguments.strict) require_trust(store);
+}
+
 void build_from_log(const Settings& settings, const BuildArguments& arguments) {
-  const Path& log = arguments.input;
+  const Path& log = arguments.inputs.front();
   const Path& out = arguments.out;
   if (arguments.resolution_m > 0.0) {
     throw UsageError(log.string() + ": --resolution is for pictures, and this is none");
@@ -129,7 +188,9 @@ void build_from_log(const Settings& settings, const BuildArguments& arguments) {
 
 void build(const Settings& settings, const BuildArguments& arguments) {
   (void)arguments.exported.reference();  // wrong options leave no folder behind
-  if (is_map(arguments.input)) {
+  if (arguments.inputs.size() > 1) {
+    build_joined(settings, arguments);
+  } else if (is_map(arguments.inputs.front())) {
     build_from_map(settings, arguments);
   } else {
     build_from_log(settings, arguments);

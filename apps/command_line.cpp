@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands and their arguments: one of three files that include CLI11.
+// The commands and their arguments: one of four files that include CLI11.
 #include "command_line.hpp"
 
 #include <fmt/format.h>
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "bind_parameters.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "limits.hpp"
@@ -34,9 +35,7 @@ struct Arguments {
   Path out;
   SimulateArguments simulate;
   std::vector<Path> judged;
-  std::vector<Path> truth;
-  std::vector<Path> spans;
-  TrajectoryFlags trajectory;
+  TruthArguments truth;
   ComparisonFiles comparison;
   ExportOptions exported;
   std::vector<std::string> formats = export_formats();
@@ -44,142 +43,6 @@ struct Arguments {
   OptimizeArguments optimize;
   CompareArguments compare;
 };
-
-CLI::Option* positional(CLI::App* command, const char* name, Path& value, const char* meaning) {
-  return command->add_option(name, value, meaning)->required()->configurable(false);
-}
-
-CLI::Option* output(CLI::App* command, Path& value, const char* meaning) {
-  return command->add_option("-o,--output", value, meaning)->required()->configurable(false);
-}
-
-void add_export_options(CLI::App* command, ExportOptions& options) {
-  command
-      ->add_option("--georef", options.georef,
-                   "LAT,LON,HEADING: where the plan's origin is, and the compass direction of its "
-                   "y axis, in deg; plan.geojson is then on the earth")
-      ->delimiter(',')
-      ->expected(3)
-      ->configurable(false);
-  command
-      ->add_option(
-          "--north", options.north,
-          "deg, clockwise from the plan's y axis: where north is; as --georef says without it")
-      ->check(within(-360.0, 360.0))
-      ->configurable(false);
-}
-
-void add_measured_walls(CLI::App* command, ExportOptions& options) {
-  command
-      ->add_flag("--measured-walls", options.measured_walls,
-                 "the walls as measured, where `assemble` made them regular")
-      ->configurable(false);
-}
-
-void add_ogr_option(CLI::App* command, ExportOptions& options) {
-  command
-      ->add_option("--ogr", options.ogr_driver,
-                   "vector format of GDAL for -f ogr, such as GML or \"ESRI Shapefile\"")
-      ->configurable(false);
-}
-
-/// All files of truth: spans are told by their names too.
-std::vector<Path> truth_of(const Arguments& arguments) {
-  std::vector<Path> files = arguments.truth;
-  files.insert(files.end(), arguments.spans.begin(), arguments.spans.end());
-  return files;
-}
-
-void add_truth(CLI::App* command, Arguments& arguments) {
-  command
-      ->add_option("--truth", arguments.truth,
-                   "truth to compare with: FILE.relations, a trajectory (TUM, g2o, CARMEN log with "
-                   "TRUEPOS, corrected log, poses), a plan FILE.geojson, a label picture "
-                   "FILE.pgm[.gz], or tape-measure spans FILE.csv; again for more")
-      ->configurable(false);
-  command
-      ->add_option("--spans", arguments.spans, "tape-measure spans, FILE.csv: as --truth FILE.csv")
-      ->configurable(false);
-  add_trajectory_flags(command, arguments.trajectory);
-}
-
-void add_simulate(CLI::App* command, SimulateArguments& a) {
-  command->add_option("WORLD", a.world, "plan (GeoJSON), nav2 map (YAML), or picture (PNG, PGM)")
-      ->configurable(false);
-  command
-      ->add_option("--random-rooms", a.random_rooms,
-                   "instead of WORLD: a random building of N rooms, as a store of ASRs")
-      ->configurable(false);
-  command
-      ->add_option("--random-world", a.random_world,
-                   "instead of WORLD: a building that this seed makes up")
-      ->configurable(false);
-  command->add_option("--world-kind", a.world_kind, "of --random-world: offices, hall, wings ...")
-      ->configurable(false);
-  command->add_option("--world-rooms", a.world_rooms, "of --random-world: about so many, 3 to 40")
-      ->configurable(false);
-  command
-      ->add_option("--resolution", a.file.resolution_m, "m a pixel, of a world that is a picture")
-      ->check(within(0.001, 10.0))
-      ->configurable(false);
-  command->add_option("--room-labels", a.file.room_labels, "picture with each pixel's room number")
-      ->configurable(false);
-  command->add_option("--drive", a.drive, "way-points; without them the robot explores by itself")
-      ->configurable(false);
-  command->add_flag("--tour", a.tour, "drive through all rooms as somebody who knows them would")
-      ->configurable(false);
-  command
-      ->add_option("--start", a.start, "where the exploring robot starts: x,y in m, heading in deg")
-      ->delimiter(',')
-      ->expected(3)
-      ->check(finite())
-      ->configurable(false);
-  command
-      ->add_option("--furnish", a.furnish,
-                   "seed of furniture and open door leaves that are put into the rooms first")
-      ->configurable(false);
-  command
-      ->add_option("--format", a.format,
-                   "of the mission: clf (CARMEN), or a recording with topics: bag, mcap, db3")
-      ->check(CLI::IsMember({"clf", "bag", "mcap", "db3"}))
-      ->configurable(false);
-  output(command, a.out, "folder for mission.clf, truth.tum and truth.geojson");
-}
-
-void add_comparison_files(CLI::App* command, ComparisonFiles& files) {
-  const auto add = [&](const char* name, Path& value, const char* meaning) {
-    command->add_option(name, value, meaning)->group("Results")->configurable(false);
-  };
-  add("--csv", files.csv, "file for all figures, a line each");
-  add("--latex", files.latex, "file for a table with means and intervals");
-  add("--plots", files.plots, "folder for SVG plots: over time, histogram, map");
-  add("--archive", files.archive, "ZIP file in evo's result layout");
-}
-
-void add_optimize(CLI::App* command, OptimizeArguments& a) {
-  positional(command, "GRAPH", a.graph, "pose graph: g2o or TORO, plain or gzip");
-  output(command, a.out, "g2o file to write");
-  command->add_flag("--robust", a.options.robust, "reject closures that contradict the others")
-      ->configurable(false);
-  command->add_flag("--strict", a.strict, "exit code 5 where the result should not be trusted")
-      ->configurable(false);
-  command->add_option("--covariance", a.covariance, "CSV file to write covariances to")
-      ->configurable(false);
-  command->add_option("--solver", a.options.solver, "block, or ceres: the reference, slower")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, PoseGraphSolver>{
-          {"block", PoseGraphSolver::block}, {"ceres", PoseGraphSolver::ceres}}))
-      ->configurable(false);
-}
-
-void add_compare(CLI::App* command, CompareArguments& a) {
-  positional(command, "OLD", a.before, "assembled store of the older mission");
-  positional(command, "NEW", a.after, "assembled store of the newer mission");
-  CLI::Option* pose = command->add_option(
-      "--old-from-new", a.old_from_new,
-      "X,Y,DEG: about where the new building's frame lies in the old one; else near it");
-  pose->delimiter(',')->expected(3)->check(finite())->configurable(false);
-  output(command, a.out, "folder for changes.svg, changes.png, changes.geojson and changes.csv");
-}
 
 /// The commands with their files; what runs is left in `chosen`.
 class Commands {
@@ -209,16 +72,20 @@ class Commands {
     positional(info, "LOG", a_.log, "mission log");
 
     CLI::App* build = command("build", "log or map -> floor plan: everything in order", [this] {
-      apps::build(settings_, {a_.log, a_.resolution_m, a_.out, truth_of(a_), a_.trajectory,
-                              a_.exported, a_.is_strict});
+      apps::build(settings_, {a_.judged, a_.resolution_m, a_.out, a_.truth.files(),
+                              a_.truth.trajectory, a_.exported, a_.is_strict});
     });
-    positional(build, "LOG|MAP", a_.log,
-               "mission log, plain or gzip; or a finished map: nav2 YAML, or PNG or PGM");
+    build
+        ->add_option("LOG|MAP", a_.judged,
+                     "mission log, plain or gzip; several of one building are joined; or a "
+                     "finished map: nav2 YAML, or PNG or PGM")
+        ->required()
+        ->configurable(false);
     build->add_option("--resolution", a_.resolution_m, "m a pixel, of a map that is a picture")
         ->check(within(0.001, 10.0))
         ->configurable(false);
     output(build, a_.out, "folder for the results");
-    add_truth(build, a_);
+    add_truth(build, a_.truth);
     add_export_options(build, a_.exported);
     build->add_flag("--strict", a_.is_strict, "exit code 5 where the map is doubtful")
         ->configurable(false);
@@ -269,7 +136,8 @@ class Commands {
     CLI::App* evaluate =
         command("evaluate", "errors of stores, trajectories or logs, against truth and without any",
                 [this] {
-                  apps::evaluate(settings_, a_.judged, truth_of(a_), a_.trajectory, a_.comparison);
+                  apps::evaluate(settings_, a_.judged, a_.truth.files(), a_.truth.trajectory,
+                                 a_.comparison);
                 });
     evaluate
         ->add_option("RUN", a_.judged,
@@ -277,7 +145,7 @@ class Commands {
                      "several are compared with the first")
         ->required()
         ->configurable(false);
-    add_truth(evaluate, a_);
+    add_truth(evaluate, a_.truth);
     add_comparison_files(evaluate, a_.comparison);
 
     add_compare(command("compare", "what changed between two missions in one building",
@@ -285,11 +153,12 @@ class Commands {
                 a_.compare);
 
     CLI::App* report =
-        command("report", "a page to look at in a browser: map, rooms, correction, errors",
-                [this] { apps::report(settings_, a_.store, truth_of(a_), a_.trajectory, a_.out); });
+        command("report", "a page to look at in a browser: map, rooms, correction, errors", [this] {
+          apps::report(settings_, a_.store, a_.truth.files(), a_.truth.trajectory, a_.out);
+        });
     positional(report, "STORE", a_.store, "assembled store");
     output(report, a_.out, "HTML file to write, such as report.html");
-    add_truth(report, a_);
+    add_truth(report, a_.truth);
 
     CLI::App* rename = command("rename", "gives a room a name, which later plans keep",
                                [this] { apps::rename(settings_, a_.store, a_.room, a_.name); });

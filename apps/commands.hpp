@@ -37,7 +37,7 @@ struct SimulateArguments {
 
 /// Files and choices of `build`.
 struct BuildArguments {
-  Path input;                 ///< a mission log, or a finished map
+  std::vector<Path> inputs;   ///< mission logs, or one finished map
   double resolution_m = 0.0;  ///< of a map that is a bare picture, a pixel; 0: not given
   Path out;
   std::vector<Path> truth;

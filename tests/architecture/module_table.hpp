@@ -30,7 +30,7 @@ inline const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"changes", {"core", "plan", "mission", "grid", "polyline", "match", "asr", "draft", "planar"}},
     {"merge", {"core", "plan", "planar"}},
     {"locate", {"core", "grid", "match", "asr", "sonar", "loops"}},
-    {"join", {"core", "mission", "grid", "match", "asr", "solve", "loops", "locate"}},
+    {"join", {"core", "grid", "solve", "loops", "locate"}},
     {"assembly", {"plan", "asr", "graph", "sonar", "correct", "loops", "mission"}},
     {"evaluate", {"core", "plan", "polyline", "asr", "correct", "planar"}},
     {"trust",

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Missions through drawn buildings, joined from nothing.
+#include "roomatlas/join/join_missions.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/drawn_shape.hpp"
+
+namespace roomatlas {
+namespace {
+
+using namespace test;
+
+/// Rooms in a row along x, and where they are.
+struct Row {
+  std::vector<DrawnWall> walls;
+  std::vector<Point2> middles;
+};
+
+Row row_of(const std::vector<double>& widths, const std::vector<double>& boxes) {
+  Row row;
+  double x = 0.0;
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    for (const DrawnWall& wall : room_walls(x, 0.0, widths[i], 4.0, boxes[i])) {
+      row.walls.push_back(wall);
+    }
+    row.middles.push_back({x + widths[i] * 0.6, 2.6});
+    x += widths[i] + 0.2;
+  }
+  return row;
+}
+
+Row building() { return row_of({4.0, 5.3, 7.1, 3.6, 6.2}, {0.8, 1.4, 1.1, 0.0, 1.9}); }
+Row rooms_alike() { return row_of({5.0, 5.0, 5.0, 5.0, 5.0}, {1.0, 1.0, 1.0, 1.0, 1.0}); }
+
+/// A mission through some rooms, in a frame of its own; each visit a frame of its own too.
+MissionMap driven(const Row& row, const std::vector<std::size_t>& rooms, AsrId first,
+                  const Pose2& mission_from_world) {
+  MissionMap mission;
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    const Point2 middle = row.middles[rooms[i]];
+    const Pose2 world_from_asr{middle.x(), middle.y(), 0.2 * static_cast<double>(i)};
+    const AsrId id = first + static_cast<AsrId>(i);
+    const std::vector<Point2> places = {middle + Point2{-0.8, -0.4}, middle,
+                                        middle + Point2{0.5, 0.6}};
+    mission.shapes.push_back(seen_shape(id, row.walls, places, inverse(world_from_asr)));
+    mission.mission_from_asr[id] = mission_from_world * world_from_asr;
+  }
+  return mission;
+}
+
+/// Drawn missions are short: a piece is a room or two.
+JoinOptions for_small_missions() {
+  JoinOptions options;
+  options.place.piece_way_m = 2.0;
+  options.place.min_score = 30.0;
+  return options;
+}
+
+double largest_error_m(const JoinedMissions& joined, const MissionMap& mission,
+                       const Pose2& base_from_mission) {
+  double largest = 0.0;
+  for (const auto& [id, pose] : mission.mission_from_asr) {
+    const Pose2 off = inverse(base_from_mission * pose) * joined.placement.at(id);
+    largest = std::max(largest, off.position().norm());
+  }
+  return largest;
+}
+
+TEST(JoinMissions, PutsEachWhereItWasHoweverItsFrameIsTurned) {
+  const Pose2 second_from_world{20.0, -7.0, radians(123.0)};
+  const Pose2 third_from_world{-4.0, 9.0, radians(-64.0)};
+  const std::vector<MissionMap> missions = {driven(building(), {0, 1, 2}, 1, {}),
+                                            driven(building(), {1, 2, 3, 4}, 11, second_from_world),
+                                            driven(building(), {4, 3, 4}, 21, third_from_world)};
+  const JoinedMissions joined = join_missions(missions, for_small_missions());
+  for (const JoinedMission& mission : joined.missions) EXPECT_EQ(mission.component, 0);
+  EXPECT_LT(largest_error_m(joined, missions[1], inverse(second_from_world)), 0.05);
+  // The third shares no room with the first: it is held by the second.
+  EXPECT_LT(largest_error_m(joined, missions[2], inverse(third_from_world)), 0.08);
+  for (const Closure& closure : joined.closures) {
+    if (closure.verdict != ClosureVerdict::accepted) continue;
+    const Pose2 off =
+        inverse(closure.match.first_from_second) *
+        (inverse(joined.placement.at(closure.from)) * joined.placement.at(closure.to));
+    EXPECT_LT(off.position().norm(), 0.1) << closure.from << " " << closure.to;
+  }
+}
+
+TEST(JoinMissions, LeavesAMissionThroughRoomsAlikeAlone) {
+  const std::vector<MissionMap> missions = {driven(rooms_alike(), {0, 1, 2, 3, 4}, 1, {}),
+                                            driven(rooms_alike(), {1, 2}, 11, {3.0, 1.0, 0.4})};
+  const JoinedMissions joined = join_missions(missions, for_small_missions());
+  EXPECT_NE(joined.missions[0].component, joined.missions[1].component);
+  EXPECT_EQ(joined.missions[1].verdict, PlaceVerdict::ambiguous);
+}
+
+TEST(JoinMissions, LeavesAMissionOfAnotherBuildingAlone) {
+  const Row other = row_of({8.4, 2.7}, {2.6, 0.0});
+  const std::vector<MissionMap> missions = {driven(building(), {0, 1, 2, 3, 4}, 1, {}),
+                                            driven(other, {0, 1}, 11, {3.0, 1.0, 0.4})};
+  const JoinedMissions joined = join_missions(missions, for_small_missions());
+  EXPECT_NE(joined.missions[0].component, joined.missions[1].component);
+  EXPECT_TRUE(joined.missions[1].is_base);  // of a component of its own
+  for (const auto& [id, pose] : missions[1].mission_from_asr) {
+    EXPECT_EQ(joined.placement.at(id), pose);
+  }
+}
+
+TEST(JoinMissions, GivesTheSameForAnyNumberOfJobs) {
+  const std::vector<MissionMap> missions = {
+      driven(building(), {0, 1, 2, 3}, 1, {}),
+      driven(building(), {3, 2, 1}, 11, {20.0, -7.0, radians(123.0)})};
+  const JoinedMissions one = join_missions(missions, for_small_missions(), {}, 1);
+  const JoinedMissions three = join_missions(missions, for_small_missions(), {}, 3);
+  EXPECT_EQ(one.placement, three.placement);
+}
+
+}  // namespace
+}  // namespace roomatlas
