@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `join` and `build` of several logs as a user runs them: missions of simulated rooms.
+#include <gmock/gmock.h>
+
+#include "random_store.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
+
+namespace roomatlas::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Join : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new Folder;
+    one_ = log("one", "two_rooms", "--sensor laser --tour --seed 1");
+    two_ = log("two", "two_rooms", "--sensor laser --tour --seed 2 --odometry-bias 2");
+  }
+  static void TearDownTestSuite() {
+    delete folder_;
+    folder_ = nullptr;
+  }
+
+  static std::string log(const std::string& name, const std::string& world,
+                         const std::string& flags) {
+    const std::string file =
+        std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/" + world + ".geojson";
+    const std::string place = (*folder_ / name).string();
+    const Outcome made = run("-q simulate " + file + " " + flags + " -o " + place);
+    EXPECT_EQ(made.exit_code, 0) << made.err;
+    std::filesystem::rename(place + "/mission.clf", place + "/" + name + ".clf");
+    return place + "/" + name + ".clf";
+  }
+
+  static inline Folder* folder_ = nullptr;
+  static inline std::string one_;
+  static inline std::string two_;
+};
+
+TEST_F(Join, BuildOfTwoLogsIsOneBuildingWhateverTheirOrder) {
+  const std::string first = (*folder_ / "first").string();
+  const std::string second = (*folder_ / "second").string();
+  const Outcome done = run("build " + one_ + " " + two_ + " -o " + first);
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_THAT(done.err, HasSubstr("joined:"));
+  ASSERT_EQ(run("-q build " + two_ + " " + one_ + " -o " + second + " --jobs 1").exit_code, 0);
+  EXPECT_EQ(content_of(first + "/plan.geojson"), content_of(second + "/plan.geojson"));
+  EXPECT_EQ(content_of(first + "/plan.svg"), content_of(second + "/plan.svg"));
+
+  const GeoPackageStore store(first + "/building.gpkg", GeoPackageStore::Mode::read);
+  EXPECT_EQ(store.plan().rooms.size(), 2U);
+  const std::vector<MemberMission> members = store.members();
+  ASSERT_EQ(members.size(), 2U);
+  EXPECT_TRUE(members[0].is_base);
+  EXPECT_FALSE(members[1].is_base);
+  EXPECT_EQ(members[1].first_asr, members[0].last_asr + 1);
+  EXPECT_GT(members[1].agreement, 0.9);
+  EXPECT_EQ(store.ids().back(), members[1].last_asr);
+}
+
+TEST_F(Join, AddsAMissionToABuildingThatKeepsItsRooms) {
+  const std::string place = (*folder_ / "grown").string();
+  ASSERT_EQ(run("-q build " + one_ + " " + two_ + " -o " + place).exit_code, 0);
+  ASSERT_EQ(run("-q rename " + place + "/building.gpkg 2 Kitchen").exit_code, 0);
+  const std::string three = log("three", "two_rooms", "--sensor sonar --tour --seed 3");
+  ASSERT_EQ(run("-q map " + three + " -o " + place + "/three.gpkg").exit_code, 0);
+  ASSERT_EQ(run("-q assemble " + place + "/three.gpkg").exit_code, 0);
+  const std::string grown = place + "/grown.gpkg";
+  const Outcome done = run("join " + place + "/three.gpkg " + place + "/building.gpkg -o " + grown);
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const GeoPackageStore store(grown, GeoPackageStore::Mode::read);
+  ASSERT_EQ(store.members().size(), 3U);
+  EXPECT_EQ(store.members()[2].sensor, SensorKind::sonar);
+  std::vector<std::string> names;
+  for (const PlanRoom& room : store.plan().rooms) names.push_back(room.name);
+  EXPECT_THAT(names, ::testing::Contains("Kitchen"));
+}
+
+TEST_F(Join, LeavesAMissionOfAnotherBuildingAloneAndSaysSo) {
+  const std::string other = log("other", "open_hall", "--sensor laser --tour --seed 4");
+  const std::string place = (*folder_ / "apart").string();
+  const Outcome done = run("build " + one_ + " " + other + " -o " + place);
+  EXPECT_EQ(done.exit_code, 4);
+  EXPECT_THAT(done.err, HasSubstr("nothing holds any two of these missions together"));
+  EXPECT_TRUE(std::filesystem::exists(place + "/missions/one.gpkg"));
+  EXPECT_TRUE(std::filesystem::exists(place + "/missions/other.gpkg"));
+  EXPECT_FALSE(std::filesystem::exists(place + "/building.gpkg"));
+}
+
+TEST_F(Join, RefusesAStoreThatIsNotAssembled) {
+  const std::string store = (*folder_ / "mapped.gpkg").string();
+  ASSERT_EQ(run("-q map " + one_ + " -o " + store).exit_code, 0);
+  const Outcome done =
+      run("join " + store + " " + store + " -o " + (*folder_ / "none.gpkg").string());
+  EXPECT_EQ(done.exit_code, 3);
+  EXPECT_THAT(done.err, HasSubstr("not assembled"));
+}
+
+}  // namespace
+}  // namespace roomatlas::test
