@@ -42,6 +42,7 @@ struct Arguments {
   bool print_config = false;
   OptimizeArguments optimize;
   CompareArguments compare;
+  LocateArguments locate;
 };
 
 /// The commands with their files; what runs is left in `chosen`.
@@ -116,6 +117,10 @@ class Commands {
         ->required()
         ->configurable(false);
     output(join, a_.out, "store to write, such as building.gpkg");
+
+    CLI::App* locate = command("locate", "where in a building the robot of a log was",
+                               [this] { apps::locate(settings_, a_.locate); });
+    add_locate(locate, a_.locate);
   }
 
   /// What is done with a plan.

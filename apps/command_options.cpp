@@ -128,6 +128,20 @@ void add_optimize(CLI::App* command, OptimizeArguments& a) {
       ->configurable(false);
 }
 
+void add_locate(CLI::App* command, LocateArguments& a) {
+  positional(command, "STORE", a.building, "assembled store of the building");
+  positional(command, "LOG", a.log, "mission log; a few metres of path are enough");
+  command
+      ->add_option("--from", a.from_s, "s, as in the log: where the span begins that is looked for")
+      ->configurable(false);
+  command->add_option("--to", a.to_s, "s, as in the log: where it ends")->configurable(false);
+  command
+      ->add_option("-o,--output", a.out,
+                   "TUM file for the pose of each reading in the building; written where the place "
+                   "is sure")
+      ->configurable(false);
+}
+
 void add_compare(CLI::App* command, CompareArguments& a) {
   positional(command, "OLD", a.before, "assembled store of the older mission");
   positional(command, "NEW", a.after, "assembled store of the newer mission");

@@ -33,6 +33,7 @@ void add_truth(CLI::App* command, TruthArguments& arguments);
 void add_simulate(CLI::App* command, SimulateArguments& arguments);
 void add_comparison_files(CLI::App* command, ComparisonFiles& files);
 void add_optimize(CLI::App* command, OptimizeArguments& arguments);
+void add_locate(CLI::App* command, LocateArguments& arguments);
 void add_compare(CLI::App* command, CompareArguments& arguments);
 
 }  // namespace roomatlas::apps

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -54,6 +55,15 @@ struct CompareArguments {
   Path out;
 };
 
+/// Files and choices of `locate`.
+struct LocateArguments {
+  Path building;
+  Path log;
+  double from_s = -std::numeric_limits<double>::infinity();  ///< times as in the log
+  double to_s = std::numeric_limits<double>::infinity();
+  Path out;  ///< TUM; empty: not wanted
+};
+
 // Each command reads, makes one call of the library, writes and reports. They throw what the
 // library throws; `main` turns that into an exit code.
 
@@ -84,6 +94,8 @@ void write_report(const Settings& settings, const Path& store, const Evaluation&
                   const Path& out);
 /// Missions of one building, each in a store of its own, become one store.
 void join(const Settings& settings, const std::vector<Path>& stores, const Path& out);
+/// Where the robot of a log was in a building.
+void locate(const Settings& settings, const LocateArguments& arguments);
 void rename(const Settings& settings, const Path& store, const std::string& room,
             const std::string& name);
 void inspect(const Settings& settings, const Path& store, AsrId id, const Path& out);

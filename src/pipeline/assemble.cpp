@@ -76,17 +76,6 @@ bool all_localized(const AsrSource& source) {
                      [&](AsrId id) { return source.get(id, AsrDetail::geometry).is_localized; });
 }
 
-CorrectedMission corrected_mission(MissionKind kind, const AsrSource& source,
-                                   const RobotFootprint& footprint, const Options& options,
-                                   const Progress& progress) {
-  if (kind == MissionKind::sonar) {
-    return correct_sonar_mission(source, footprint, options, progress);
-  }
-  report(progress, "correct", 0.0);
-  return kind == MissionKind::laser ? correct_laser_mission(source, options, progress)
-                                    : correct_paper_mission(load(source, AsrDetail::path), options);
-}
-
 /// Where readings lie where the robot was, on all that they show; else by the outlines.
 MappedBuilding building_of(MissionKind kind, const AsrSource& source, const Assembly& corrected,
                            const RobotFootprint& footprint, const Options& options,
@@ -139,6 +128,17 @@ MissionKind mission_kind(const AsrSource& source, const AssembleOptions& options
   return all_localized(source) ? MissionKind::laser : MissionKind::paper;
 }
 
+CorrectedMission correct_mission(MissionKind kind, const AsrSource& source,
+                                 const RobotFootprint& footprint, const Options& options,
+                                 const Progress& progress) {
+  if (kind == MissionKind::sonar) {
+    return correct_sonar_mission(source, footprint, options, progress);
+  }
+  report(progress, "correct", 0.0);
+  return kind == MissionKind::laser ? correct_laser_mission(source, options, progress)
+                                    : correct_paper_mission(load(source, AsrDetail::path), options);
+}
+
 Assembly assemble_corrected(MissionKind kind, const AsrSource& source, CorrectedMission corrected,
                             const RobotFootprint& footprint, const Options& options,
                             const Progress& progress) {
@@ -184,8 +184,8 @@ Assembly assemble(const AsrSource& source, const RobotFootprint& footprint, cons
   }
   const MissionKind kind = mission_kind(source, options.assemble);
   return assemble_corrected(kind, source,
-                            corrected_mission(kind, source, footprint, options, progress),
-                            footprint, options, progress);
+                            correct_mission(kind, source, footprint, options, progress), footprint,
+                            options, progress);
 }
 
 }  // namespace roomatlas

@@ -11,20 +11,12 @@
 #include "put_assembly.hpp"
 #include "roomatlas/asr/joined_source.hpp"
 #include "roomatlas/asr/load.hpp"
-#include "roomatlas/asr/shared_source.hpp"
-#include "roomatlas/core/for_each_index.hpp"
-#include "roomatlas/locate/sonar_shape.hpp"
 #include "roomatlas/loops/visit_graph.hpp"
+#include "roomatlas/pipeline/mission_map.hpp"
 #include "strategies.hpp"
 
 namespace roomatlas {
 namespace {
-
-bool is_by_sonars(const Asr& asr) {
-  return std::all_of(asr.readings.begin(), asr.readings.end(), [](const RangeReading& reading) {
-    return reading.sensor->kind == SensorKind::sonar;
-  });
-}
 
 /// A store as it is matched with others.
 struct Candidate {
@@ -56,27 +48,12 @@ Candidate candidate_of(std::size_t index, const AssemblyStore& store, const Opti
   Candidate candidate;
   candidate.store = index;
   candidate.is_joined = store.members().size() > 1;
-  candidate.map.mission_from_asr = placement_of(store.correction());
-  const std::vector<AsrId> ids = store.ids();
-  const SharedSource shared(store);
-  struct Shaped {
-    AsrShape shape;
-    bool is_sonar = false;
-  };
-  std::vector<Shaped> shaped = results_of<Shaped>(ids.size(), options.jobs, [&](std::size_t i) {
-    const Asr asr = shared.load_with_readings(ids[i]);
-    if (is_by_sonars(asr)) return Shaped{sonar_shape_of(asr, options.sonar_shapes), true};
-    return Shaped{shape_of(asr, options.map.localize, options.assemble.closures.match), false};
-  });
-  std::size_t sonars = 0;
-  for (Shaped& one : shaped) {
-    candidate.walls += one.shape.points.size();
-    sonars += one.is_sonar ? 1 : 0;
-    candidate.map.shapes.push_back(std::move(one.shape));
+  candidate.map = mission_map_of(store, placement_of(store.correction()), options);
+  candidate.sensor = candidate.map.sensor;
+  for (const AsrShape& shape : candidate.map.shapes) candidate.walls += shape.points.size();
+  if (candidate.sensor == SensorKind::laser && !candidate.is_joined) {
+    candidate.map.measured = measured_of(store, options);
   }
-  if (2 * sonars > shaped.size()) candidate.sensor = SensorKind::sonar;
-  candidate.map.sensor = candidate.sensor;
-  if (sonars == 0) candidate.map.measured = measured_of(store, options);
   return candidate;
 }
 

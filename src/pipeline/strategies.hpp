@@ -48,6 +48,11 @@ struct CorrectedMission {
 [[nodiscard]] CorrectedMission correct_paper_mission(const std::vector<Asr>& asrs,
                                                      const Options& options);
 
+/// By that of them which is meant for its kind.
+[[nodiscard]] CorrectedMission correct_mission(MissionKind kind, const AsrSource& source,
+                                               const RobotFootprint& footprint,
+                                               const Options& options, const Progress& progress);
+
 /// The rest, alike for all: rooms, plan, judgement.
 [[nodiscard]] Assembly assemble_corrected(MissionKind kind, const AsrSource& source,
                                           CorrectedMission corrected,
