@@ -13,6 +13,7 @@
 #include "roomatlas/io/pictures/svg_pictures.hpp"
 #include "roomatlas/io/plans/changes_files.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
+#include "roomatlas/pipeline/mission_map.hpp"
 #include "store_metadata.hpp"
 
 namespace roomatlas::apps {
@@ -50,13 +51,30 @@ void warn_of_doubts(const GeoPackageStore& store, const Path& file) {
                file.string(), 100.0 * judgement->probability);
 }
 
+/// Where the new mission's frame lies in the old one's, by its rooms; nothing where that is not
+/// sure.
+std::optional<Pose2> found_in(const AssembledMission& before, const AssembledMission& after,
+                              const Settings& settings) {
+  const MissionMap old_map = mission_map_of(*before.source, before.placement, settings);
+  const MissionMap new_map = mission_map_of(*after.source, after.placement, settings);
+  const BuildingIndex index(sketch_of(old_map), settings.join.place.locate);
+  const MissionSearch search = place_mission(new_map, index, settings.join.place, settings.jobs);
+  if (search.verdict != PlaceVerdict::placed) return std::nullopt;
+  return search.places[0].building_from_mission;
+}
+
 /// The new mission in the old one's frame.
 AssembledMission laid_on(const AssembledMission& before, const AssembledMission& after,
-                         const CompareArguments& arguments, const Progress& progress,
-                         Pose2& old_from_new) {
+                         const CompareArguments& arguments, const Settings& settings,
+                         const Progress& progress, Pose2& old_from_new) {
   std::vector<Pose2> guesses = quarter_turns();
   LayOnOptions options;
-  if (!arguments.old_from_new.empty()) {
+  if (arguments.old_from_new.empty()) {
+    if (const std::optional<Pose2> found = found_in(before, after, settings)) {
+      guesses = {*found};
+      options.around = kAroundGiven;
+    }
+  } else {
     guesses = {{arguments.old_from_new[0], arguments.old_from_new[1],
                 wrap_angle(radians(arguments.old_from_new[2]))}};
     options.around = kAroundGiven;
@@ -111,7 +129,7 @@ void compare(const Settings& settings, const CompareArguments& arguments) {
 
   const Progress progress = console_progress(settings);
   Pose2 old_from_new;
-  const AssembledMission laid = laid_on(before, after, arguments, progress, old_from_new);
+  const AssembledMission laid = laid_on(before, after, arguments, settings, progress, old_from_new);
   PlanChanges found = find_changes(before, laid, {}, progress, settings.jobs);
   found.old_from_new = old_from_new;
 
