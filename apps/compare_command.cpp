@@ -89,6 +89,13 @@ AssembledMission laid_on(const AssembledMission& before, const AssembledMission&
                     degrees(options.around.reach_rad)));
   }
   old_from_new = laid->old_from_new;
+  const std::size_t left_out = after.placement.size() - laid->placement.size();
+  if (left_out > 0) {
+    spdlog::warn(
+        "{}: {} of {} visits contradict the old map wherever they are laid, and are left "
+        "out: what they saw counts as not seen again",
+        arguments.after.string(), left_out, after.placement.size());
+  }
   return {after.source, laid->placement, moved(after.plan, old_from_new), after.footprint};
 }
 

@@ -19,7 +19,7 @@
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/locate/building_index.hpp"
 #include "roomatlas/locate/sonar_shape.hpp"
-#include "roomatlas/pipeline/options.hpp"
+#include "roomatlas/pipeline/locate_mission.hpp"
 
 namespace {
 
@@ -79,6 +79,31 @@ Asr piece_of(const Driven& mission, std::size_t first, double length_m) {
   return asr;
 }
 
+/// What the likeliest places come to.
+struct Tally {
+  int right = 0;
+  int sure = 0;
+  int sure_wrong = 0;
+  double least_right_margin = 1e9;
+  double largest_wrong_margin = 0.0;
+
+  void add(const std::vector<PlaceHypothesis>& places, const Pose2& truth, bool is_other,
+           const PlaceMissionOptions& options) {
+    const PlaceHypothesis& best = places[0];
+    const double margin = best.score - (places.size() > 1 ? places[1].score : 0.0);
+    const Pose2 off = inverse(truth) * best.building_from_query;
+    const bool is_right =
+        !is_other && off.position().norm() < 0.5 && std::abs(degrees(off.theta_rad)) < 10.0;
+    const bool is_sure = margin >= options.min_margin && best.score >= options.min_score &&
+                         best.agreement() >= options.min_agreement;
+    right += is_right ? 1 : 0;
+    sure += is_sure ? 1 : 0;
+    sure_wrong += is_sure && !is_right ? 1 : 0;
+    if (is_right && is_sure) least_right_margin = std::min(least_right_margin, margin);
+    if (!is_right) largest_wrong_margin = std::max(largest_wrong_margin, margin);
+  }
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -104,52 +129,34 @@ int main(int argc, char** argv) {
     shapes.push_back(any_shape_of(load_with_readings(building, id)));
   std::vector<const AsrShape*> all;
   for (const AsrShape& shape : shapes) all.push_back(&shape);
-  const auto begin = std::chrono::steady_clock::now();
+
   const BuildingIndex index(sketch_of(all, placement_of(building.correction())), {});
-  const auto made = std::chrono::steady_clock::now();
+
   const Driven where = driven(building);
   const Driven asked = driven(queries);
   std::mt19937 random(1);
   std::uniform_int_distribution<std::size_t> any(0, asked.readings.size() * 95 / 100);
+  const PlaceMissionOptions sure = locating_options();
   double seconds = 0.0;
-  int right = 0;
+  Tally tally;
   for (int n = 0; n < count; ++n) {
     const std::size_t first = any(random);
-    const Asr piece = piece_of(asked, first, length_m);
-    const AsrShape shape = any_shape_of(piece);
+    const AsrShape shape = any_shape_of(piece_of(asked, first, length_m));
     const AsrShape* one = &shape;
     const FloorSketch sketch = sketch_of({&one, 1}, {{shape.id, Pose2{}}});
     const auto from = std::chrono::steady_clock::now();
     const auto places = index.find(sketch, 2);
     seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
-    if (places.empty()) {
-      std::printf("nothing found, %zu walls\n", sketch.walls.size());
-      continue;
-    }
+    if (places.empty()) continue;
     const Pose2 truth = inverse(where.world_from_building) * asked.world_from_building *
                         asked.building_from_robot[first];
-    int rank = -1;
-    double off_m = 1e9, off_deg = 0.0;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      const Pose2 off = inverse(truth) * places[k].building_from_query;
-      if (off.position().norm() > 0.5 || std::abs(degrees(off.theta_rad)) > 10.0) continue;
-      rank = static_cast<int>(k);
-      off_m = off.position().norm();
-      off_deg = degrees(off.theta_rad);
-      break;
-    }
-    right += rank == 0 ? 1 : 0;
-    const PlaceHypothesis& best = places[0];
-    const PlaceHypothesis second = places.size() > 1 ? places[1] : PlaceHypothesis{};
-    std::printf(
-        "%s rank %d off %.2f m %.1f deg | walls %zu floor %zu | best %.1f (%d %d %d %d) second "
-        "%.1f (%d %d %d %d)\n",
-        is_other ? "other" : (rank == 0 ? "right" : "WRONG"), rank, off_m, off_deg,
-        sketch.walls.size(), sketch.floor.size(), best.score, best.agreeing, best.contradicting,
-        best.unseen, best.missing, second.score, second.agreeing, second.contradicting,
-        second.unseen, second.missing);
+    tally.add(places, truth, is_other, sure);
   }
-  std::printf("%d of %d right; index %.2f s, a query %.3f s\n", right, count,
-              std::chrono::duration<double>(made - begin).count(), seconds / count);
+  std::printf(
+      "%s in %s, %.1f m: of %d queries %d sure, %d of these wrong; likeliest place right in %d; "
+      "smallest margin of a right one among the sure %.1f, largest of a wrong one %.1f; "
+      "%.2f s a query\n",
+      files[1].c_str(), files[0].c_str(), length_m, count, tally.sure, tally.sure_wrong,
+      tally.right, tally.least_right_margin, tally.largest_wrong_margin, seconds / count);
   return 0;
 }
