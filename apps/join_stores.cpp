@@ -24,6 +24,7 @@ std::string title_of(const std::vector<MemberMission>& members) {
   constexpr std::size_t kNamed = 3;  // more do not fit a title
   if (members.size() > kNamed) return fmt::format("{} missions", members.size());
   std::vector<std::string> names;
+  names.reserve(members.size());
   for (const MemberMission& member : members) names.push_back(member.name);
   return fmt::format("{}", fmt::join(names, ", "));
 }
@@ -106,14 +107,14 @@ Path numbered(const Path& place, std::size_t number) {
 
 }  // namespace
 
-std::vector<WrittenBuilding> join_into(const Settings& settings, const std::vector<Path>& files,
+std::vector<WrittenBuilding> join_into(const Settings& settings, const std::vector<Path>& stores,
                                        const Path& place) {
-  require_output_store(place, files);
-  Stores stores;
+  require_output_store(place, stores);
+  Stores missions;
   std::vector<const AssemblyStore*> opened;
-  for (const Path& file : files) {
-    stores.push_back(std::make_unique<GeoPackageStore>(file, GeoPackageStore::Mode::read));
-    opened.push_back(stores.back().get());
+  for (const Path& file : stores) {
+    missions.push_back(std::make_unique<GeoPackageStore>(file, GeoPackageStore::Mode::read));
+    opened.push_back(missions.back().get());
   }
   std::vector<WrittenBuilding> written;
   std::size_t number = 0;
@@ -121,16 +122,16 @@ std::vector<WrittenBuilding> join_into(const Settings& settings, const std::vect
     if (building.missions.size() < 2) {
       tell_alone(building);
       const std::size_t alone = building.missions.front();
-      written.push_back({std::move(building), files[alone], stores[alone]->plan().rooms.size()});
+      written.push_back({std::move(building), stores[alone], missions[alone]->plan().rooms.size()});
       continue;
     }
     const Path store = numbered(place, ++number);
     tell(building, store);
-    const std::size_t rooms = write_building(settings, building, stores, store);
+    const std::size_t rooms = write_building(settings, building, missions, store);
     spdlog::info("{}: {} rooms of {} missions", store.string(), rooms, building.members.size());
     written.push_back({std::move(building), store, rooms});
   }
-  if (number > 0 || files.size() < 2) return written;
+  if (number > 0 || stores.size() < 2) return written;
   throw NotEnoughError(
       "nothing holds any two of these missions together: they share no rooms, or what they share "
       "looks alike in several places. Each has its own plan; a mission that drives from the one's "

@@ -155,6 +155,7 @@ class BuildingMaker {
 std::vector<JoinedBuilding> join_stores(const std::vector<const AssemblyStore*>& stores,
                                         const Options& options, const Progress& progress) {
   std::vector<Candidate> candidates;
+  candidates.reserve(stores.size());
   for (std::size_t i = 0; i < stores.size(); ++i) {
     report(progress, "load", static_cast<double>(i) / static_cast<double>(stores.size()));
     candidates.push_back(candidate_of(i, *stores[i], options));
@@ -162,6 +163,7 @@ std::vector<JoinedBuilding> join_stores(const std::vector<const AssemblyStore*>&
   std::stable_sort(candidates.begin(), candidates.end(), is_before);
   AsrId offset = 0;
   std::vector<MissionMap> maps;
+  maps.reserve(candidates.size());
   for (Candidate& candidate : candidates) {
     candidate.offset = offset;
     renumber(candidate.map, offset);
