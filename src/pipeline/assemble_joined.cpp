@@ -178,6 +178,7 @@ std::vector<JoinedBuilding> join_stores(const std::vector<const AssemblyStore*>&
         .first->second.add(candidates[i], *stores[candidates[i].store], mission);
   }
   std::vector<JoinedBuilding> buildings;
+  buildings.reserve(makers.size());
   for (auto& [component, maker] : makers) buildings.push_back(maker.made());
   std::stable_sort(buildings.begin(), buildings.end(),
                    [](const JoinedBuilding& a, const JoinedBuilding& b) {
