@@ -67,7 +67,8 @@ std::unique_ptr<DrivenMission> driven(const FloorPlan& world, const Drive& drive
     }
   });
   test::MemoryMission mission(std::move(events));
-  const Options options{.mission = {}, .map = {}, .assemble = {}, .jobs = 1};
+  Options options;
+  options.jobs = 1;
   (void)map_mission(mission, result->store, options.map);
   result->assembly = assemble(result->store, {}, options);
   result->source = std::make_unique<WithPaths>(result->store, result->assembly.paths);
