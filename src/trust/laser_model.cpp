@@ -90,12 +90,9 @@ constexpr LearntTerm kScale[] = {
 };
 
 constexpr LearntTerm kVisitRight[] = {
-    {"doubled walls", -3.417, 0.5661, -0.1504},
-    {"hits in free space", -5.078, 1.536, -0.1985},
-    {"loops", 2.013, 0.6723, 0.3286},
-    {"place", -3.707, 1.522, -0.4784},
-    {"seen again", 0.9235, 0.063, 0.02359},
-    {"map", 1.878, 3.821, 2.461},
+    {"doubled walls", -3.417, 0.5661, -0.1504}, {"hits in free space", -5.078, 1.536, -0.1985},
+    {"loops", 2.013, 0.6723, 0.3286},           {"place", -3.707, 1.522, -0.4784},
+    {"seen again", 0.9235, 0.063, 0.02359},     {"map", 1.878, 3.821, 2.461},
 };
 
 constexpr LearntTerm kVisitPlace[] = {
@@ -110,7 +107,8 @@ constexpr LearntTerm kVisitPlace[] = {
 }  // namespace
 
 const LearntModel& laser_model() {
-  static const LearntModel kModel{{2.456, kRight}, {-1.916, kPlace}, {0.6009, kHeading}, {-4.753, kScale}, {3.715, kVisitRight}, {-2.241, kVisitPlace}};
+  static const LearntModel kModel{{2.456, kRight},  {-1.916, kPlace},     {0.6009, kHeading},
+                                  {-4.753, kScale}, {3.715, kVisitRight}, {-2.241, kVisitPlace}};
   return kModel;
 }
 

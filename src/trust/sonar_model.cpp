@@ -126,7 +126,8 @@ constexpr LearntTerm kVisitPlace[] = {
 }  // namespace
 
 const LearntModel& sonar_model() {
-  static const LearntModel kModel{{0.09749, kRight}, {0.04528, kPlace}, {2.099, kHeading}, {-3.218, kScale}, {0.9871, kVisitRight}, {-0.5043, kVisitPlace}};
+  static const LearntModel kModel{{0.09749, kRight}, {0.04528, kPlace},     {2.099, kHeading},
+                                  {-3.218, kScale},  {0.9871, kVisitRight}, {-0.5043, kVisitPlace}};
   return kModel;
 }
 
