@@ -42,15 +42,20 @@ LocalMap map_of(const AssembledMission& mission, const LayOnOptions& options,
   return map;
 }
 
-/// Where a visit fits the old map best, near where the whole put it; nothing where it contradicts
-/// the old map wherever it is laid.
+/// Where a visit lies in the old map: where the whole put it, or near there where it fits clearly
+/// better. A little better may be a cupboard that was pushed onto the wall behind it. Nothing where
+/// it contradicts the old map wherever it is laid.
 std::optional<Pose2> settled(const SearchableMap& old_map, const std::vector<ScanPoint>& points,
                              const Pose2& old_from_asr, const LayOnOptions& options) {
-  const MapMatch match = old_map.find(points, old_from_asr, options.settle);
-  const int telling = match.agreeing + match.contradicting;
-  if (telling < options.settle_min_telling) return old_from_asr;
-  if (match.agreement() < options.settle_min_agreement) return std::nullopt;
-  return match.first_from_second;
+  const MapMatch there = old_map.find(points, old_from_asr, {});
+  const MapMatch near = old_map.find(points, old_from_asr, options.settle);
+  if (near.agreeing + near.contradicting < options.settle_min_telling) return old_from_asr;
+  if (near.agreement() >= options.settle_min_agreement &&
+      near.agreement() >= there.agreement() + options.settle_gain) {
+    return near.first_from_second;
+  }
+  if (there.agreement() < options.stay_min_agreement) return std::nullopt;
+  return there.first_from_second;
 }
 
 /// The match near a guess for which most speaks.

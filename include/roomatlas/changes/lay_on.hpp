@@ -22,8 +22,9 @@ struct LayOnOptions {
   // Each visit is then laid on the old map by itself, where maps bend otherwise:
   SearchWindow settle{0.6, radians(3.0)};  ///< around where the whole put it
   int settle_min_telling = 80;             ///< points of it that can tell; fewer leave it there
-  double settle_min_agreement = 0.35;  ///< of these; a visit with less is left out. Of a room that
-                                       ///< was furnished since half contradicts
+  double settle_min_agreement = 0.55;      ///< of these; with less it is laid nowhere else ...
+  double settle_gain = 0.2;                ///< ... nor with less more than where the whole put it
+  double stay_min_agreement = 0.35;        ///< there; with less it is left out
 };
 
 /// The guesses of who knows nothing: both missions began at about the same place, and their
