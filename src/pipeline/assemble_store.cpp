@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/pipeline/assemble_store.hpp"
 
+#include <utility>
+
 #include "put_assembly.hpp"
 #include "roomatlas/merge/carry_over.hpp"
 #include "roomatlas/pipeline/assemble.hpp"
+#include "roomatlas/pipeline/assemble_joined.hpp"
 #include "roomatlas/trust/judge_map.hpp"
 
 namespace roomatlas {
@@ -19,6 +22,13 @@ void put_with_former_rooms(AssemblyStore& store, const std::string& configuratio
 
 Assembly assemble_store(AssemblyStore& store, const Options& options,
                         const std::string& configuration, const Progress& progress) {
+  if (std::vector<MemberMission> members = store.members(); !members.empty()) {
+    JoinedBuilding building;
+    building.members = std::move(members);
+    building.placement = placement_of(store.correction());
+    building.closures = store.closures();
+    return assemble_joined(store, building, options, configuration, progress);
+  }
   Assembly assembly = assemble(store, store.mission().footprint, options, progress);
   put_with_former_rooms(store, configuration, assembly);
   return assembly;

@@ -48,6 +48,11 @@ TEST_F(Join, BuildOfTwoLogsIsOneBuildingWhateverTheirOrder) {
   EXPECT_EQ(content_of(first + "/plan.geojson"), content_of(second + "/plan.geojson"));
   EXPECT_EQ(content_of(first + "/plan.svg"), content_of(second + "/plan.svg"));
 
+  // Assembled again, the visits stay where joining put them.
+  ASSERT_EQ(run("-q assemble " + second + "/building.gpkg").exit_code, 0);
+  ASSERT_EQ(run("-q export " + second + "/building.gpkg -f geojson -o " + second).exit_code, 0);
+  EXPECT_EQ(content_of(first + "/plan.geojson"), content_of(second + "/plan.geojson"));
+
   const GeoPackageStore store(first + "/building.gpkg", GeoPackageStore::Mode::read);
   EXPECT_EQ(store.plan().rooms.size(), 2U);
   const std::vector<MemberMission> members = store.members();

@@ -10,7 +10,8 @@
 namespace roomatlas {
 
 /// Assembles a store's ASRs, gives the rooms the numbers and names that they had before, and puts
-/// all of it back at once.
+/// all of it back at once. Of a store that was joined from several missions the visits stay where
+/// joining put them: the plan alone is drawn anew.
 /// @param configuration of `options`, as it is to stand in the store (TOML)
 /// @returns what was put
 [[nodiscard]] Assembly assemble_store(AssemblyStore& store, const Options& options,
