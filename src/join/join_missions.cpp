@@ -2,8 +2,7 @@
 #include "roomatlas/join/join_missions.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <memory>
+#include <map>
 
 #include "joint_graph.hpp"
 #include "roomatlas/core/for_each_index.hpp"
@@ -15,9 +14,8 @@ namespace {
 /// What is joined so far, in one frame.
 class Component {
  public:
-  Component(int number, const MissionMap& base, const JoinOptions& options, int jobs)
-      : number_(number),
-        options_(options),
+  Component(const MissionMap& base, const JoinOptions& options, int jobs)
+      : options_(options),
         jobs_(jobs),
         index_(sketch_of(base), options.place.locate),
         near_(options.near_m) {
@@ -27,7 +25,6 @@ class Component {
     take_in(base);
   }
 
-  [[nodiscard]] int number() const { return number_; }
   [[nodiscard]] std::size_t missions() const { return missions_.size(); }
   [[nodiscard]] const Placement& placement() const { return placement_; }
   [[nodiscard]] const std::vector<Closure>& closures() const { return closures_; }
@@ -133,7 +130,6 @@ class Component {
     SensorKind sensor = SensorKind::laser;
   };
 
-  int number_;
   const JoinOptions& options_;
   int jobs_;
   BuildingIndex index_;
@@ -159,7 +155,7 @@ JoinedMissions join_missions(const std::vector<MissionMap>& missions, const Join
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < missions.size(); ++i) open.push_back(i);
   for (int number = 0; !open.empty(); ++number) {
-    Component component(number, missions[open.front()], options, jobs);
+    Component component(missions[open.front()], options, jobs);
     joined.missions[open.front()].component = number;
     joined.missions[open.front()].is_base = true;
     open.erase(open.begin());

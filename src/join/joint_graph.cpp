@@ -26,6 +26,7 @@ class OwnMeasurements {
       : mission_(mission),
         sigmas_(mission.sensor == SensorKind::laser ? options.laser : options.sonar),
         robust_sigmas_(options.robust_sigmas),
+        own_heading_rad_(radians(options.own_heading_deg)),
         neighbours_(static_cast<std::size_t>(std::max(0, options.own_neighbours))) {}
 
   void add_to(PoseGraph& graph, const std::map<AsrId, std::int32_t>& node_of) const {
@@ -34,7 +35,10 @@ class OwnMeasurements {
                              one.is_closure ? EdgeKind::loop : EdgeKind::odometry, one.from_from_to,
                              one.information, one.is_closure ? robust_sigmas_ : 0.0});
     }
-    if (!mission_.measured.empty()) return;
+    if (!mission_.measured.empty()) {
+      add_headings_to(graph, node_of);
+      return;
+    }
     for (std::size_t i = 1; i < mission_.shapes.size(); ++i) {
       for (const std::size_t earlier : held_to(i)) {
         const Pose2 between = inverse(pose(earlier)) * pose(i);
@@ -46,6 +50,18 @@ class OwnMeasurements {
   }
 
  private:
+  /// The heading of each visit against the first, as the mission's correction has it: it knew the
+  /// directions of walls, without which a long corridor that leads away from the others bends.
+  void add_headings_to(PoseGraph& graph, const std::map<AsrId, std::int32_t>& node_of) const {
+    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+    information(2, 2) = 1.0 / (own_heading_rad_ * own_heading_rad_);
+    for (std::size_t i = 1; i < mission_.shapes.size(); ++i) {
+      graph.edges.push_back({node_of.at(mission_.shapes[0].id), node_of.at(mission_.shapes[i].id),
+                             EdgeKind::odometry, inverse(pose(0)) * pose(i), information,
+                             robust_sigmas_});
+    }
+  }
+
   [[nodiscard]] const Pose2& pose(std::size_t i) const {
     return mission_.mission_from_asr.at(mission_.shapes[i].id);
   }
@@ -68,6 +84,7 @@ class OwnMeasurements {
   const MissionMap& mission_;
   const OwnSigmas& sigmas_;
   double robust_sigmas_;
+  double own_heading_rad_;
   std::size_t neighbours_;
 };
 

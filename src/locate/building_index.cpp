@@ -221,12 +221,7 @@ double BuildingIndex::share_on_floor(const FloorSketch& query, const Pose2& plac
 }
 
 PlaceHypothesis BuildingIndex::fit(const FloorSketch& query, const Pose2& guess) const {
-  const ScanAlignment aligned = align(faces_, query.walls, guess, std::nullopt, options_.align);
-  PlaceHypothesis place;
-  place.building_from_query = aligned.map_from_points;
-  place.information = aligned.hessian;
-  judge(query, place);
-  return place;
+  return at(query, align(faces_, query.walls, guess, std::nullopt, options_.align).map_from_points);
 }
 
 std::vector<PlaceHypothesis> BuildingIndex::find(const FloorSketch& query, int jobs) const {
@@ -246,10 +241,9 @@ std::vector<PlaceHypothesis> BuildingIndex::find(const FloorSketch& query, int j
   all = apart(std::move(all), static_cast<std::size_t>(options_.candidates), options_, pose);
   std::vector<PlaceHypothesis> places = results_of<PlaceHypothesis>(
       all.size(), jobs, [&](std::size_t i) { return fit(query, all[i].pose * inverse(middle)); });
-  return apart(std::move(places), all.size(), options_,
-               [](const PlaceHypothesis& place) -> const Pose2& {
-                 return place.building_from_query;
-               });
+  return apart(
+      std::move(places), all.size(), options_,
+      [](const PlaceHypothesis& place) -> const Pose2& { return place.building_from_query; });
 }
 
 }  // namespace roomatlas

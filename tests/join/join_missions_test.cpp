@@ -107,6 +107,26 @@ TEST(JoinMissions, LeavesAMissionOfAnotherBuildingAlone) {
   }
 }
 
+TEST(JoinMissions, KeepsTheHeadingsThatAMissionsOwnCorrectionFound) {
+  const Row row =
+      row_of({4.0, 5.3, 7.1, 3.6, 6.2, 4.4, 5.8, 6.6}, {0.8, 1.4, 1.1, 0.0, 1.9, 0.6, 1.2, 1.6});
+  std::vector<MissionMap> missions = {driven(row, {0, 1, 2, 3}, 1, {}),
+                                      driven(row, {1, 2, 3, 4, 5, 6, 7}, 11, {4.0, 2.0, 0.7})};
+  // Odometry bends by two degrees from room to room; the correction knew better, by walls.
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  information.diagonal() << 1e3, 1e3, 1e3;
+  for (AsrId id = 11; id < 17; ++id) {
+    const auto& pose = missions[1].mission_from_asr;
+    Pose2 bent = inverse(pose.at(id)) * pose.at(id + 1);
+    bent.theta_rad += radians(2.0);
+    missions[1].measured.push_back({id, id + 1, bent, information, false});
+  }
+  const JoinedMissions joined = join_missions(missions, for_small_missions());
+  ASSERT_EQ(joined.missions[1].component, 0);
+  const Pose2 world_from_mission = inverse(Pose2{4.0, 2.0, 0.7});
+  EXPECT_LT(largest_error_m(joined, missions[1], world_from_mission), 0.3);  // 1.3 m, were they not kept
+}
+
 TEST(JoinMissions, GivesTheSameForAnyNumberOfJobs) {
   const std::vector<MissionMap> missions = {
       driven(building(), {0, 1, 2, 3}, 1, {}),

@@ -20,9 +20,10 @@ struct JoinOptions {
   MatchMapsOptions match;
   OwnSigmas laser{0.015, 0.004, 0.25};
   OwnSigmas sonar{0.03, 0.01, 0.6};
-  int own_neighbours = 3;  ///< earlier visits of a mission that each visit is held to
-  double near_m = 3.0;     ///< visits whose paths come this near to each other are matched ...
-  int max_matches = 3;     ///< ... the nearest of other missions, so many at most
+  double own_heading_deg = 0.5;  ///< of a visit of a mission whose measurements are known
+  int own_neighbours = 3;        ///< earlier visits of a mission that each visit is held to
+  double near_m = 3.0;  ///< visits whose paths come this near to each other are matched ...
+  int max_matches = 3;  ///< ... the nearest of other missions, so many at most
   SearchWindow window{0.5, radians(2.5)};        ///< around where the mission was placed
   SearchWindow again_window{1.2, radians(4.0)};  ///< once all are placed: what a mission bent ...
   int rounds = 2;                                ///< ... is straightened in so many rounds

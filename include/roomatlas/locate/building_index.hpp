@@ -33,8 +33,6 @@ struct PlaceHypothesis {
   int unseen = 0;         ///< where the building knows nothing
   int missing = 0;        ///< of the query's floor cells, with a wall of the building
   double score = 0.0;     ///< log likelihood against a place taken at random
-  /// Inverse covariance of x, y, theta in the building's axes; of the walls alone.
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
 
   /// Of what can tell, the share that agrees, [0, 1].
   [[nodiscard]] double agreement() const {
