@@ -9,53 +9,23 @@
 #include <string>
 #include <vector>
 
-#include "roomatlas/asr/load.hpp"
-#include "roomatlas/evaluate/alignment.hpp"
-#include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/join/join_missions.hpp"
-#include "roomatlas/locate/sonar_shape.hpp"
-#include "roomatlas/pipeline/options.hpp"
+#include "roomatlas/pipeline/mission_map.hpp"
+#include "store_truth.hpp"
 
 namespace {
 
 using namespace roomatlas;
 
-AsrShape any_shape_of(const Asr& asr) {
-  const Options options;
-  const bool is_sonar = asr.readings.front().sensor->kind == SensorKind::sonar;
-  return is_sonar ? sonar_shape_of(asr, {})
-                  : shape_of(asr, options.map.localize, options.assemble.closures.match);
-}
-
 struct Loaded {
   MissionMap map;
-  bool has_truth = false;
-  Pose2 world_from_mission;
+  std::optional<Pose2> world_from_mission;
 };
 
 Loaded loaded(const std::string& file) {
   const GeoPackageStore store(file, GeoPackageStore::Mode::read);
-  Loaded result;
-  result.map.mission_from_asr = placement_of(store.correction());
-  Trajectory estimate;
-  for (const AsrId id : store.ids()) {
-    const Asr asr = load_with_readings(store, id);
-    result.map.shapes.push_back(any_shape_of(asr));
-    result.map.sensor = asr.readings.front().sensor->kind;
-    for (const PathSample& sample : asr.path) {
-      estimate.push_back(
-          {sample.timestamp_s, result.map.mission_from_asr.at(id) * sample.asr_from_robot});
-    }
-  }
-  Trajectory truth;
-  for (const TruePose& pose : store.truth())
-    truth.push_back({pose.timestamp_s, pose.world_from_robot});
-  result.has_truth = !truth.empty();
-  if (result.has_truth) {
-    result.world_from_mission =
-        truth_from_estimate(match_poses(estimate, truth, {}), Alignment::umeyama);
-  }
-  return result;
+  return {mission_map_of(store, placement_of(store.correction()), {}),
+          bench::world_from_building(store)};
 }
 
 /// Visits' ids must differ between missions.
@@ -93,10 +63,10 @@ int main(int argc, char** argv) {
                 mission.is_base ? "base" : to_string(mission.verdict), best.score,
                 mission.runner_up_score, best.agreement(), best.fitting(), best.pieces.size());
     const Loaded& base = missions[base_of.at(mission.component)];
-    if (missions[i].has_truth && base.has_truth) {
+    if (missions[i].world_from_mission && base.world_from_mission) {
       double worst_m = 0.0, worst_deg = 0.0;
       for (const AsrShape& shape : missions[i].map.shapes) {
-        const Pose2 truth = inverse(base.world_from_mission) * missions[i].world_from_mission *
+        const Pose2 truth = inverse(*base.world_from_mission) * *missions[i].world_from_mission *
                             missions[i].map.mission_from_asr.at(shape.id);
         const Pose2 off = inverse(truth) * joined.placement.at(shape.id);
         worst_m = std::max(worst_m, off.position().norm());

@@ -9,54 +9,34 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "roomatlas/asr/load.hpp"
-#include "roomatlas/evaluate/alignment.hpp"
-#include "roomatlas/io/store/geopackage_store.hpp"
-#include "roomatlas/locate/building_index.hpp"
-#include "roomatlas/locate/sonar_shape.hpp"
 #include "roomatlas/pipeline/locate_mission.hpp"
+#include "roomatlas/pipeline/mission_map.hpp"
+#include "store_truth.hpp"
 
 namespace {
 
 using namespace roomatlas;
 
-AsrShape any_shape_of(const Asr& asr) {
-  const Options options;
-  const bool is_sonar = asr.readings.front().sensor->kind == SensorKind::sonar;
-  return is_sonar ? sonar_shape_of(asr, {})
-                  : shape_of(asr, options.map.localize, options.assemble.closures.match);
-}
-
 struct Driven {
   std::vector<RangeReading> readings;
   std::vector<Pose2> building_from_robot;
-  Pose2 world_from_building;
 };
 
 Driven driven(const GeoPackageStore& store) {
-  const Placement placement = placement_of(store.correction());
   Driven all;
-  Trajectory estimate;
-  for (const AsrId id : store.ids()) {
-    Asr asr = store.get(id, AsrDetail::readings);
-    for (std::size_t i = 0; i < asr.path.size(); ++i) {
-      const Pose2 pose = placement.at(id) * asr.path[i].asr_from_robot;
-      all.building_from_robot.push_back(pose);
-      estimate.push_back({asr.path[i].timestamp_s, pose});
-      all.readings.push_back(std::move(asr.readings[i]));
-    }
+  for (const StampedPose& pose : place(store, store.correction()).corrected) {
+    all.building_from_robot.push_back(pose.pose);
   }
-  Trajectory truth;
-  for (const TruePose& pose : store.truth())
-    truth.push_back({pose.timestamp_s, pose.world_from_robot});
-  if (!truth.empty()) {
-    all.world_from_building =
-        truth_from_estimate(match_poses(estimate, truth, {}), Alignment::umeyama);
+  for (const AsrId id : store.ids()) {
+    Asr asr = load_with_readings(store, id);
+    std::move(asr.readings.begin(), asr.readings.end(), std::back_inserter(all.readings));
   }
   return all;
 }
@@ -124,15 +104,11 @@ int main(int argc, char** argv) {
   }
   const GeoPackageStore building(files.at(0), GeoPackageStore::Mode::read);
   const GeoPackageStore queries(files.at(1), GeoPackageStore::Mode::read);
-  std::vector<AsrShape> shapes;
-  for (const AsrId id : building.ids())
-    shapes.push_back(any_shape_of(load_with_readings(building, id)));
-  std::vector<const AsrShape*> all;
-  for (const AsrShape& shape : shapes) all.push_back(&shape);
-
-  const BuildingIndex index(sketch_of(all, placement_of(building.correction())), {});
-
-  const Driven where = driven(building);
+  const MissionMap known = mission_map_of(building, placement_of(building.correction()), {});
+  const BuildingIndex index(sketch_of(known), {});
+  const Pose2 building_from_asked =
+      inverse(bench::world_from_building(building).value_or(Pose2{})) *
+      bench::world_from_building(queries).value_or(Pose2{});
   const Driven asked = driven(queries);
   std::mt19937 random(1);
   std::uniform_int_distribution<std::size_t> any(0, asked.readings.size() * 95 / 100);
@@ -141,15 +117,14 @@ int main(int argc, char** argv) {
   Tally tally;
   for (int n = 0; n < count; ++n) {
     const std::size_t first = any(random);
-    const AsrShape shape = any_shape_of(piece_of(asked, first, length_m));
+    const AsrShape shape = shape_of_visit(piece_of(asked, first, length_m), {});
     const AsrShape* one = &shape;
     const FloorSketch sketch = sketch_of({&one, 1}, {{shape.id, Pose2{}}});
     const auto from = std::chrono::steady_clock::now();
     const auto places = index.find(sketch, 2);
     seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
     if (places.empty()) continue;
-    const Pose2 truth = inverse(where.world_from_building) * asked.world_from_building *
-                        asked.building_from_robot[first];
+    const Pose2 truth = building_from_asked * asked.building_from_robot[first];
     tally.add(places, truth, is_other, sure);
   }
   std::printf(

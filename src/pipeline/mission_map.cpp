@@ -2,7 +2,7 @@
 #include "roomatlas/pipeline/mission_map.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <iterator>
 
 #include "roomatlas/asr/load.hpp"
 #include "roomatlas/asr/shared_source.hpp"
@@ -19,27 +19,25 @@ bool is_by_sonars(const Asr& asr) {
 
 }  // namespace
 
+AsrShape shape_of_visit(const Asr& asr, const Options& options) {
+  return is_by_sonars(asr) ? sonar_shape_of(asr, options.sonar_shapes)
+                           : shape_of(asr, options.map.localize, options.assemble.closures.match);
+}
+
 MissionMap mission_map_of(const AsrSource& source, const Placement& placement,
                           const Options& options) {
   const std::vector<AsrId> ids = source.ids();
   const SharedSource shared(source);
-  struct Shaped {
-    AsrShape shape;
-    bool is_sonar = false;
-  };
-  std::vector<Shaped> shaped = results_of<Shaped>(ids.size(), options.jobs, [&](std::size_t i) {
-    const Asr asr = shared.load_with_readings(ids[i]);
-    if (is_by_sonars(asr)) return Shaped{sonar_shape_of(asr, options.sonar_shapes), true};
-    return Shaped{shape_of(asr, options.map.localize, options.assemble.closures.match), false};
-  });
+  std::vector<char> by_sonars(ids.size(), 0);
   MissionMap map;
   map.mission_from_asr = placement;
-  std::size_t sonars = 0;
-  for (Shaped& one : shaped) {
-    sonars += one.is_sonar ? 1 : 0;
-    map.shapes.push_back(std::move(one.shape));
-  }
-  if (2 * sonars > shaped.size()) map.sensor = SensorKind::sonar;
+  map.shapes = results_of<AsrShape>(ids.size(), options.jobs, [&](std::size_t i) {
+    const Asr asr = shared.load_with_readings(ids[i]);
+    by_sonars[i] = is_by_sonars(asr) ? 1 : 0;
+    return shape_of_visit(asr, options);
+  });
+  const auto sonars = std::count(by_sonars.begin(), by_sonars.end(), 1);
+  if (2 * sonars > std::ssize(ids)) map.sensor = SensorKind::sonar;
   return map;
 }
 
