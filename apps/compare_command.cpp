@@ -54,11 +54,12 @@ void warn_of_doubts(const GeoPackageStore& store, const Path& file) {
 /// Where the new mission's frame lies in the old one's, by its rooms; nothing where that is not
 /// sure.
 std::optional<Pose2> found_in(const AssembledMission& before, const AssembledMission& after,
-                              const Settings& settings) {
+                              const Settings& settings, const Progress& progress) {
   const MissionMap old_map = mission_map_of(*before.source, before.placement, settings);
   const MissionMap new_map = mission_map_of(*after.source, after.placement, settings);
   const BuildingIndex index(sketch_of(old_map), settings.join.place.locate);
-  const MissionSearch search = place_mission(new_map, index, settings.join.place, settings.jobs);
+  const MissionSearch search =
+      place_mission(new_map, index, settings.join.place, progress, settings.jobs);
   if (search.verdict != PlaceVerdict::placed) return std::nullopt;
   return search.places[0].building_from_mission;
 }
@@ -70,7 +71,7 @@ AssembledMission laid_on(const AssembledMission& before, const AssembledMission&
   std::vector<Pose2> guesses = quarter_turns();
   LayOnOptions options;
   if (arguments.old_from_new.empty()) {
-    if (const std::optional<Pose2> found = found_in(before, after, settings)) {
+    if (const std::optional<Pose2> found = found_in(before, after, settings, progress)) {
       guesses = {*found};
       options.around = kAroundGiven;
     }

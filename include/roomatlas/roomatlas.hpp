@@ -54,6 +54,10 @@
 #include "roomatlas/io/trajectories/trajectory_file.hpp"
 #include "roomatlas/io/trajectories/tum.hpp"
 
+// Several missions of one building: joined, and where a robot was in it.
+#include "roomatlas/pipeline/assemble_joined.hpp"
+#include "roomatlas/pipeline/locate_mission.hpp"
+
 // What changed between two missions in one building.
 #include "roomatlas/changes/find_changes.hpp"
 #include "roomatlas/changes/lay_on.hpp"

@@ -29,8 +29,8 @@ class Component {
   [[nodiscard]] const Placement& placement() const { return placement_; }
   [[nodiscard]] const std::vector<Closure>& closures() const { return closures_; }
 
-  [[nodiscard]] MissionSearch search(const MissionMap& mission) const {
-    return place_mission(mission, index_, options_.place, jobs_);
+  [[nodiscard]] MissionSearch search(const MissionMap& mission, const Progress& progress) const {
+    return place_mission(mission, index_, options_.place, progress, jobs_);
   }
 
   void join(const MissionMap& mission, const MissionPlace& place) {
@@ -166,7 +166,7 @@ JoinedMissions join_missions(const std::vector<MissionMap>& missions, const Join
         report(progress, "join missions",
                1.0 - static_cast<double>(open.size()) / static_cast<double>(missions.size()));
         JoinedMission& mission = joined.missions[*at];
-        const MissionSearch search = component.search(missions[*at]);
+        const MissionSearch search = component.search(missions[*at], progress);
         if (number == 0 || search.verdict == PlaceVerdict::placed) note(search, mission);
         if (search.verdict != PlaceVerdict::placed) {
           ++at;

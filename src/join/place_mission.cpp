@@ -64,8 +64,12 @@ struct Vote {
 class MissionPlacer {
  public:
   MissionPlacer(const MissionMap& mission, const BuildingIndex& building,
-                const PlaceMissionOptions& options, int jobs)
-      : building_(building), options_(options), jobs_(jobs), pieces_(pieces_of(mission, options)) {}
+                const PlaceMissionOptions& options, const Progress& progress, int jobs)
+      : building_(building),
+        options_(options),
+        progress_(progress),
+        jobs_(jobs),
+        pieces_(pieces_of(mission, options)) {}
 
   MissionSearch run() {
     std::vector<std::size_t> first;
@@ -88,6 +92,7 @@ class MissionPlacer {
  private:
   void vote(const std::vector<std::size_t>& some) {
     for (const std::size_t i : some) {
+      report(progress_, "look for places", share_of(searched_++, pieces_.size()));
       std::vector<PlaceHypothesis> places = building_.find(pieces_[i].sketch, jobs_);
       places.resize(std::min(places.size(), static_cast<std::size_t>(options_.places_a_piece)));
       for (const PlaceHypothesis& place : places) {
@@ -196,7 +201,9 @@ class MissionPlacer {
 
   const BuildingIndex& building_;
   const PlaceMissionOptions& options_;
+  const Progress& progress_;
   int jobs_;
+  std::size_t searched_ = 0;  ///< pieces
   std::vector<Piece> pieces_;
   std::vector<Vote> votes_;
 };
@@ -221,8 +228,9 @@ const char* to_string(PlaceVerdict verdict) {
 }
 
 MissionSearch place_mission(const MissionMap& mission, const BuildingIndex& building,
-                            const PlaceMissionOptions& options, int jobs) {
-  return MissionPlacer(mission, building, options, jobs).run();
+                            const PlaceMissionOptions& options, const Progress& progress,
+                            int jobs) {
+  return MissionPlacer(mission, building, options, progress, jobs).run();
 }
 
 FloorSketch sketch_of(const MissionMap& mission) {

@@ -87,7 +87,7 @@ LocatedMission locate_mission(const AssemblyStore& building, const AsrSource& as
                                   : asked;
   const WithPaths source(recorded, mission.corrected.paths);
   const MissionMap query = mission_map_of(source, mission.placement, options);
-  const MissionSearch search = place_mission(query, index, placing, options.jobs);
+  const MissionSearch search = place_mission(query, index, placing, progress, options.jobs);
   LocatedMission located;
   located.verdict = search.verdict;
   located.places = search.places;

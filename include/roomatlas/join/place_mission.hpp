@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <vector>
 
+#include "roomatlas/core/progress.hpp"
 #include "roomatlas/locate/building_index.hpp"
 
 namespace roomatlas {
@@ -87,10 +87,12 @@ struct MissionSearch {
 /// Looks for pieces of the mission all over the building, follows the places that several of them
 /// agree on piece by piece, and judges.
 /// @param jobs threads at once, see `for_each_index`
+/// @throws Interrupted when `progress` says so
 [[nodiscard]] MissionSearch place_mission(const MissionMap& mission, const BuildingIndex& building,
-                                          const PlaceMissionOptions& options, int jobs = 1);
+                                          const PlaceMissionOptions& options,
+                                          const Progress& progress = {}, int jobs = 1);
 
-/// The sketch of all visits of a mission, moved.
+/// The sketch of all visits of a mission, in its frame.
 [[nodiscard]] FloorSketch sketch_of(const MissionMap& mission);
 
 }  // namespace roomatlas
