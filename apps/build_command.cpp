@@ -147,7 +147,8 @@ void build_joined(const Settings& settings, const BuildArguments& arguments) {
       drawn.truth.clear();
       make_folder(drawn.out);
     }
-    write_results(settings, written.store, drawn, {"svg", "pdf", "png", "geojson", "csv", "nav2"});
+    write_results(settings, written.store, drawn,
+                  {"svg", "pdf", "png", "geojson", "tum", "dot", "graphml", "csv", "nav2"});
     require_a_room(written.rooms, written.store);
   }
   if (arguments.strict) require_trust(store);

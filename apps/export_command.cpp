@@ -27,11 +27,19 @@ namespace roomatlas::apps {
 namespace {
 
 /// What the exports draw from, read once.
+/// The path of a mission by odometry and corrected; a joined store has several.
+struct ExportedPath {
+  std::string name;  ///< goes before the files' ending: empty, or ".1", ".2" ... as in `missions`
+  Trajectory odometry;
+  Trajectory corrected;
+};
+
 struct Exported {
   Metadata metadata;
   Correction correction;
   FloorPlan plan;
   PlacedMission placed;
+  std::vector<ExportedPath> paths;
   RoomGraph graph;
   std::vector<Closure> closures;
   std::optional<Judgement> judgement;
@@ -46,6 +54,23 @@ struct Exported {
   [[nodiscard]] bool has_mission() const { return !correction.asrs.empty(); }
 };
 
+std::vector<ExportedPath> paths_of(const GeoPackageStore& store, const Correction& correction,
+                                   const PlacedMission& all) {
+  const std::vector<MemberMission> members = store.members();
+  if (members.empty()) return {{"", all.odometry, all.corrected}};
+  std::vector<ExportedPath> paths;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    Correction own = correction;
+    std::erase_if(own.asrs, [&](const AsrCorrection& asr) {
+      return asr.asr < members[i].first_asr || asr.asr > members[i].last_asr;
+    });
+    PlacedMission placed = place(store, own);
+    paths.push_back(
+        {fmt::format(".{}", i + 1), std::move(placed.odometry), std::move(placed.corrected)});
+  }
+  return paths;
+}
+
 Exported read(const Settings& settings, const Path& store_file, bool measured_walls) {
   const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
   if (!store.has_assembly()) {
@@ -55,6 +80,7 @@ Exported read(const Settings& settings, const Path& store_file, bool measured_wa
   Exported exported{store.metadata(),
                     store.correction(),
                     measured_walls ? store.measured_plan() : store.plan(),
+                    {},
                     {},
                     {},
                     store.closures(),
@@ -67,6 +93,7 @@ Exported read(const Settings& settings, const Path& store_file, bool measured_wa
                     {}};
   exported.correct = as_corrected(settings, exported.metadata, store_file).assemble.correct;
   exported.placed = place(store, exported.correction);
+  exported.paths = paths_of(store, exported.correction, exported.placed);
   exported.graph = graph_of(store, exported.correction);
   return exported;
 }
@@ -162,8 +189,10 @@ const std::map<std::string, Exporter>& exporters() {
        }},
       {"tum",
        [](const Exported& from, const Settings&, const Path& out) {
-         write_tum(out / "trajectory_odometry.tum", from.placed.odometry);
-         write_tum(out / "trajectory_corrected.tum", from.placed.corrected);
+         for (const ExportedPath& path : from.paths) {
+           write_tum(out / ("trajectory_odometry" + path.name + ".tum"), path.odometry);
+           write_tum(out / ("trajectory_corrected" + path.name + ".tum"), path.corrected);
+         }
        }},
       {"dot", [](const Exported& from, const Settings&,
                  const Path& out) { write_file(out / "rooms.dot", to_dot(from.graph)); }},

@@ -4,6 +4,7 @@
 
 #include "random_store.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
+#include "roomatlas/io/trajectories/tum.hpp"
 
 namespace roomatlas::test {
 namespace {
@@ -52,6 +53,15 @@ TEST_F(Join, BuildOfTwoLogsIsOneBuildingWhateverTheirOrder) {
   ASSERT_EQ(run("-q assemble " + second + "/building.gpkg").exit_code, 0);
   ASSERT_EQ(run("-q export " + second + "/building.gpkg -f geojson -o " + second).exit_code, 0);
   EXPECT_EQ(content_of(first + "/plan.geojson"), content_of(second + "/plan.geojson"));
+
+  // Each mission's path has a file of its own: their times may be the same.
+  for (const char* name : {"/trajectory_corrected.1.tum", "/trajectory_corrected.2.tum"}) {
+    const Trajectory path = read_tum(first + name);
+    EXPECT_TRUE(std::is_sorted(path.begin(), path.end(), [](const auto& a, const auto& b) {
+      return a.timestamp_s < b.timestamp_s;
+    })) << name;
+    EXPECT_GT(path.size(), 100U);
+  }
 
   const GeoPackageStore store(first + "/building.gpkg", GeoPackageStore::Mode::read);
   EXPECT_EQ(store.plan().rooms.size(), 2U);
