@@ -7,7 +7,7 @@
 #include <set>
 #include <tuple>
 
-#include "placed_graph.hpp"
+#include "rival_loops.hpp"
 #include "roomatlas/core/for_each_index.hpp"
 #include "roomatlas/core/issue.hpp"
 #include "roomatlas/core/progress.hpp"
@@ -34,7 +34,7 @@ class LoopCloser {
         progress_(progress),
         jobs_(jobs),
         passage_robust_sigmas_(correct.passage_robust_sigmas),
-        placed_(options.robust_sigmas) {
+        state_{PlacedGraph(options.robust_sigmas), {}, {}, {}} {
     std::map<AsrId, std::size_t> index_of;
     for (std::size_t i = 0; i < asrs.size(); ++i) index_of[asrs[i].id] = i;
     into_.resize(asrs.size());
@@ -51,15 +51,19 @@ class LoopCloser {
       report(progress_, "match rooms", share_of(i, asrs_.size()));
       enter(i);
     }
-    placed_.solve();
+    state_.placed.solve();
     for (int round = 1; round < options_.rounds; ++round) match_all_again(false);
     mend();
-    match_all_again(true);
     ClosedLoops result;
-    result.lost_before = lost_before_;
-    result.closures = std::move(closures_);
+    if (const auto rival = rival_of(state_, tried_, asrs_.size(), cell_m())) {
+      result.second = rival->second;
+      if (options_.take_second) take(tried_[rival->which]);
+    }
+    match_all_again(true);
+    result.lost_before = state_.lost_before;
+    result.closures = std::move(state_.closures);
     for (std::size_t i = 0; i < asrs_.size(); ++i) {
-      result.placement[asrs_[i].id] = placed_.pose(i);
+      result.placement[asrs_[i].id] = state_.placed.pose(i);
     }
     return result;
   }
@@ -74,13 +78,13 @@ class LoopCloser {
   /// Adds an ASR to the graph and matches it with the earlier ones that lie near.
   void enter(std::size_t i) {
     const auto& into = into_[i];
-    placed_.add_node(asrs_[i].id,
-                     into ? placed_.pose(into->from) * into->from_from_to : asrs_[i].odom_from_asr);
-    if (into) placed_.add_driven(into->from, i, into->from_from_to, into->information);
+    state_.placed.add_node(asrs_[i].id, into ? state_.placed.pose(into->from) * into->from_from_to
+                                             : asrs_[i].odom_from_asr);
+    if (into) state_.placed.add_driven(into->from, i, into->from_from_to, into->information);
     std::vector<Pair> pairs;
     const double reach_m = options_.near_m + options_.max_near_growth_m;
     for (std::size_t earlier = 0; earlier < i; ++earlier) consider(earlier, i, reach_m, pairs);
-    const std::vector<Uncertainty> uncertainties = placed_.uncertainties(pairs);
+    const std::vector<Uncertainty> uncertainties = state_.placed.uncertainties(pairs);
     std::vector<std::pair<Pair, Uncertainty>> near;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       const double growth_m =
@@ -97,16 +101,16 @@ class LoopCloser {
     const auto matches = results_of<MapMatch>(near.size(), jobs_, [&](std::size_t k) {
       const auto& [pair, between] = near[k];
       return SearchableMap(shapes_[pair.first].map, options_.match)
-          .find(shapes_[pair.second].points, placed_.first_from_second(pair),
+          .find(shapes_[pair.second].points, state_.placed.first_from_second(pair),
                 window_of(between, options_));
     });
     bool any = false;
     for (std::size_t k = 0; k < near.size(); ++k) {
       if (verdict_on(matches[k], options_.min_agreeing) != ClosureVerdict::accepted) continue;
-      placed_.add(near[k].first, matches[k]);
+      state_.placed.add(near[k].first, matches[k]);
       any = true;
     }
-    if (any) placed_.solve();
+    if (any) state_.placed.solve();
   }
 
   /// Matches every two ASRs that lie near to each other, and forgets the matches before.
@@ -118,22 +122,22 @@ class LoopCloser {
       }
     }
     std::vector<Uncertainty> uncertainties(pairs.size());
-    if (!is_last) uncertainties = placed_.uncertainties(pairs);
+    if (!is_last) uncertainties = state_.placed.uncertainties(pairs);
     const std::vector<MapMatch> matches = matches_of(pairs, uncertainties);
-    closures_.clear();
-    pairs_ = pairs;
+    state_.closures.clear();
+    state_.pairs = pairs;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
-      closures_.push_back({asrs_[pairs[k].first].id, asrs_[pairs[k].second].id, matches[k],
-                           verdict_on(matches[k], options_.again_min_agreeing), false});
+      state_.closures.push_back({asrs_[pairs[k].first].id, asrs_[pairs[k].second].id, matches[k],
+                                 verdict_on(matches[k], options_.again_min_agreeing), false});
     }
     try_given();
     if (is_last) leave_out_best();
-    placed_.remove_closures();
-    for (std::size_t k = 0; k < pairs_.size(); ++k) {
-      if (closures_[k].verdict != ClosureVerdict::accepted) continue;
-      placed_.add(pairs_[k], closures_[k].match);
+    state_.placed.remove_closures();
+    for (std::size_t k = 0; k < state_.pairs.size(); ++k) {
+      if (state_.closures[k].verdict != ClosureVerdict::accepted) continue;
+      state_.placed.add(state_.pairs[k], state_.closures[k].match);
     }
-    placed_.solve();
+    state_.placed.solve();
   }
 
   /// Matches pairs that stand in the order of their first rooms, each room's map made once.
@@ -148,8 +152,9 @@ class LoopCloser {
     const auto match_all_of = [&](std::size_t room) {
       const SearchableMap map(shapes_[pairs[begins[room]].first].map, options_.match);
       for (std::size_t k = begins[room]; k < begins[room + 1]; ++k) {
-        matches[k] = map.find(shapes_[pairs[k].second].points, placed_.first_from_second(pairs[k]),
-                              window_of(uncertainties[k], options_));
+        matches[k] =
+            map.find(shapes_[pairs[k].second].points, state_.placed.first_from_second(pairs[k]),
+                     window_of(uncertainties[k], options_));
       }
     };
     for_each_index(begins.size() - 1, jobs_, match_all_of, [&](std::size_t room) {
@@ -165,7 +170,7 @@ class LoopCloser {
     std::vector<WiderMatch> found = search_wider();
     for (int tries = 0; tries < options_.max_mends && !found.empty(); ++tries) {
       const std::vector<WiderMatch> alike = take_most_alike(found);
-      if (gain_of(alike) < options_.mend_seed * total_score()) return;  // the rest gain less
+      if (gain_of(alike) < options_.mend_seed * state_.total_score()) return;  // the rest gain less
       if (believe(alike)) found = search_wider();
     }
   }
@@ -174,35 +179,41 @@ class LoopCloser {
   /// are, and from there with those giving way in which the robot may have been lost. Were they
   /// doubted at once, rooms that look alike in a row would hold on to their neighbours' places.
   bool believe(const std::vector<WiderMatch>& matches) {
-    auto best = std::tuple(placed_, closures_, pairs_);
-    double best_score = options_.mend_gain * total_score();
-    const double most_contradicted = options_.mend_relief * contradicted_share();
+    LoopsState best = state_;
+    double best_score = options_.mend_gain * state_.total_score();
+    const double most_contradicted = options_.mend_relief * state_.contradicted_share();
     bool is_better = false;
-    for (const WiderMatch& wider : matches) placed_.add_believed(pairs_[wider.pair], wider.match);
+    for (const WiderMatch& wider : matches) {
+      state_.placed.add_believed(state_.pairs[wider.pair], wider.match);
+    }
     for (const bool doubt_passages : {false, true}) {
-      if (doubt_passages) placed_.doubt_passages(passage_robust_sigmas_);
-      placed_.solve();
+      if (doubt_passages) state_.placed.doubt_passages(passage_robust_sigmas_);
+      state_.placed.solve();
       match_all_again(false);
-      if (total_score() <= best_score || contradicted_share() > most_contradicted) continue;
-      best = std::tuple(placed_, closures_, pairs_);
-      best_score = total_score();
+      const bool is_worse =
+          state_.total_score() <= best_score || state_.contradicted_share() > most_contradicted;
+      tried_.push_back(is_worse ? state_ : std::move(best));
+      if (is_worse) continue;
+      best = state_;
+      best_score = state_.total_score();
       is_better = true;
     }
-    std::tie(placed_, closures_, pairs_) = std::move(best);
-    if (is_better) lost_before_ = placed_.keep_doubts();
+    state_ = std::move(best);
+    if (is_better) state_.lost_before = state_.placed.keep_doubts();
     return is_better;
   }
 
   /// Of the contradicted pairs those that fit elsewhere.
   [[nodiscard]] std::vector<WiderMatch> search_wider() const {
     std::vector<std::size_t> contradicted;
-    for (std::size_t k = 0; k < pairs_.size(); ++k) {
-      if (closures_[k].verdict == ClosureVerdict::contradicted) contradicted.push_back(k);
+    for (std::size_t k = 0; k < state_.pairs.size(); ++k) {
+      if (state_.closures[k].verdict == ClosureVerdict::contradicted) contradicted.push_back(k);
     }
     const auto matches = results_of<MapMatch>(contradicted.size(), jobs_, [&](std::size_t i) {
-      const Pair& pair = pairs_[contradicted[i]];
+      const Pair& pair = state_.pairs[contradicted[i]];
       return SearchableMap(shapes_[pair.first].map, options_.match)
-          .find(shapes_[pair.second].points, placed_.first_from_second(pair), options_.max_window);
+          .find(shapes_[pair.second].points, state_.placed.first_from_second(pair),
+                options_.max_window);
     });
     std::vector<WiderMatch> found;
     for (std::size_t i = 0; i < contradicted.size(); ++i) {
@@ -210,29 +221,20 @@ class LoopCloser {
       const MapMatch& match = matches[i];
       if (verdict_on(match, options_.min_agreeing) != ClosureVerdict::accepted) continue;
       const Closure there{0, 0, match, ClosureVerdict::accepted, false};
-      found.push_back({k, match, there.score() - closures_[k].score(),
-                       placed_.pose(pairs_[k].second),
-                       placed_.pose(pairs_[k].first) * match.first_from_second});
+      found.push_back({k, match, there.score() - state_.closures[k].score(),
+                       state_.placed.pose(state_.pairs[k].second),
+                       state_.placed.pose(state_.pairs[k].first) * match.first_from_second});
     }
     return found;
   }
 
-  /// What speaks for the places of all rooms together.
-  [[nodiscard]] double total_score() const {
-    double score = 0.0;
-    for (const Closure& closure : closures_) score += closure.score();
-    return score;
+  void take(const LoopsState& state) {
+    state_ = state;
+    if (state_.lost_before.empty()) state_.lost_before = state_.placed.keep_doubts();
   }
 
-  /// Of the points that can tell, of all pairs.
-  [[nodiscard]] double contradicted_share() const {
-    double contradicting = 0.0;
-    double all = 0.0;
-    for (const Closure& closure : closures_) {
-      contradicting += closure.match.contradicting;
-      all += closure.match.contradicting + closure.match.agreeing;
-    }
-    return all > 0.0 ? contradicting / all : 0.0;
+  [[nodiscard]] double cell_m() const {
+    return shapes_.empty() ? 0.0 : shapes_.front().map.frame().cell_m;
   }
 
   [[nodiscard]] std::size_t index_of(AsrId id) const {
@@ -252,15 +254,15 @@ class LoopCloser {
       const MapMatch match =
           SearchableMap(shapes_[pair.first].map, options_.match)
               .find(shapes_[pair.second].points, given.from_from_to, options_.min_window);
-      pairs_.push_back(pair);
-      closures_.push_back(
+      state_.pairs.push_back(pair);
+      state_.closures.push_back(
           {given.from, given.to, match, verdict_on(match, options_.again_min_agreeing), true});
     }
   }
 
   void leave_out_best() {
     std::vector<Closure*> best;
-    for (Closure& closure : closures_) {
+    for (Closure& closure : state_.closures) {
       if (closure.verdict == ClosureVerdict::accepted) best.push_back(&closure);
     }
     std::stable_sort(best.begin(), best.end(), [](const Closure* first, const Closure* second) {
@@ -275,7 +277,7 @@ class LoopCloser {
   void consider(std::size_t first, std::size_t second, double reach_m, std::vector<Pair>& pairs) {
     if (component_[first] != component_[second]) return;
     Pair pair{first, second, 0.0};
-    const Pose2 between = placed_.first_from_second(pair);
+    const Pose2 between = state_.placed.first_from_second(pair);
     constexpr double kLongestPieceM = 30.0;  // a visit is cut long before
     if (between.position().norm() > reach_m + 2.0 * kLongestPieceM) return;
     pair.apart_m = path_distance_m(shapes_[first], shapes_[second], between);
@@ -292,12 +294,10 @@ class LoopCloser {
   const Progress& progress_;
   int jobs_;
   double passage_robust_sigmas_;
-  PlacedGraph placed_;
-  std::set<AsrId> lost_before_;
+  LoopsState state_;
+  std::vector<LoopsState> tried_;  ///< that were not kept
   std::vector<std::optional<DrivenInto>> into_;
   std::vector<int> component_;
-  std::vector<Closure> closures_;  ///< of the last round
-  std::vector<Pair> pairs_;        ///< parallel to `closures_`
 };
 
 }  // namespace

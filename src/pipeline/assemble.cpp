@@ -2,6 +2,7 @@
 #include "roomatlas/pipeline/assemble.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <set>
 #include <string>
@@ -43,6 +44,14 @@ Issues unused_closures(const CorrectedMission& corrected, const ClosureOptions& 
            "with a laser whose readings are localized and kept"}};
 }
 
+/// "3 visits lie elsewhere, up to 4.6 m"
+std::string in_words(const SecondLoops& second) {
+  const auto decimetres = static_cast<long>(std::lround(10.0 * second.farthest_m));
+  return std::to_string(second.visits) +
+         (second.visits == 1 ? " visit lies elsewhere, by " : " visits lie elsewhere, by up to ") +
+         std::to_string(decimetres / 10) + "." + std::to_string(decimetres % 10) + " m";
+}
+
 /// @throws UsageError where the one that is asked for is none of them
 Answers answers_of(const CorrectedMission& corrected, int asked) {
   Answers answers;
@@ -50,6 +59,10 @@ Answers answers_of(const CorrectedMission& corrected, int asked) {
   if (corrected.sonars && corrected.sonars->second) {
     const SecondAnswer& second = *corrected.sonars->second;
     answers = {asked, 2, second.kept_m, second.score_m, second.name};
+  }
+  if (corrected.second_loops) {
+    const SecondLoops& second = *corrected.second_loops;
+    answers = {asked, 2, second.kept_m, second.score_m, in_words(second)};
   }
   if (asked < 1 || asked > answers.count) {
     throw UsageError("--alternative " + std::to_string(asked) + ": the readings have " +

@@ -42,8 +42,11 @@ CorrectedMission correct_laser_mission(const AsrSource& source, const Options& o
   CorrectedMission result;
   result.are_rooms_matched = true;
   result.graph = build_graph(asrs);
-  ClosedLoops loops = close_loops(asrs, shapes, result.graph, assemble.correct, assemble.closures,
-                                  progress, options.jobs);
+  ClosureOptions closures = assemble.closures;
+  closures.take_second = assemble.answer == 2;
+  ClosedLoops loops =
+      close_loops(asrs, shapes, result.graph, assemble.correct, closures, progress, options.jobs);
+  result.second_loops = loops.second;
   for (const Closure& closure : loops.closures) {
     if (closure.verdict == ClosureVerdict::accepted) add_edge(result.graph, edge_of(closure));
   }

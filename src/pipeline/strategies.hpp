@@ -11,6 +11,7 @@
 #include "roomatlas/asr/store.hpp"
 #include "roomatlas/core/progress.hpp"
 #include "roomatlas/correct/correct.hpp"
+#include "roomatlas/loops/close_loops.hpp"
 #include "roomatlas/loops/closures.hpp"
 #include "roomatlas/pipeline/assemble.hpp"
 #include "roomatlas/pipeline/options.hpp"
@@ -25,6 +26,7 @@ struct CorrectedMission {
   std::vector<Closure> closures;  ///< that were tried; none where rooms were not matched
   bool are_rooms_matched = false;
   Paths paths;  ///< of readings that were matched again; may be empty
+  std::optional<SecondLoops> second_loops;  ///< another way to close them; sonars have their own
   std::optional<SonarTrajectory> sonars;
   std::set<AsrId> not_drawn;                  ///< visits of sonars to what lasers saw
   std::optional<MemoryStore> recorded_again;  ///< ASRs instead of those of the source

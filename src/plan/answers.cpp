@@ -12,11 +12,11 @@ std::string words(const Answers& answers) {
   const std::string second = metres(answers.second_score);
   if (answers.drawn == 1) {
     return "a second answer explains the readings nearly as well (" + second +
-           " of wall speak for it against " + first + ")";
+           " of wall speak for it against " + first + "): " + answers.second;
   }
   return "this is alternative " + std::to_string(answers.drawn) + " of " +
          std::to_string(answers.count) + " (" + second + " of wall speak for it, " + first +
-         " for the first)";
+         " for the first): " + answers.second;
 }
 
 }  // namespace roomatlas

@@ -14,10 +14,11 @@ TEST(Answers, TheFirstTellsOfTheSecondAndTheSecondWhichItIs) {
   Answers answers{1, 2, 420.2, 411.6, "turned by 90 deg"};
   EXPECT_EQ(words(answers),
             "a second answer explains the readings nearly as well (412 m of wall speak for it "
-            "against 420 m)");
+            "against 420 m): turned by 90 deg");
   answers.drawn = 2;
   EXPECT_EQ(words(answers),
-            "this is alternative 2 of 2 (412 m of wall speak for it, 420 m for the first)");
+            "this is alternative 2 of 2 (412 m of wall speak for it, 420 m for the first): "
+            "turned by 90 deg");
 }
 
 TEST(Answers, StandInTheSummary) {

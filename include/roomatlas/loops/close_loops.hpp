@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -10,11 +11,20 @@
 
 namespace roomatlas {
 
+/// Another way to close the loops that the readings allow nearly as well.
+struct SecondLoops {
+  int visits = 0;           ///< that it puts elsewhere ...
+  double farthest_m = 0.0;  ///< ... by so much at most
+  double score_m = 0.0;     ///< of wall that speaks for it, seen in these visits
+  double kept_m = 0.0;      ///< the same of the one kept
+};
+
 /// Where matching rooms with each other leads.
 struct ClosedLoops {
   std::vector<Closure> closures;  ///< all that were tried in the last round, accepted or not
   Placement placement;
   std::set<AsrId> lost_before;  ///< on the way into these the robot was lost, their closures say
+  std::optional<SecondLoops> second;
 };
 
 /// Matches rooms by their walls, within the uncertainty between them. First in the order of the

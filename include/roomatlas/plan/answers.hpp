@@ -14,7 +14,7 @@ struct Answers {
   std::string second;         ///< what is otherwise in it
 };
 
-/// "a second answer explains the readings nearly as well (412 m of wall against 420 m)", or
+/// "a second answer explains the readings nearly as well (412 m of wall against 420 m): ...", or
 /// "alternative 2 of 2 ..."; empty where there is but one. Without a full stop.
 [[nodiscard]] std::string words(const Answers& answers);
 
