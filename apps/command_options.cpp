@@ -49,10 +49,12 @@ void add_ogr_option(CLI::App* command, ExportOptions& options) {
 
 void add_truth(CLI::App* command, TruthArguments& arguments) {
   command
-      ->add_option("--truth", arguments.truth,
-                   "truth to compare with: FILE.relations, a trajectory (TUM, g2o, CARMEN log with "
-                   "TRUEPOS, corrected log, poses), a plan FILE.geojson, a label picture "
-                   "FILE.pgm[.gz], or tape-measure spans FILE.csv; again for more")
+      ->add_option(
+          "--truth", arguments.truth,
+          "truth to compare with: FILE.relations, a trajectory (TUM, g2o, CARMEN log with "
+          "TRUEPOS, corrected log, poses), a plan FILE.geojson, a label picture "
+          "FILE.pgm[.gz], or tape-measure spans FILE.csv; again for more. Of one of several "
+          "missions: MISSION=FILE, with its name or number")
       ->configurable(false);
   command
       ->add_option("--spans", arguments.spans, "tape-measure spans, FILE.csv: as --truth FILE.csv")

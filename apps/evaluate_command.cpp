@@ -47,11 +47,27 @@ bool is_plan(const Path& file) {
   return extension == ".geojson" || extension == ".json" || extension == ".pgm";
 }
 
+/// A store of several missions: all together, and each among what is said of the plan.
+void add_missions(const GeoPackageStore& store, const std::string& name, const Truth& truth,
+                  const Preparation& prepare, Evaluation& evaluation, Judged& judged) {
+  JoinedPaths paths =
+      joined_paths(store, truth, {prepare, prepare.relation_options(), prepare.carry()});
+  const auto add = [&](const std::string& what, Trajectory trajectory) {
+    judged.runs.push_back({name + what, std::move(trajectory), paths.poses, paths.relations});
+  };
+  add(" odometry", std::move(paths.all_odometry));
+  add(" corrected", std::move(paths.all_corrected));
+  evaluation.relations.reset();  // stand in the comparison
+  evaluation.true_poses.reset();
+  judged.plans.push_back({name, std::move(evaluation)});
+}
+
 /// A store: both of its trajectories, and its plan.
 void add_store(const Path& file, const std::string& name, const Truth& truth,
                const Preparation& prepare, Judged& judged) {
   const GeoPackageStore store(file, GeoPackageStore::Mode::read);
   Evaluation evaluation = evaluation_of(store, file, truth, prepare);
+  if (evaluation.missions) return add_missions(store, name, truth, prepare, evaluation, judged);
   PlacedMission placed = place(store, store.correction());
   const Trajectory true_poses = true_poses_of(store);
   judged.runs.push_back(
@@ -134,7 +150,7 @@ Judged read(const Settings& settings, const std::vector<Path>& files, const Trut
 bool has_truth(const Judged& judged, const Truth& truth) {
   return !truth.relations.empty() || !truth.poses.empty() ||
          std::any_of(judged.runs.begin(), judged.runs.end(),
-                     [](const Run& run) { return !run.truth.empty(); });
+                     [](const Run& run) { return !run.truth.empty() || !run.relations.empty(); });
 }
 
 /// Tells why there is no figure at all, in the words of the first run that says so.
@@ -150,7 +166,7 @@ bool has_truth(const Judged& judged, const Truth& truth) {
 /// Results replace none of the files that are read.
 void require_places(const ComparisonFiles& results, std::vector<Path> inputs,
                     const std::vector<Path>& truth_files, const TrajectoryFlags& flags) {
-  inputs.insert(inputs.end(), truth_files.begin(), truth_files.end());
+  for (const Path& truth : truth_files) inputs.push_back(named_truth(truth).file);
   inputs.insert(inputs.end(), {flags.stamps_from, flags.carry});
   for (const Path& file : {results.csv, results.latex, results.archive}) {
     if (!file.empty()) require_output_file(file, inputs);

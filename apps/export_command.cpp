@@ -30,6 +30,7 @@ namespace {
 /// The path of a mission by odometry and corrected; a joined store has several.
 struct ExportedPath {
   std::string name;  ///< goes before the files' ending: empty, or ".1", ".2" ... as in `missions`
+  std::string mission;  ///< its name, of a joined store: "1 first.clf"
   Trajectory odometry;
   Trajectory corrected;
 };
@@ -57,7 +58,7 @@ struct Exported {
 std::vector<ExportedPath> paths_of(const GeoPackageStore& store, const Correction& correction,
                                    const PlacedMission& all) {
   const std::vector<MemberMission> members = store.members();
-  if (members.empty()) return {{"", all.odometry, all.corrected}};
+  if (members.empty()) return {{"", "", all.odometry, all.corrected}};
   std::vector<ExportedPath> paths;
   for (std::size_t i = 0; i < members.size(); ++i) {
     Correction own = correction;
@@ -65,8 +66,8 @@ std::vector<ExportedPath> paths_of(const GeoPackageStore& store, const Correctio
       return asr.asr < members[i].first_asr || asr.asr > members[i].last_asr;
     });
     PlacedMission placed = place(store, own);
-    paths.push_back(
-        {fmt::format(".{}", i + 1), std::move(placed.odometry), std::move(placed.corrected)});
+    paths.push_back({fmt::format(".{}", i + 1), fmt::format("{} {}", i + 1, members[i].name),
+                     std::move(placed.odometry), std::move(placed.corrected)});
   }
   return paths;
 }
@@ -105,6 +106,12 @@ PlanAnnotations annotations_of(const Exported& from) {
   annotations.path_length_m = path_length_of(from.metadata);
   for (const StampedPose& pose : from.placed.corrected) {
     annotations.trajectory.push_back(pose.pose.position());
+  }
+  for (const ExportedPath& path : from.paths) {
+    if (path.mission.empty()) continue;
+    MissionPath& mission = annotations.missions.emplace_back();
+    mission.name = path.mission;
+    for (const StampedPose& pose : path.corrected) mission.path.push_back(pose.pose.position());
   }
   for (const PlanDoor& door : from.plan.doors) {
     if (door.room_a && door.room_b) annotations.room_graph.emplace_back(*door.room_a, *door.room_b);

@@ -54,6 +54,7 @@ std::size_t write_building(const Settings& settings, const JoinedBuilding& build
   const NewStore made(place);
   try {
     GeoPackageStore store(made.file(), GeoPackageStore::Mode::create);
+    for (const TruePose& pose : source.truth()) store.put(pose);
     for (const AsrId id : source.ids()) store.put(source.get(id, AsrDetail::readings));
     store.put_members(building.members);
     store.put_metadata(metadata_of(building, stores, settings));

@@ -10,6 +10,7 @@
 #include "roomatlas/io/results/report_data.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "stored_configuration.hpp"
+#include "truth_files.hpp"
 
 namespace roomatlas::apps {
 
@@ -23,6 +24,16 @@ void write_report(const Settings& settings, const Path& store_file, const Evalua
   from.plan = store.plan();
   from.graph = graph_of(store, from.correction);
   from.placed = place(store, from.correction);
+  for (const MemberMission& member : store.members()) {
+    Correction own = from.correction;
+    std::erase_if(own.asrs, [&](const AsrCorrection& asr) {
+      return asr.asr < member.first_asr || asr.asr > member.last_asr;
+    });
+    const PlacedMission placed = place(store, own);
+    ReportedPath path{member.name, placed.path_before, {}};
+    for (const StampedPose& pose : placed.corrected) path.after.push_back(pose.pose.position());
+    from.missions.push_back(std::move(path));
+  }
   const CorrectOptions correct = as_corrected(settings, from.metadata, store_file).assemble.correct;
   from.uncertainty = uncertainty_of(from.graph, store.closures(), from.correction, correct);
   from.evaluation = evaluation;
@@ -32,7 +43,8 @@ void write_report(const Settings& settings, const Path& store_file, const Evalua
 
 void report(const Settings& settings, const Path& store, const std::vector<Path>& truth,
             const TrajectoryFlags& flags, const Path& out) {
-  std::vector<Path> inputs = truth;
+  std::vector<Path> inputs;
+  for (const Path& one : truth) inputs.push_back(named_truth(one).file);
   inputs.insert(inputs.end(), {store, flags.stamps_from, flags.carry});
   require_output_file(out, inputs);
   write_report(settings, store, evaluation_of(settings, store, truth, flags), out);

@@ -81,15 +81,43 @@ void add_truth(const Path& file, const Settings& settings, Truth& truth) {
   }
 }
 
+NamedTruth named_truth(const Path& argument) {
+  const std::string text = argument.string();
+  const std::size_t sign = text.find('=');
+  std::error_code unreadable;
+  if (sign == std::string::npos || std::filesystem::exists(argument, unreadable)) {
+    return {"", argument};
+  }
+  return {text.substr(0, sign), text.substr(sign + 1)};
+}
+
 Truth read_truth(const std::vector<Path>& files, const Settings& settings) {
   Truth truth;
-  for (const Path& file : files) add_truth(file, settings, truth);
+  for (const Path& argument : files) {
+    const auto [mission, file] = named_truth(argument);
+    if (mission.empty()) {
+      add_truth(file, settings, truth);
+      continue;
+    }
+    Truth own;
+    add_truth(file, settings, own);
+    if (own.plan || !own.spans.empty()) {
+      throw UsageError(argument.string() +
+                       ": a plan or spans are of the building, not of a mission: leave out " +
+                       mission + "=");
+    }
+    truth.missions.push_back({mission, std::move(own.relations), std::move(own.poses)});
+  }
   return truth;
 }
 
 std::string names_of(const std::vector<Path>& files) {
   std::string names;
-  for (const Path& file : files) names += (names.empty() ? "" : ", ") + file.filename().string();
+  for (const Path& argument : files) {
+    const auto [mission, file] = named_truth(argument);
+    names += (names.empty() ? "" : ", ") + (mission.empty() ? "" : mission + "=") +
+             file.filename().string();
+  }
   return names;
 }
 

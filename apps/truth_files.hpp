@@ -15,7 +15,16 @@ namespace roomatlas::apps {
 /// anything that holds a trajectory. Throws InputError when it holds nothing.
 void add_truth(const std::filesystem::path& file, const Settings& settings, Truth& truth);
 
+/// A truth file, and of which of several missions it is.
+struct NamedTruth {
+  std::string mission;  ///< empty: of all
+  std::filesystem::path file;
+};
+/// Of an argument FILE or MISSION=FILE; what is a file as it stands is one.
+[[nodiscard]] NamedTruth named_truth(const std::filesystem::path& argument);
+
 /// All of them together.
+/// @param files each as `named_truth` takes it
 [[nodiscard]] Truth read_truth(const std::vector<std::filesystem::path>& files,
                                const Settings& settings);
 

@@ -25,6 +25,15 @@ std::vector<AsrId> JoinedSource::ids() const {
   return all;
 }
 
+std::vector<TruePose> JoinedSource::truth() const {
+  std::vector<TruePose> all;
+  for (const Part& part : parts_) {
+    const std::vector<TruePose> own = part.source->truth();
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
 Asr JoinedSource::get(AsrId id, AsrDetail detail) const {
   const auto part =
       std::find_if(parts_.begin(), parts_.end(), [&](const Part& one) { return id <= one.last; });

@@ -120,7 +120,11 @@ std::string draw_plan(const FloorPlan& plan, const PlanAnnotations& annotations,
   add_unexplored(svg, has_edges ? unexplored_lines(plan) : annotations.unexplored, has_edges,
                  sheet);
   add_doors(svg, plan, sheet);
-  add_trajectory(svg, annotations.trajectory, options.show_trajectory, sheet);
+  if (annotations.missions.empty()) {
+    add_trajectory(svg, annotations.trajectory, options.show_trajectory, sheet);
+  } else {
+    add_mission_paths(svg, annotations.missions, options.show_trajectory, sheet);
+  }
   add_room_graph(svg, plan, annotations.room_graph, options.show_room_graph, sheet);
   add_corrections(svg, annotations.corrections, options.show_corrections, sheet);
   add_uncertainty(svg, annotations.uncertainty, options.show_uncertainty, sheet);

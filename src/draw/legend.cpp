@@ -2,8 +2,10 @@
 #include "legend.hpp"
 
 #include "hatch.hpp"
+#include "plan_layers.hpp"
 #include "style.hpp"
 #include "svg.hpp"
+#include "text_extent.hpp"
 #include "wall_pieces.hpp"
 
 #include <algorithm>
@@ -16,6 +18,7 @@ constexpr double kSwatch_mm = 5.0;
 constexpr double kGap_mm = 1.5;
 constexpr double kMostPitch_mm = 4.9;
 constexpr double kText_mm = 2.4;
+constexpr double kMostName_mm = 26.0;  // of a mission; longer ones make all letters small
 
 Point2 at(const Box2& box, double x, double y) {
   return box.min + box.size().cwiseProduct(Point2(x, y));
@@ -143,6 +146,28 @@ void add_openings(Legend& legend, const FloorPlan& plan, const LineWeights& weig
                 opening(kWallFill, nullptr, weights.visible, true));
 }
 
+/// One line, or one for each mission while they fit.
+void add_paths(Legend& legend, const PlanAnnotations& annotations, const DrawOptions& options) {
+  constexpr std::size_t kMostNamed = 6;
+  const std::vector<MissionPath>& missions = annotations.missions;
+  if (missions.empty()) {
+    legend.add_if(options.show_trajectory, "path", line(kPathStroke, nullptr, 0.35));
+    return;
+  }
+  const std::size_t named = missions.size() <= kMostNamed ? missions.size() : kMostNamed - 1;
+  for (std::size_t i = 0; i < named; ++i) {
+    const PathStyle style = path_style(i);
+    const std::string name = shortened(missions[i].name, kMostName_mm, kText_mm, Weight::normal);
+    legend.add_if(options.show_trajectory, name,
+                  line(style.stroke, *style.dash == '\0' ? nullptr : style.dash, 0.35));
+  }
+  if (named == missions.size()) return;
+  const PathStyle style = path_style(named);
+  legend.add_if(options.show_trajectory,
+                "and " + std::to_string(missions.size() - named) + " more paths",
+                line(style.stroke, style.dash, 0.35));
+}
+
 }  // namespace
 
 std::vector<LegendEntry> legend_of(const FloorPlan& plan, const PlanAnnotations& annotations,
@@ -164,7 +189,7 @@ std::vector<LegendEntry> legend_of(const FloorPlan& plan, const PlanAnnotations&
                 hatched_swatch(kAgainstWall_rad, weights.hatch));
   legend.add_if(has(FurnitureKind::free_standing), "furniture, free",
                 hatched_swatch(kFreeStanding_rad, weights.hatch));
-  legend.add_if(options.show_trajectory, "path", line(kPathStroke, nullptr, 0.35));
+  add_paths(legend, annotations, options);
   legend.add_if(options.show_room_graph, "room graph", line(kGraphStroke, "1.2 0.8", 0.35));
   legend.add_if(options.show_corrections, "correction", line(kCorrectionStroke, nullptr, 0.35));
   legend.add_if(options.show_uncertainty, "95 % sure", line(kUncertaintyStroke, nullptr, 0.35));

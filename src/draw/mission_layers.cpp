@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 /// What the mission says of the plan: the path, what the correction moved, how sure it is.
@@ -43,6 +44,28 @@ std::string add_clip(pugi::xml_node layer, const Box2& window_mm) {
 }
 
 }  // namespace
+
+PathStyle path_style(std::size_t mission) {
+  constexpr std::array kDashes = {"", "1.6 0.5", "0.5 0.4"};
+  return {kMissionStrokes[mission % kMissionStrokes.size()],
+          kDashes[mission / kMissionStrokes.size() % kDashes.size()]};
+}
+
+void add_mission_paths(pugi::xml_node svg, const std::vector<MissionPath>& missions, bool is_shown,
+                       const Sheet& sheet) {
+  pugi::xml_node layer =
+      add_layer(svg, "trajectory", is_shown,
+                {{"fill", "none"}, {"stroke-width", kThin_mm}, {"stroke-linejoin", "round"}});
+  for (std::size_t i = 0; i < missions.size(); ++i) {
+    const Polyline line = thinned(missions[i].path, sheet);
+    if (line.size() < 2) continue;
+    const PathStyle style = path_style(i);
+    Attributes attributes = {{"stroke", style.stroke}, {"d", path_of(line)}};
+    if (*style.dash != '\0') attributes.emplace_back("stroke-dasharray", style.dash);
+    pugi::xml_node path = add(layer, "path", attributes);
+    add(path, "title", {}).text().set(missions[i].name.c_str());
+  }
+}
 
 void add_trajectory(pugi::xml_node svg, const Polyline& trajectory, bool is_shown,
                     const Sheet& sheet) {

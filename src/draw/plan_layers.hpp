@@ -35,6 +35,15 @@ void add_unexplored(pugi::xml_node svg, const std::vector<Polyline>& lines, bool
                     const Sheet& sheet);
 void add_trajectory(pugi::xml_node svg, const Polyline& trajectory, bool is_shown,
                     const Sheet& sheet);
+/// How the path of a mission is drawn: colours first, then dashes beside them.
+struct PathStyle {
+  const char* stroke;
+  const char* dash;  ///< empty: solid
+};
+/// @param mission from 0; styles repeat after 24
+[[nodiscard]] PathStyle path_style(std::size_t mission);
+void add_mission_paths(pugi::xml_node svg, const std::vector<MissionPath>& missions, bool is_shown,
+                       const Sheet& sheet);
 void add_room_graph(pugi::xml_node svg, const FloorPlan& plan,
                     const std::vector<std::pair<RoomId, RoomId>>& edges, bool is_shown,
                     const Sheet& sheet);

@@ -3,6 +3,8 @@
 
 #include "roomatlas/plan/floor_plan.hpp"
 
+#include <array>
+
 /// Colours and line widths. The tints differ in lightness as well as in hue, and use the axis
 /// blue to yellow, so that they stay apart for readers who are red-green blind and on grey prints.
 namespace roomatlas::drawing {
@@ -22,6 +24,10 @@ constexpr const char* kGraphStroke = "#0072b2";
 constexpr const char* kCorrectionStroke = "#a2337c";
 constexpr const char* kUncertaintyStroke = "#00795c";
 constexpr const char* kUnexploredStroke = "#5f6b7a";
+
+/// Of the paths of several missions, after Okabe and Ito: they stay apart for colour-blind readers.
+constexpr std::array<const char*, 8> kMissionStrokes = {"#d55e00", "#0072b2", "#009e73", "#cc79a7",
+                                                        "#b8860b", "#56b4e9", "#5b2a86", "#1f2933"};
 
 constexpr const char* kUnexploredDash = "1.6 1";
 constexpr const char* kInferredDash = "0.9 0.6";

@@ -126,15 +126,20 @@ const Trajectory& poses_for(const Run& run, const TrajectoryTruth& truth) {
   return truth.poses.empty() ? run.truth : truth.poses;
 }
 
+const std::vector<Relation>& relations_for(const Run& run, const TrajectoryTruth& truth) {
+  return run.relations.empty() ? truth.relations : run.relations;
+}
+
 JudgedRun judge(const Run& run, const TrajectoryTruth& truth, const CompareOptions& options,
                 const Trajectory* carry, Judges& judges) {
   JudgedRun judged;
   judged.name = run.name;
   judged.poses = std::ssize(run.trajectory);
   judged.issues = check_trajectory(run.trajectory, run.name);
-  if (!truth.relations.empty()) {
+  const std::vector<Relation>& relations = relations_for(run, truth);
+  if (!relations.empty()) {
     RelationErrors errors =
-        relation_errors(run.trajectory, truth.relations, {options.split_s, options.match}, carry);
+        relation_errors(run.trajectory, relations, {options.split_s, options.match}, carry);
     for (Issue issue : errors.issues) {
       issue.file = run.name;
       judged.issues.push_back(std::move(issue));
@@ -170,6 +175,7 @@ Comparison compare(const std::vector<Run>& runs, const TrajectoryTruth& truth,
   comparison.carried = carry != nullptr;
   comparison.relations = std::ssize(truth.relations);
   for (const Run& run : runs) {
+    if (comparison.relations == 0) comparison.relations = std::ssize(run.relations);
     if (comparison.true_poses == 0) comparison.true_poses = std::ssize(poses_for(run, truth));
   }
   Judges judges(options.bootstrap);

@@ -35,7 +35,24 @@ Pose2 least_squares_alignment(const std::vector<PosePair>& pairs) {
   return rigid_fit(points);
 }
 
+PlacedPoseErrors errors_at(const std::vector<PosePair>& pairs, const Pose2& truth_from_building) {
+  std::vector<double> position_m;
+  std::vector<double> heading_deg;
+  for (const PosePair& pair : pairs) {
+    const Pose2 error =
+        inverse(pair.truth_from_robot) * (truth_from_building * pair.building_from_robot);
+    position_m.push_back(error.position().norm());
+    heading_deg.push_back(degrees(std::abs(error.theta_rad)));
+  }
+  return {statistics(std::move(position_m)), statistics(std::move(heading_deg))};
+}
+
 }  // namespace
+
+PlacedPoseErrors placed_pose_errors(const Trajectory& trajectory, const Trajectory& truth,
+                                    const Pose2& truth_from_building) {
+  return errors_at(matched(trajectory, truth), truth_from_building);
+}
 
 TruePoseErrors true_pose_errors(const Trajectory& trajectory, const Trajectory& truth) {
   TruePoseErrors result;

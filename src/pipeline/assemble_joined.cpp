@@ -124,6 +124,7 @@ class BuildingMaker {
     std::vector<MemberMission> members = store.members();
     if (members.empty()) {
       members.push_back(member_of(store, mission, candidate.sensor));
+      members.back().true_poses = std::ssize(store.truth());
       members.back().first_asr = ids.empty() ? 1 : ids.front();
       members.back().last_asr = ids.empty() ? 0 : ids.back();
     }

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "evaluate_missions.hpp"
+#include "roomatlas/core/issue.hpp"
 #include "roomatlas/correct/place.hpp"
 
 namespace roomatlas {
@@ -17,6 +19,11 @@ Trajectory true_poses_of(const AsrSource& source) {
 
 Evaluation evaluate_store(const AssemblyStore& store, Truth truth,
                           const TrajectoryPreparation& preparation) {
+  if (!store.members().empty()) return evaluate_missions(store, truth, preparation);
+  if (!truth.missions.empty()) {
+    throw UsageError("truth of mission " + truth.missions.front().mission +
+                     ": the store is of one mission; leave the name out");
+  }
   if (truth.poses.empty()) truth.poses = true_poses_of(store);
   const auto prepared = [&](const char* name, Trajectory trajectory) {
     return preparation.prepare ? preparation.prepare(name, std::move(trajectory)) : trajectory;

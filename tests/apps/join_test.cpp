@@ -2,6 +2,8 @@
 // `join` and `build` of several logs as a user runs them: missions of simulated rooms.
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "random_store.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/io/trajectories/tum.hpp"
@@ -9,6 +11,7 @@
 namespace roomatlas::test {
 namespace {
 
+using Json = nlohmann::json;
 using ::testing::HasSubstr;
 
 class Join : public ::testing::Test {
@@ -72,6 +75,51 @@ TEST_F(Join, BuildOfTwoLogsIsOneBuildingWhateverTheirOrder) {
   EXPECT_EQ(members[1].first_asr, members[0].last_asr + 1);
   EXPECT_GT(members[1].agreement, 0.9);
   EXPECT_EQ(store.ids().back(), members[1].last_asr);
+}
+
+TEST_F(Join, SaysOfEachMissionWhatItSawAndHowFarItIsOffTheTruth) {
+  const std::string place = (*folder_ / "told").string();
+  const Outcome done = run("-q --json build " + one_ + " " + two_ + " -o " + place);
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  // Both logs tell the time from the same start, and each brings its own true poses.
+  const Json built = Json::parse(done.out);
+  const Json& missions = built.at("missions");
+  ASSERT_EQ(missions.at("list").size(), 2U);
+  std::vector<std::string> names;
+  std::int64_t poses = 0;
+  for (const Json& mission : missions["list"]) {
+    names.push_back(mission["name"]);
+    EXPECT_EQ(mission["rooms"].size(), 2U);
+    EXPECT_GT(mission["seen_share"].get<double>(), 0.8);
+    EXPECT_LE(mission["seen_share"].get<double>(), 1.0);
+    EXPECT_LT(mission["walls_rms_m"].get<double>(), 0.05);
+    EXPECT_LT(mission["in_building"]["position_m"]["max"].get<double>(), 0.1);
+    poses += mission["true_poses"]["after"]["matched"].get<std::int64_t>();
+  }
+  EXPECT_THAT(names, ::testing::UnorderedElementsAre("one.clf", "two.clf"));
+  EXPECT_EQ(built["true_poses"]["after"]["matched"].get<std::int64_t>(), poses);
+  EXPECT_LT(built["true_poses"]["after"]["fitted_position_m"]["max"].get<double>(), 0.1);
+  ASSERT_EQ(missions["pairs"].size(), 1U);
+  EXPECT_LT(missions["pairs"][0]["rms_m"].get<double>(), 0.05);
+  EXPECT_EQ(Json::parse(content_of(place + "/summary.json"))["evaluation"]["missions"], missions);
+  EXPECT_THAT(content_of(place + "/report.html"), HasSubstr("Who saw which room when"));
+
+  // Truth that is somebody else's makes its mission wrong, and no other.
+  const std::string store = place + "/building.gpkg";
+  const std::string first = (*folder_ / "one" / "truth.tum").string();
+  EXPECT_EQ(run("evaluate " + store + " --truth " + first).exit_code, 2);  // whose is it?
+  EXPECT_EQ(run("evaluate " + store + " --truth three=" + first).exit_code, 2);
+  Trajectory wrong = read_tum(first);
+  for (StampedPose& pose : wrong) pose.pose.x_m *= 1.5;
+  const std::string stretched = place + "/stretched.tum";
+  write_tum(stretched, wrong);
+  const Outcome judged = run("-q --json evaluate " + store + " --truth one=" + stretched);
+  ASSERT_EQ(judged.exit_code, 0) << judged.err;
+  for (const Json& mission : Json::parse(judged.out)["plans"][0]["missions"]["list"]) {
+    const double fitted_m =
+        mission["true_poses"]["after"]["fitted_position_m"]["rmse"].get<double>();
+    EXPECT_EQ(fitted_m > 0.3, mission["name"] == "one.clf") << mission["name"] << " " << fitted_m;
+  }
 }
 
 TEST_F(Join, AddsAMissionToABuildingThatKeepsItsRooms) {

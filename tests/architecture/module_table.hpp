@@ -32,7 +32,7 @@ inline const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"locate", {"core", "grid", "match", "asr", "sonar", "loops"}},
     {"join", {"core", "grid", "solve", "loops", "locate"}},
     {"assembly", {"plan", "asr", "graph", "sonar", "correct", "loops", "mission"}},
-    {"evaluate", {"core", "plan", "polyline", "asr", "correct", "planar"}},
+    {"evaluate", {"core", "plan", "polyline", "asr", "correct", "loops", "assembly", "planar"}},
     {"trust",
      {"plan", "mission", "asr", "graph", "solve", "correct", "loops", "assembly", "evaluate"}},
     {"draw", {"core", "plan", "asr"}},

@@ -15,8 +15,8 @@ class JoinedSource : public AsrSource {
 
   [[nodiscard]] std::vector<AsrId> ids() const override;
   [[nodiscard]] Asr get(AsrId id, AsrDetail detail) const override;
-  /// Of none: missions' times are not each other's.
-  [[nodiscard]] std::vector<TruePose> truth() const override { return {}; }
+  /// Of one mission after the other: their times are not each other's.
+  [[nodiscard]] std::vector<TruePose> truth() const override;
 
   /// What is added to the numbers of a source's ASRs.
   [[nodiscard]] AsrId offset(std::size_t source) const { return parts_.at(source).offset; }

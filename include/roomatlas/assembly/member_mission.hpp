@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "roomatlas/mission/mission.hpp"
@@ -20,6 +21,8 @@ struct MemberMission {
   double agreement = 0.0;        ///< of what could be compared, [0, 1]
   int pieces = 0;                ///< that its path was cut into
   int pieces_fitting = 0;        ///< of these, on what the others saw
+  /// How many of the building's true poses are its own: those of the missions follow each other.
+  std::int64_t true_poses = 0;
 };
 
 }  // namespace roomatlas

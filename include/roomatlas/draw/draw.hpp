@@ -20,12 +20,19 @@ struct UncertainPlace {
   Eigen::Matrix2d covariance_m2 = Eigen::Matrix2d::Zero();
 };
 
+/// Where one of several missions drove.
+struct MissionPath {
+  std::string name;
+  Polyline path;  ///< building metres
+};
+
 /// What a plan drawing shows besides the plan itself. Everything is optional.
 struct PlanAnnotations {
   std::string mission;  ///< for the title block, such as "fr079.clf.gz"
   std::string date;     ///< of the mission, never of the drawing
   double path_length_m = 0.0;
-  Polyline trajectory;                                ///< thin line; building metres
+  Polyline trajectory;                ///< thin line; building metres
+  std::vector<MissionPath> missions;  ///< instead, each in its colour and named in the legend
   std::vector<std::pair<RoomId, RoomId>> room_graph;  ///< drawn as a faint graph when not empty
   std::vector<Segment2> corrections;  ///< from where odometry had a visit to where it is
   std::vector<UncertainPlace> uncertainty;

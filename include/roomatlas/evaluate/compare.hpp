@@ -18,6 +18,7 @@ struct Run {
   Trajectory trajectory;
   /// Its own true poses, as a simulated mission has them; used where the common truth has none.
   Trajectory truth = {};
+  std::vector<Relation> relations = {};  ///< its own, instead of the common ones
 };
 
 /// What all trajectories are judged against; either may be empty.

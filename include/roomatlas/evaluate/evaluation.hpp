@@ -2,10 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "roomatlas/asr/store.hpp"
 #include "roomatlas/correct/correction.hpp"
+#include "roomatlas/evaluate/mission_figures.hpp"
 #include "roomatlas/evaluate/plan_alignment.hpp"
 #include "roomatlas/evaluate/plan_errors.hpp"
 #include "roomatlas/evaluate/relations.hpp"
@@ -18,10 +20,18 @@
 
 namespace roomatlas {
 
+/// What is known of one of several missions, in its own clock.
+struct TruthOfMission {
+  std::string mission;  ///< its name, the name without its endings, or its number from 1
+  std::vector<Relation> relations;
+  Trajectory poses;
+};
+
 /// What is known of the truth; everything is optional.
 struct Truth {
   std::vector<Relation> relations;
   Trajectory poses;
+  std::vector<TruthOfMission> missions;  ///< beside those above, which are of all
   std::optional<FloorPlan> plan;
   bool plan_has_doors = true;  ///< false for a plan from a label picture
   std::vector<Span> spans;     ///< lengths measured in the building
@@ -41,7 +51,27 @@ struct RoomPosesBeforeAfter {
   RoomPoseErrors after;
 };
 
+/// One of several missions of a building against the truth.
+struct MissionErrors {
+  std::string name;
+  std::optional<RelationsBeforeAfter> relations;  ///< those with both times in the mission
+  std::optional<TruePosesBeforeAfter> true_poses;
+  /// Laid on the truth as all missions together are, not by itself.
+  Statistics in_building_m;
+  Statistics in_building_deg;
+};
+
+/// What there is to say of several missions beyond their map.
+struct MissionsEvaluation {
+  MissionsFigures figures;
+  std::vector<MissionErrors> errors;      ///< parallel to `figures.missions`
+  std::optional<RelationErrors> between;  ///< relations from one mission to another
+};
+
 struct Evaluation {
+  /// Of several missions; `relations` and `true_poses` are then of all together, and odometry of
+  /// each begins where its corrected path begins.
+  std::optional<MissionsEvaluation> missions;
   std::optional<RelationsBeforeAfter> relations;
   std::optional<TruePosesBeforeAfter> true_poses;
   std::optional<PlanErrors> plan;

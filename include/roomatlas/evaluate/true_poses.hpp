@@ -31,4 +31,13 @@ struct TruePoseErrors {
 [[nodiscard]] TruePoseErrors true_pose_errors(const Trajectory& trajectory,
                                               const Trajectory& truth);
 
+/// Errors in a frame that is known, without any alignment.
+struct PlacedPoseErrors {
+  Statistics position_m;
+  Statistics heading_deg;
+};
+[[nodiscard]] PlacedPoseErrors placed_pose_errors(const Trajectory& trajectory,
+                                                  const Trajectory& truth,
+                                                  const Pose2& truth_from_building);
+
 }  // namespace roomatlas

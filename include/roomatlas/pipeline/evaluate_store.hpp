@@ -19,9 +19,28 @@ struct TrajectoryPreparation {
 
 /// Judges all that an assembly left: its trajectory and plan against the truth, and where it put
 /// the rooms, against themselves too. Where `truth` has no poses, those of the store are taken.
-/// @throws InputError where the store is not assembled
+/// Of several missions each is judged by itself too.
+/// @throws InputError where the store is not assembled, UsageError as `joined_paths`
 [[nodiscard]] Evaluation evaluate_store(const AssemblyStore& store, Truth truth,
                                         const TrajectoryPreparation& preparation = {});
+
+/// All missions of a building as one, and what is known of them.
+struct JoinedPaths {
+  std::vector<Trajectory> odometry;   ///< of each mission, begun where its corrected path begins
+  std::vector<Trajectory> corrected;  ///< of each mission, building metres
+  std::vector<double> later_s;  ///< added to each mission's times below, so that none are shared; 0
+                                ///< where none were
+  Trajectory all_odometry;
+  Trajectory all_corrected;
+  std::vector<Relation> relations;  ///< of all
+  Trajectory poses;                 ///< of all
+};
+
+/// @param store of several missions, assembled
+/// @throws UsageError where truth is of no one mission though the missions' times overlap, or names
+///   a mission that is none or several of them
+[[nodiscard]] JoinedPaths joined_paths(const AssemblyStore& store, const Truth& truth,
+                                       const TrajectoryPreparation& preparation = {});
 
 /// True poses that came with the mission.
 [[nodiscard]] Trajectory true_poses_of(const AsrSource& source);

@@ -1,5 +1,12 @@
 'use strict';
 // SPDX-License-Identifier: GPL-3.0-or-later
+// How the path of a mission is drawn, as in plan.svg.
+function missionStyle(i) {
+  const colors = ['#d55e00', '#0072b2', '#009e73', '#cc79a7', '#b8860b', '#56b4e9', '#5b2a86', '#1f2933'];
+  const dashes = ['', '8 3', '3 3'];
+  return { color: colors[i % colors.length], dash: dashes[Math.floor(i / colors.length) % dashes.length] };
+}
+
 // The map: layers of the plan, walls and path between odometry and correction, selection.
 function makeMap(data, onSelect) {
   const tints = { room: '#e4eff8', corridor: '#fff3cd', hall: '#c3d3ea' };
@@ -97,7 +104,10 @@ function makeMap(data, onSelect) {
   }
 
   const seen = L.polyline([], { ...mission, color: '#1f2933', weight: 1.5 });
-  const path = L.polyline([], { ...mission, color: '#d55e00', weight: 1.2, opacity: 0.8 });
+  const paths = data.paths.map((one, i) => L.polyline([], { pane: 'missions', interactive: data.paths.length > 1,
+    color: missionStyle(i).color, dashArray: missionStyle(i).dash, weight: data.paths.length > 1 ? 1.6 : 1.2, opacity: 0.8 }));
+  if (paths.length > 1) paths.forEach((line, i) => line.bindTooltip(document.createTextNode(`${i + 1} ${data.paths[i].name}`), { sticky: true }));
+  const path = L.featureGroup(paths);
   const corrections = L.featureGroup();
   for (const visit of data.visits) {
     const [fromX, fromY] = visit.before;
@@ -135,8 +145,8 @@ function makeMap(data, onSelect) {
   // How far from odometry (0) to the corrected map (1) walls and path are shown.
   function setMoment(share) {
     const between = (before, after) => before.map((point, i) => latLng(blend(point, after[i], share)));
-    seen.setLatLngs(data.before.walls.map((line, i) => between(line, data.after.walls[i])));
-    path.setLatLngs(between(data.before.path, data.after.path));
+    seen.setLatLngs(data.walls_before.map((line, i) => between(line, data.walls_after[i])));
+    data.paths.forEach((one, i) => paths[i].setLatLngs(between(one.before, one.after)));
     planPane.style.opacity = share === 1 ? '' : '0.25';
   }
 
@@ -166,7 +176,7 @@ function makeMap(data, onSelect) {
     ['furniture', 'Furniture', furniture, data.furniture.length > 0],
     ['evidence', 'Inferred and unexplored walls', evidence, data.edges.length > 0],
     ['unexplored', 'Unexplored', unexplored, data.unexplored.length > 0], ['graph', 'Graph of rooms', graph, false],
-    ['seen', 'Walls as seen', seen, false], ['trajectory', 'Path', path, false],
+    ['seen', 'Walls as seen', seen, false], ['trajectory', paths.length > 1 ? 'Paths of the missions' : 'Path', path, paths.length > 1],
     ['corrections', 'Corrections', corrections, false], ['uncertainty', 'Uncertainty (95 %)', uncertainty, false],
   ];
   // The plan's bodies keep their order whatever is switched on first.

@@ -115,6 +115,11 @@
       percent === 100 ? 'corrected' : percent === 0 ? 'odometry alone' : `${percent} % of the way to the correction`);
   });
 
+  // Missions
+  const missions = (summary.evaluation || {}).missions;
+  if (missions) fillMissions(missions, data.rooms);
+  else hide('missions-section');
+
   // Warnings
   const warnings = [...(mission.issues || []), ...data.issues.filter((issue) => issue.severity !== 'note').map((issue) => issue.text),
     ...((summary.evaluation && summary.evaluation.issues) || [])];

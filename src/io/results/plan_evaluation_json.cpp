@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plan_evaluation_json.hpp"
 
+#include "missions_json.hpp"
 #include "text/json.hpp"
 #include "text/json_number.hpp"
 
@@ -163,6 +164,7 @@ Json json_of(const PlanErrors& errors) {
 }  // namespace
 
 void add_plan_evaluation(Json& json, const Evaluation& evaluation) {
+  if (evaluation.missions) json["missions"] = json_of(*evaluation.missions);
   if (evaluation.plan) {
     json["plan"] = json_of(*evaluation.plan);
     json["plan"]["alignment"] = json_of(evaluation.plan_alignment);

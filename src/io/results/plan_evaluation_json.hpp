@@ -6,7 +6,7 @@
 
 namespace roomatlas::io {
 
-/// Adds what is known of rooms, walls and consistency to the object of an evaluation.
+/// Adds what is known of missions, rooms, walls and consistency to the object of an evaluation.
 void add_plan_evaluation(Json& json, const Evaluation& evaluation);
 
 }  // namespace roomatlas::io

@@ -156,8 +156,24 @@ Json visits_of(const Correction& correction, const RoomGraph& graph,
   return visits;
 }
 
-/// Walls and path, before and after, point for point.
-void add_mission(const PlacedMission& placed, Json& data) {
+/// A path before and after, point for point, thinned alike.
+Json path_of(const Polyline& before, const Polyline& after) {
+  Polyline was;
+  Polyline is;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (!before[i].allFinite() || !after[i].allFinite()) continue;
+    const bool is_far = is.empty() || (after[i] - is.back()).norm() >= kPathStep_m ||
+                        (before[i] - was.back()).norm() >= kPathStep_m;
+    if (!is_far && i + 1 < before.size()) continue;
+    was.push_back(before[i]);
+    is.push_back(after[i]);
+  }
+  return {{"before", json_of(was)}, {"after", json_of(is)}};
+}
+
+/// Walls and paths, before and after.
+void add_mission(const ReportSources& from, Json& data) {
+  const PlacedMission& placed = from.placed;
   Json walls_before = Json::array();
   Json walls_after = Json::array();
   for (std::size_t i = 0; i < placed.walls_before.size(); ++i) {
@@ -165,20 +181,19 @@ void add_mission(const PlacedMission& placed, Json& data) {
     walls_before.push_back(json_of(placed.walls_before[i]));
     walls_after.push_back(json_of(placed.walls_after[i]));
   }
-  Polyline before;
-  Polyline after;
-  for (std::size_t i = 0; i < placed.path_before.size(); ++i) {
-    const Point2& was = placed.path_before[i];
-    const Point2 is = placed.corrected[i].pose.position();
-    if (!was.allFinite() || !is.allFinite()) continue;
-    const bool is_far = after.empty() || (is - after.back()).norm() >= kPathStep_m ||
-                        (was - before.back()).norm() >= kPathStep_m;
-    if (!is_far && i + 1 < placed.path_before.size()) continue;
-    before.push_back(was);
-    after.push_back(is);
+  Json paths = Json::array();
+  for (const ReportedPath& mission : from.missions) {
+    paths.push_back(path_of(mission.before, mission.after));
+    paths.back()["name"] = mission.name;
   }
-  data["before"] = {{"walls", walls_before}, {"path", json_of(before)}};
-  data["after"] = {{"walls", walls_after}, {"path", json_of(after)}};
+  if (from.missions.empty()) {
+    Polyline after;
+    for (const StampedPose& pose : placed.corrected) after.push_back(pose.pose.position());
+    paths.push_back(path_of(placed.path_before, after));
+  }
+  data["walls_before"] = walls_before;
+  data["walls_after"] = walls_after;
+  data["paths"] = paths;
 }
 
 Json issues_of(const Issues& issues) {
@@ -266,7 +281,7 @@ std::string report_data(const ReportSources& from) {
   data["visits"] = visits_of(from.correction, from.graph, from.uncertainty);
   data["accuracy"] = accuracy_of(plan_accuracy(from.plan, judgement_of(text("judgement_json"))));
   data["charts"] = charts_of(from.evaluation);
-  add_mission(from.placed, data);
+  add_mission(from, data);
   return data.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "roomatlas/correct/place.hpp"
 #include "roomatlas/evaluate/evaluation.hpp"
@@ -11,6 +12,13 @@
 #include "roomatlas/plan/floor_plan.hpp"
 
 namespace roomatlas {
+
+/// The path of one of several missions, before and after its correction, point for point.
+struct ReportedPath {
+  std::string name;
+  Polyline before;  ///< building metres
+  Polyline after;
+};
 
 /// All that the report page speaks of.
 struct ReportSources {
@@ -20,6 +28,7 @@ struct ReportSources {
   FloorPlan plan;
   RoomGraph graph;
   PlacedMission placed;
+  std::vector<ReportedPath> missions;  ///< of several missions: instead of the one path
   VisitUncertainty uncertainty;
   std::optional<Evaluation> evaluation;
 };
