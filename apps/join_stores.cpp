@@ -108,35 +108,52 @@ Path numbered(const Path& place, std::size_t number) {
 
 }  // namespace
 
-std::vector<WrittenBuilding> join_into(const Settings& settings, const std::vector<Path>& stores,
-                                       const Path& place) {
-  require_output_store(place, stores);
-  Stores missions;
-  std::vector<const AssemblyStore*> opened;
-  for (const Path& file : stores) {
-    missions.push_back(std::make_unique<GeoPackageStore>(file, GeoPackageStore::Mode::read));
-    opened.push_back(missions.back().get());
+StoresToJoin::StoresToJoin(std::vector<Path> stores) : files_(std::move(stores)) {
+  for (const Path& file : files_) {
+    missions_.push_back(std::make_unique<GeoPackageStore>(file, GeoPackageStore::Mode::read));
   }
+}
+
+std::vector<JoinedBuilding> StoresToJoin::joined(const Settings& settings, const Progress& progress,
+                                                 const Workers& workers) const {
+  std::vector<const AssemblyStore*> opened;
+  opened.reserve(missions_.size());
+  for (const auto& mission : missions_) opened.push_back(mission.get());
+  return join_stores(opened, settings, progress, workers);
+}
+
+std::vector<WrittenBuilding> StoresToJoin::write(const Settings& settings,
+                                                 std::vector<JoinedBuilding> buildings,
+                                                 const Path& place) const {
   std::vector<WrittenBuilding> written;
   std::size_t number = 0;
-  for (JoinedBuilding& building : join_stores(opened, settings, console_progress(settings))) {
+  for (JoinedBuilding& building : buildings) {
     if (building.missions.size() < 2) {
       tell_alone(building);
       const std::size_t alone = building.missions.front();
-      written.push_back({std::move(building), stores[alone], missions[alone]->plan().rooms.size()});
+      const std::size_t rooms = missions_[alone]->plan().rooms.size();
+      written.push_back({std::move(building), files_[alone], rooms});
       continue;
     }
     const Path store = numbered(place, ++number);
     tell(building, store);
-    const std::size_t rooms = write_building(settings, building, missions, store);
+    const std::size_t rooms = write_building(settings, building, missions_, store);
     spdlog::info("{}: {} rooms of {} missions", store.string(), rooms, building.members.size());
     written.push_back({std::move(building), store, rooms});
   }
-  if (number > 0 || stores.size() < 2) return written;
+  if (number > 0 || files_.size() < 2) return written;
   throw NotEnoughError(
       "nothing holds any two of these missions together: they share no rooms, or what they share "
       "looks alike in several places. Each has its own plan; a mission that drives from the one's "
       "rooms to the other's would join them");
+}
+
+std::vector<WrittenBuilding> join_into(const Settings& settings, const std::vector<Path>& stores,
+                                       const Path& place) {
+  require_output_store(place, stores);
+  const StoresToJoin missions(stores);
+  return missions.write(
+      settings, missions.joined(settings, console_progress(settings), settings.jobs), place);
 }
 
 void join(const Settings& settings, const std::vector<Path>& stores, const Path& out) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "commands.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/pipeline/assemble_joined.hpp"
 
 namespace roomatlas::apps {
@@ -13,6 +15,28 @@ struct WrittenBuilding {
   JoinedBuilding building;
   Path store;
   std::size_t rooms = 0;
+};
+
+/// Assembled stores, open to be joined: matched by one process or by several, and written by one.
+class StoresToJoin {
+ public:
+  /// @throws InputError for a file that is no store
+  explicit StoresToJoin(std::vector<Path> stores);
+  StoresToJoin(const StoresToJoin&) = delete;
+  StoresToJoin& operator=(const StoresToJoin&) = delete;
+
+  /// What holds together; see `join_stores`.
+  [[nodiscard]] std::vector<JoinedBuilding> joined(const Settings& settings,
+                                                   const Progress& progress,
+                                                   const Workers& workers) const;
+  /// See `join_into`.
+  [[nodiscard]] std::vector<WrittenBuilding> write(const Settings& settings,
+                                                   std::vector<JoinedBuilding> buildings,
+                                                   const Path& place) const;
+
+ private:
+  std::vector<Path> files_;
+  std::vector<std::unique_ptr<GeoPackageStore>> missions_;
 };
 
 /// Joins the missions of several assembled stores and writes a store for each building of two and

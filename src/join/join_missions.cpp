@@ -5,18 +5,36 @@
 #include <map>
 
 #include "joint_graph.hpp"
-#include "roomatlas/core/for_each_index.hpp"
+#include "packed.hpp"
 #include "visits_near.hpp"
 
 namespace roomatlas {
 namespace {
 
+/// What comes out of solving, to be handed on.
+struct Solved {
+  std::vector<Pose2> poses;  ///< ascending by the visits' ids
+  std::vector<Closure> closures;
+};
+
+template <MaybeConst<Solved> Value, typename Visit>
+void fields_of(Value& solved, Visit& visit) {
+  visit(solved.poses, solved.closures);
+}
+
+std::vector<Pose2> poses_of(const Placement& placement) {
+  std::vector<Pose2> poses;
+  poses.reserve(placement.size());
+  for (const auto& [id, pose] : placement) poses.push_back(pose);
+  return poses;
+}
+
 /// What is joined so far, in one frame.
 class Component {
  public:
-  Component(const MissionMap& base, const JoinOptions& options, int jobs)
+  Component(const MissionMap& base, const JoinOptions& options, const Workers& workers)
       : options_(options),
-        jobs_(jobs),
+        workers_(workers),
         index_(sketch_of(base), options.place.locate),
         near_(options.near_m) {
     for (const AsrShape& shape : base.shapes) {
@@ -30,7 +48,7 @@ class Component {
   [[nodiscard]] const std::vector<Closure>& closures() const { return closures_; }
 
   [[nodiscard]] MissionSearch search(const MissionMap& mission, const Progress& progress) const {
-    return place_mission(mission, index_, options_.place, progress, jobs_);
+    return place_mission(mission, index_, options_.place, progress, workers_);
   }
 
   void join(const MissionMap& mission, const MissionPlace& place) {
@@ -42,7 +60,7 @@ class Component {
     const std::vector<Closure> found = matched(mission, near_, options_.window);
     closures_.insert(closures_.end(), found.begin(), found.end());
     missions_.push_back(&mission);
-    solve_joint(missions_, options_, placement_, closures_);
+    solve();
     missions_.pop_back();
     take_in(mission);
     MissionMap placed{mission.shapes, {}, mission.sensor, {}};
@@ -62,7 +80,7 @@ class Component {
       closures_.insert(closures_.end(), found.begin(), found.end());
       for (const AsrShape& shape : mission->shapes) near.add(shape, placement_.at(shape.id));
     }
-    solve_joint(missions_, options_, placement_, closures_);
+    solve();
   }
 
  private:
@@ -71,6 +89,19 @@ class Component {
     const AsrShape* second = nullptr;
     double apart_m = 0.0;
   };
+
+  /// By one for all: then no rounding of another machine moves anything.
+  void solve() {
+    if (!workers_.is_shared()) return solve_joint(missions_, options_, placement_, closures_);
+    constexpr std::size_t kOnce = 1;
+    Solved solved = made_by<Solved>(workers_, kOnce, 1, [&](std::size_t) {
+                      solve_joint(missions_, options_, placement_, closures_);
+                      return Solved{poses_of(placement_), closures_};
+                    }).front();
+    std::size_t i = 0;
+    for (auto& [id, pose] : placement_) pose = solved.poses[i++];
+    closures_ = std::move(solved.closures);
+  }
 
   void take_in(const MissionMap& mission) {
     missions_.push_back(&mission);
@@ -89,9 +120,8 @@ class Component {
       const std::vector<Pair> near = nearest_to(shape, visits);
       pairs.insert(pairs.end(), near.begin(), near.end());
     }
-    return results_of<Closure>(pairs.size(), jobs_, [&](std::size_t k) {
-      return tried(pairs[k], mission.sensor, window);
-    });
+    return made_by<Closure>(workers_, pairs.size(), workers_.jobs(),
+                            [&](std::size_t k) { return tried(pairs[k], mission.sensor, window); });
   }
 
   [[nodiscard]] std::vector<Pair> nearest_to(const AsrShape& shape,
@@ -131,7 +161,7 @@ class Component {
   };
 
   const JoinOptions& options_;
-  int jobs_;
+  const Workers& workers_;
   BuildingIndex index_;
   VisitsNear near_;
   std::map<AsrId, Known> shapes_;
@@ -149,13 +179,13 @@ void note(const MissionSearch& search, JoinedMission& mission) {
 }  // namespace
 
 JoinedMissions join_missions(const std::vector<MissionMap>& missions, const JoinOptions& options,
-                             const Progress& progress, int jobs) {
+                             const Progress& progress, const Workers& workers) {
   JoinedMissions joined;
   joined.missions.resize(missions.size());
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < missions.size(); ++i) open.push_back(i);
   for (int number = 0; !open.empty(); ++number) {
-    Component component(missions[open.front()], options, jobs);
+    Component component(missions[open.front()], options, workers);
     joined.missions[open.front()].component = number;
     joined.missions[open.front()].is_base = true;
     open.erase(open.begin());

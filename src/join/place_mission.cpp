@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "roomatlas/core/for_each_index.hpp"
+#include "packed.hpp"
 
 namespace roomatlas {
 namespace {
@@ -64,11 +64,12 @@ struct Vote {
 class MissionPlacer {
  public:
   MissionPlacer(const MissionMap& mission, const BuildingIndex& building,
-                const PlaceMissionOptions& options, const Progress& progress, int jobs)
+                const PlaceMissionOptions& options, const Progress& progress,
+                const Workers& workers)
       : building_(building),
         options_(options),
         progress_(progress),
-        jobs_(jobs),
+        workers_(workers),
         pieces_(pieces_of(mission, options)) {}
 
   MissionSearch run() {
@@ -91,13 +92,19 @@ class MissionPlacer {
 
  private:
   void vote(const std::vector<std::size_t>& some) {
-    for (const std::size_t i : some) {
-      report(progress_, "look for places", share_of(searched_++, pieces_.size()));
-      std::vector<PlaceHypothesis> places = building_.find(pieces_[i].sketch, jobs_);
-      places.resize(std::min(places.size(), static_cast<std::size_t>(options_.places_a_piece)));
-      for (const PlaceHypothesis& place : places) {
+    constexpr int kOneByOne = 1;  // each uses all threads itself
+    using Places = std::vector<PlaceHypothesis>;
+    const std::vector<Places> found =
+        made_by<Places>(workers_, some.size(), kOneByOne, [&](std::size_t k) {
+          report(progress_, "look for places", share_of(searched_++, pieces_.size()));
+          Places places = building_.find(pieces_[some[k]].sketch, workers_.jobs());
+          places.resize(std::min(places.size(), static_cast<std::size_t>(options_.places_a_piece)));
+          return places;
+        });
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      for (const PlaceHypothesis& place : found[k]) {
         if (place.score <= 0.0) continue;
-        votes_.push_back({i, place.building_from_query, place.score, 0.0});
+        votes_.push_back({some[k], place.building_from_query, place.score, 0.0});
       }
     }
   }
@@ -139,8 +146,8 @@ class MissionPlacer {
   [[nodiscard]] MissionSearch followed() const {
     const std::vector<Vote> kinds = elected();
     MissionSearch search;
-    search.places = results_of<MissionPlace>(kinds.size(), jobs_,
-                                             [&](std::size_t i) { return follow(kinds[i]); });
+    search.places = made_by<MissionPlace>(workers_, kinds.size(), workers_.jobs(),
+                                          [&](std::size_t i) { return follow(kinds[i]); });
     std::stable_sort(
         search.places.begin(), search.places.end(),
         [](const MissionPlace& a, const MissionPlace& b) { return a.score > b.score; });
@@ -202,7 +209,7 @@ class MissionPlacer {
   const BuildingIndex& building_;
   const PlaceMissionOptions& options_;
   const Progress& progress_;
-  int jobs_;
+  const Workers& workers_;
   std::size_t searched_ = 0;  ///< pieces
   std::vector<Piece> pieces_;
   std::vector<Vote> votes_;
@@ -229,8 +236,8 @@ const char* to_string(PlaceVerdict verdict) {
 
 MissionSearch place_mission(const MissionMap& mission, const BuildingIndex& building,
                             const PlaceMissionOptions& options, const Progress& progress,
-                            int jobs) {
-  return MissionPlacer(mission, building, options, progress, jobs).run();
+                            const Workers& workers) {
+  return MissionPlacer(mission, building, options, progress, workers).run();
 }
 
 FloorSketch sketch_of(const MissionMap& mission) {

@@ -154,7 +154,8 @@ class BuildingMaker {
 }  // namespace
 
 std::vector<JoinedBuilding> join_stores(const std::vector<const AssemblyStore*>& stores,
-                                        const Options& options, const Progress& progress) {
+                                        const Options& options, const Progress& progress,
+                                        const Workers& workers) {
   std::vector<Candidate> candidates;
   candidates.reserve(stores.size());
   for (std::size_t i = 0; i < stores.size(); ++i) {
@@ -171,7 +172,7 @@ std::vector<JoinedBuilding> join_stores(const std::vector<const AssemblyStore*>&
     if (!candidate.map.shapes.empty()) offset = candidate.map.shapes.back().id;
     maps.push_back(std::move(candidate.map));
   }
-  const JoinedMissions joined = join_missions(maps, options.join, progress, options.jobs);
+  const JoinedMissions joined = join_missions(maps, options.join, progress, workers);
   std::map<int, BuildingMaker> makers;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const JoinedMission& mission = joined.missions[i];

@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <barrier>
+#include <thread>
+
 #include "support/drawn_shape.hpp"
 
 namespace roomatlas {
@@ -124,7 +128,8 @@ TEST(JoinMissions, KeepsTheHeadingsThatAMissionsOwnCorrectionFound) {
   const JoinedMissions joined = join_missions(missions, for_small_missions());
   ASSERT_EQ(joined.missions[1].component, 0);
   const Pose2 world_from_mission = inverse(Pose2{4.0, 2.0, 0.7});
-  EXPECT_LT(largest_error_m(joined, missions[1], world_from_mission), 0.3);  // 1.3 m, were they not kept
+  EXPECT_LT(largest_error_m(joined, missions[1], world_from_mission),
+            0.3);  // 1.3 m, were they not kept
 }
 
 TEST(JoinMissions, GivesTheSameForAnyNumberOfJobs) {
@@ -134,6 +139,78 @@ TEST(JoinMissions, GivesTheSameForAnyNumberOfJobs) {
   const JoinedMissions one = join_missions(missions, for_small_missions(), {}, 1);
   const JoinedMissions three = join_missions(missions, for_small_missions(), {}, 3);
   EXPECT_EQ(one.placement, three.placement);
+}
+
+/// Where several processes, here threads, lay the parts that they made.
+struct Table {
+  explicit Table(std::ptrdiff_t seats) : all_here(seats) {}
+  std::barrier<> all_here;
+  std::vector<std::string> parts;
+  std::atomic<std::size_t> made = 0;
+};
+
+/// One of several that run the same: makes each part whose number is its own.
+class Seat : public Workers {
+ public:
+  Seat(Table& table, std::size_t number, std::size_t seats)
+      : table_(table), number_(number), seats_(seats) {}
+
+  [[nodiscard]] bool is_shared() const override { return true; }
+  [[nodiscard]] std::vector<std::string> shared(
+      std::size_t count, int, const std::function<std::string(std::size_t)>& make) const override {
+    if (number_ == 0) table_.parts.assign(count, "");
+    table_.all_here.arrive_and_wait();
+    for (std::size_t i = number_; i < count; i += seats_) table_.parts.at(i) = make(i);
+    table_.made += count > number_ ? (count - number_ - 1) / seats_ + 1 : 0;
+    table_.all_here.arrive_and_wait();
+    std::vector<std::string> all = table_.parts;
+    table_.all_here.arrive_and_wait();
+    return all;
+  }
+
+ private:
+  Table& table_;
+  std::size_t number_;
+  std::size_t seats_;
+};
+
+bool are_same(const Closure& a, const Closure& b) {
+  return a.from == b.from && a.to == b.to && a.verdict == b.verdict &&
+         a.match.agreeing == b.match.agreeing && a.match.unseen == b.match.unseen &&
+         a.match.contradicting == b.match.contradicting &&
+         a.match.first_from_second == b.match.first_from_second &&
+         a.match.information == b.match.information;
+}
+
+TEST(JoinMissions, GivesTheSameToEachOfSeveralThatShareTheWork) {
+  const std::vector<MissionMap> missions = {
+      driven(building(), {0, 1, 2, 3}, 1, {}),
+      driven(building(), {3, 2, 1}, 11, {20.0, -7.0, radians(123.0)}),
+      driven(building(), {4, 3, 4}, 21, {-4.0, 9.0, radians(-64.0)})};
+  const JoinedMissions alone = join_missions(missions, for_small_missions());
+  constexpr std::size_t kSeats = 3;
+  Table table(kSeats);
+  std::vector<JoinedMissions> joined(kSeats);
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 0; i < kSeats; ++i) {
+      threads.emplace_back([&, i] {
+        joined[i] = join_missions(missions, for_small_missions(), {}, Seat(table, i, kSeats));
+      });
+    }
+  }
+  EXPECT_GT(table.made, 10U);
+  for (const JoinedMissions& one : joined) {
+    EXPECT_EQ(one.placement, alone.placement);
+    EXPECT_TRUE(std::equal(one.closures.begin(), one.closures.end(), alone.closures.begin(),
+                           alone.closures.end(), are_same));
+    for (std::size_t i = 0; i < missions.size(); ++i) {
+      EXPECT_EQ(one.missions[i].component, alone.missions[i].component);
+      EXPECT_EQ(one.missions[i].best.score, alone.missions[i].best.score);
+      EXPECT_EQ(one.missions[i].best.fitting(), alone.missions[i].best.fitting());
+      EXPECT_EQ(one.missions[i].runner_up_score, alone.missions[i].runner_up_score);
+    }
+  }
 }
 
 }  // namespace

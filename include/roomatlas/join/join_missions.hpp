@@ -54,10 +54,12 @@ struct JoinedMissions {
 /// two, stays a component of its own.
 /// @param missions visits' ids differ between all of them. Each is tried in this order: who wants
 ///   one result for every order sorts them first
-/// @param jobs threads at once, see `for_each_index`
+/// @param workers threads, or several processes: each placing, and each match of two visits, is
+///   shared among them, and one of them solves
 /// @throws Interrupted
 [[nodiscard]] JoinedMissions join_missions(const std::vector<MissionMap>& missions,
                                            const JoinOptions& options,
-                                           const Progress& progress = {}, int jobs = 1);
+                                           const Progress& progress = {},
+                                           const Workers& workers = {});
 
 }  // namespace roomatlas

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "roomatlas/core/progress.hpp"
+#include "roomatlas/core/workers.hpp"
 #include "roomatlas/locate/building_index.hpp"
 
 namespace roomatlas {
@@ -86,11 +87,12 @@ struct MissionSearch {
 
 /// Looks for pieces of the mission all over the building, follows the places that several of them
 /// agree on piece by piece, and judges.
-/// @param jobs threads at once, see `for_each_index`
+/// @param workers the pieces, and the places that are followed, are shared among them
 /// @throws Interrupted when `progress` says so
 [[nodiscard]] MissionSearch place_mission(const MissionMap& mission, const BuildingIndex& building,
                                           const PlaceMissionOptions& options,
-                                          const Progress& progress = {}, int jobs = 1);
+                                          const Progress& progress = {},
+                                          const Workers& workers = {});
 
 /// The sketch of all visits of a mission, in its frame.
 [[nodiscard]] FloorSketch sketch_of(const MissionMap& mission);

@@ -25,11 +25,12 @@ struct JoinedBuilding {
 /// missions alone: first what was joined already, lasers before sonars, the larger before the
 /// smaller.
 /// @param stores assembled, with readings; a store of several missions counts as one
+/// @param workers see `join_missions`
 /// @returns that of the most missions first
 /// @throws InputError for a store that is not assembled or has no readings
 [[nodiscard]] std::vector<JoinedBuilding> join_stores(
     const std::vector<const AssemblyStore*>& stores, const Options& options,
-    const Progress& progress = {});
+    const Progress& progress, const Workers& workers);
 
 /// The floor plan of several missions of one building into a store that has their visits already,
 /// see `JoinedSource`: drafted from all readings of its lasers, or of its sonars where there are no
