@@ -4,6 +4,7 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "roomatlas/core/counted.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/io/trajectories/closures_file.hpp"
@@ -15,14 +16,15 @@ namespace roomatlas::apps {
 namespace {
 
 void report(const SonarTrajectory& sonars) {
-  spdlog::info("odometry: {:.2f} s late, {}; {} drives reversed", sonars.habits.lag_s,
-               describe(sonars.habits), sonars.drives_reversed);
+  spdlog::info("odometry: {:.2f} s late, {}; {} reversed", sonars.habits.lag_s,
+               describe(sonars.habits), counted(sonars.drives_reversed, "drive"));
   if (sonars.variants.empty()) return;
   const SonarVariant& chosen = sonars.variants.at(sonars.chosen);
   spdlog::info(
-      "sonars: {} stretches of wall in {} pairs, {:.1f} % of {:.0f} m that could be compared "
+      "sonars: {} of wall in {}, {:.1f} % of {:.0f} m that could be compared "
       "contradicts, headings of {:.1f} % of the readings are sure",
-      sonars.segments, chosen.pairs, 100.0 * std::max(0.0, chosen.contradiction), chosen.compared_m,
+      counted(sonars.segments, "stretch", "stretches"), counted(chosen.pairs, "pair"),
+      100.0 * std::max(0.0, chosen.contradiction), chosen.compared_m,
       100.0 * sonars.sure_heading_share);
 }
 
@@ -91,10 +93,11 @@ std::size_t assemble(const Settings& settings, const Path& store_file) {
   if (!assembly.correction.converged) {
     spdlog::warn("the correction did not converge: {}", assembly.correction.message);
   }
-  spdlog::info("{} rooms, {} doors; correction: {} iterations, cost {:.1f} -> {:.1f}",
-               assembly.plan.rooms.size(), assembly.plan.doors.size(),
-               assembly.correction.iterations, assembly.correction.initial_cost,
-               assembly.correction.final_cost);
+  spdlog::info("{}, {}", counted(assembly.plan.rooms.size(), "room"),
+               counted(assembly.plan.doors.size(), "door"));
+  spdlog::debug("correction: {}, cost {:.1f} -> {:.1f}",
+                counted(assembly.correction.iterations, "iteration"),
+                assembly.correction.initial_cost, assembly.correction.final_cost);
   return assembly.plan.rooms.size();
 }
 

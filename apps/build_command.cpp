@@ -3,7 +3,10 @@
 #include <spdlog/spdlog.h>
 
 #include <map>
+#include <string>
+#include <vector>
 
+#include "building_report.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "evaluation_report.hpp"
@@ -46,19 +49,14 @@ void write_summary(const Path& store_file, const std::optional<Evaluation>& eval
 void write_results(const Settings& settings, const Path& store, const BuildArguments& arguments,
                    const std::vector<std::string>& formats) {
   const Path& out = arguments.out;
-  export_all(settings, store, formats, arguments.exported, out);
+  std::vector<std::string> files = export_all(settings, store, formats, arguments.exported, out);
   const Evaluation evaluation =
       evaluation_of(settings, store, arguments.truth, arguments.trajectory);
   write_summary(store, evaluation, out);
   write_report(settings, store, evaluation, out / "report.html");
-  if (settings.json) {
-    const GeoPackageStore assembled(store, GeoPackageStore::Mode::read);
-    fmt::print("{}",
-               to_json(evaluation, assembled.judgement(), assembled.metadata()["answers_json"]));
-  } else {
-    print(evaluation);
-  }
-  spdlog::info("the plan is {}", (out / "plan.svg").string());
+  files.insert(files.end(), {"summary.json", "report.html", "building.gpkg"});
+  report_building(settings, GeoPackageStore(store, GeoPackageStore::Mode::read),
+                  {evaluation, !arguments.truth.empty(), out, files});
 }
 
 /// The highest folder on the way to `folder` that does not exist yet; empty where all do.

@@ -126,7 +126,7 @@ class Commands {
   /// What is done with a plan.
   void add_results() {
     CLI::App* exported = command("export", "store -> drawings and files", [this] {
-      export_all(settings_, a_.store, a_.formats, a_.exported, a_.out);
+      export_and_tell(settings_, a_.store, a_.formats, a_.exported, a_.out);
     });
     positional(exported, "STORE", a_.store, "assembled store");
     exported->add_option("-f,--format", a_.formats, "formats, separated by commas")
@@ -221,7 +221,8 @@ int run_command_line(int argc, char** argv) {
   app.allow_config_extras(false);
   app.require_subcommand(1);
   app.add_flag("--json", settings.json, "one JSON object on stdout")->configurable(false);
-  app.add_flag("-q,--quiet", settings.quiet, "errors alone on stderr")->configurable(false);
+  app.add_flag("-q,--quiet", settings.quiet, "errors alone; on stdout nothing but --json")
+      ->configurable(false);
   app.add_flag("-v,--verbose", settings.verbose, "more on stderr")->configurable(false);
   bind_parameters(app, settings);
   Commands commands(app, settings, arguments, chosen);

@@ -79,9 +79,14 @@ std::size_t assemble(const Settings& settings, const Path& store);
 std::size_t assemble_again(const Settings& settings, const Path& store, int alternative);
 /// Called once all is written. Throws NotEnoughError for a plan without any room.
 void require_a_room(std::size_t rooms, const Path& store);
-void export_all(const Settings& settings, const Path& store,
-                const std::vector<std::string>& formats, const ExportOptions& options,
-                const Path& out);
+/// @returns the names of the files that were written into the folder
+std::vector<std::string> export_all(const Settings& settings, const Path& store,
+                                    const std::vector<std::string>& formats,
+                                    const ExportOptions& options, const Path& out);
+/// The same, and says what was written.
+void export_and_tell(const Settings& settings, const Path& store,
+                     const std::vector<std::string>& formats, const ExportOptions& options,
+                     const Path& out);
 void evaluate(const Settings& settings, const std::vector<Path>& files,
               const std::vector<Path>& truth_files, const TrajectoryFlags& flags,
               const ComparisonFiles& results);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "console.hpp"
+#include "roomatlas/core/counted.hpp"
 #include "roomatlas/evaluate/figures.hpp"
 
 namespace roomatlas::apps {
@@ -50,8 +51,8 @@ void print_row(const Figure& figure, std::size_t width) {
 
 void print_used(const Comparison& comparison, const std::vector<std::string>& steps) {
   fmt::print("truth: {}", comparison.truth);
-  if (comparison.relations > 0) fmt::print(", {} relations", comparison.relations);
-  if (comparison.true_poses > 0) fmt::print(", {} poses", comparison.true_poses);
+  if (comparison.relations > 0) fmt::print(", {}", counted(comparison.relations, "relation"));
+  if (comparison.true_poses > 0) fmt::print(", {}", counted(comparison.true_poses, "pose"));
   fmt::print("\ntimes: {}\n", describe(comparison.options.match, comparison.carried));
   for (const std::string& step : steps) fmt::print("used: {}\n", step);
   for (const JudgedRun& run : comparison.runs) {

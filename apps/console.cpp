@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "console.hpp"
+#include "roomatlas/core/counted.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
@@ -10,6 +11,7 @@
 #include <csignal>
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 
 namespace roomatlas::apps {
 namespace {
@@ -49,6 +51,10 @@ class SignalWatch {
 }  // namespace
 
 void set_up_console(const Settings& settings) {
+  // Quiet is quiet for every command: who asks for --json as well wants that and nothing else.
+  if (settings.quiet && !settings.json && std::freopen("/dev/null", "w", stdout) == nullptr) {
+    throw std::runtime_error("/dev/null cannot be opened");
+  }
   auto logger = spdlog::stderr_color_st("roomatlas");
   logger->set_pattern("%^%l%$: %v");
   logger->set_level(settings.quiet     ? spdlog::level::err
@@ -93,7 +99,8 @@ void show(const Issues& issues, std::int64_t not_listed, std::size_t limit) {
   }
   const auto more = std::ssize(issues) - static_cast<std::ptrdiff_t>(notes + shown) + not_listed;
   if (more > 0) spdlog::warn("{} more of these", more);
-  if (notes > 0) spdlog::info("{} notes (-v shows them)", notes);
+  if (notes > 0)
+    spdlog::info("{} (-v shows {})", counted(notes, "note"), notes == 1 ? "it" : "them");
 }
 
 }  // namespace roomatlas::apps

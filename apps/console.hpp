@@ -8,7 +8,8 @@
 
 namespace roomatlas::apps {
 
-/// Sends messages to stderr as the settings ask.
+/// Sends messages to stderr as the settings ask; with --quiet errors alone, and nothing to stdout
+/// but what --json prints.
 void set_up_console(const Settings& settings);
 
 /// Progress on stderr: one line that is overwritten on a terminal, one line a stage elsewhere,

@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "output_places.hpp"
+#include "roomatlas/core/counted.hpp"
 #include "roomatlas/io/logs/mission_writer.hpp"
 #include "roomatlas/io/logs/open_mission.hpp"
 
@@ -103,8 +104,9 @@ void convert(const Settings& settings, const Path& log, const Path& out) {
   converted.finish();
   show(info.issues, info.issues_not_listed);
   tell_what_is_lost(info, out);
-  spdlog::info("{}: {} readings, {:.0f} m, {} true poses -> {}", log.filename().string(),
-               info.readings, info.path_length_m, info.true_poses, out.string());
+  spdlog::info("{}: {}, {:.0f} m, {} -> {}", log.filename().string(),
+               counted(info.readings, "reading"), info.path_length_m,
+               counted(info.true_poses, "true pose"), out.string());
 }
 
 }  // namespace roomatlas::apps

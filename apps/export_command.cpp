@@ -4,9 +4,14 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <utility>
 
+#include "building_report.hpp"
 #include "commands.hpp"
+#include "console.hpp"
+#include "did_you_mean.hpp"
 #include "output_places.hpp"
+#include "roomatlas/core/progress.hpp"
 #include "roomatlas/correct/place.hpp"
 #include "roomatlas/evaluate/plan_accuracy.hpp"
 #include "roomatlas/io/files/files.hpp"
@@ -167,68 +172,97 @@ void write_pose_graph(const Path& file, const Exported& from) {
   write_g2o(file, graph, poses, {});
 }
 
-using Exporter = std::function<void(const Exported&, const Settings&, const Path& out)>;
+using Names = std::vector<std::string>;
+/// Writes the files of a format. @returns their names in the folder
+using Exporter = std::function<Names(const Exported&, const Settings&, const Path& out)>;
+
+/// Of a format with one file that is a text.
+Exporter text_file(const char* name, std::function<std::string(const Exported&)> text) {
+  return [name, text = std::move(text)](const Exported& from, const Settings&, const Path& out) {
+    write_file(out / name, text(from));
+    return Names{name};
+  };
+}
 
 const std::map<std::string, Exporter>& exporters() {
   static const std::map<std::string, Exporter> table = {
       {"svg",
-       [](const Exported& from, const Settings&, const Path& out) {
+       [](const Exported& from, const Settings&, const Path& out) -> Names {
          write_file(out / "plan.svg", from.plan_svg);
-         if (from.has_mission()) write_file(out / "before_after.svg", from.before_after_svg);
+         if (!from.has_mission()) return {"plan.svg"};
+         write_file(out / "before_after.svg", from.before_after_svg);
+         return {"plan.svg", "before_after.svg"};
        }},
       {"png",
-       [](const Exported& from, const Settings& settings, const Path& out) {
+       [](const Exported& from, const Settings& settings, const Path& out) -> Names {
          write_png(out / "plan.png", from.plan_svg, settings.png_dpi);
-         if (!from.has_mission()) return;
+         if (!from.has_mission()) return {"plan.png"};
          write_png(out / "before_after.png", from.before_after_svg, settings.png_dpi);
+         return {"plan.png", "before_after.png"};
        }},
       {"pdf",
-       [](const Exported& from, const Settings&, const Path& out) {
+       [](const Exported& from, const Settings&, const Path& out) -> Names {
          const std::string title = from.plan.title.empty() ? "Floor plan" : from.plan.title;
          write_pdf(out / "plan.pdf", from.plan_svg, title, date_of(from.metadata));
+         return {"plan.pdf"};
        }},
       {"geojson",
-       [](const Exported& from, const Settings&, const Path& out) {
+       [](const Exported& from, const Settings&, const Path& out) -> Names {
          write_file(out / "plan.local.geojson", to_geojson(from.plan));
-         if (from.on_earth) {
-           write_file(out / "plan.geojson", to_geojson(from.plan, *from.on_earth));
-         }
+         if (!from.on_earth) return {"plan.local.geojson"};
+         write_file(out / "plan.geojson", to_geojson(from.plan, *from.on_earth));
+         return {"plan.local.geojson", "plan.geojson"};
        }},
       {"tum",
        [](const Exported& from, const Settings&, const Path& out) {
+         Names names;
          for (const ExportedPath& path : from.paths) {
-           write_tum(out / ("trajectory_odometry" + path.name + ".tum"), path.odometry);
-           write_tum(out / ("trajectory_corrected" + path.name + ".tum"), path.corrected);
+           names.push_back("trajectory_odometry" + path.name + ".tum");
+           write_tum(out / names.back(), path.odometry);
+           names.push_back("trajectory_corrected" + path.name + ".tum");
+           write_tum(out / names.back(), path.corrected);
          }
+         return names;
        }},
-      {"dot", [](const Exported& from, const Settings&,
-                 const Path& out) { write_file(out / "rooms.dot", to_dot(from.graph)); }},
-      {"csv", [](const Exported& from, const Settings&,
-                 const Path& out) { write_file(out / "rooms.csv", rooms_csv(from.plan)); }},
+      {"dot", text_file("rooms.dot", [](const Exported& from) { return to_dot(from.graph); })},
+      {"csv", text_file("rooms.csv", [](const Exported& from) { return rooms_csv(from.plan); })},
       {"graphml",
-       [](const Exported& from, const Settings&, const Path& out) {
-         write_file(out / "rooms.graphml", rooms_graphml(from.plan));
+       text_file("rooms.graphml", [](const Exported& from) { return rooms_graphml(from.plan); })},
+      {"g2o",
+       [](const Exported& from, const Settings&, const Path& out) -> Names {
+         write_pose_graph(out / "graph.g2o", from);
+         return {"graph.g2o"};
        }},
-      {"g2o", [](const Exported& from, const Settings&,
-                 const Path& out) { write_pose_graph(out / "graph.g2o", from); }},
       {"nav2", [](const Exported& from, const Settings&,
-                  const Path& out) { write_nav2_map(out, from.plan); }},
-      {"dxf", [](const Exported& from, const Settings&,
-                 const Path& out) { write_dxf(out / "plan.dxf", from.plan); }},
+                  const Path& out) { return write_nav2_map(out, from.plan); }},
+      {"dxf",
+       [](const Exported& from, const Settings&, const Path& out) -> Names {
+         write_dxf(out / "plan.dxf", from.plan);
+         return {"plan.dxf"};
+       }},
       {"ogr",
        [](const Exported& from, const Settings&, const Path& out) {
          if (from.ogr_driver.empty()) {
            throw UsageError("-f ogr needs --ogr FORMAT, such as --ogr GML");
          }
-         write_ogr(out, from.ogr_driver, from.plan);
+         return write_ogr(out, from.ogr_driver, from.plan);
        }},
-      {"json",
-       [](const Exported& from, const Settings&, const Path& out) {
-         write_file(out / "summary.json",
-                    summary_json(from.metadata, from.correction, from.plan, from.graph, {}));
-       }},
+      {"json", text_file("summary.json",
+                         [](const Exported& from) {
+                           return summary_json(from.metadata, from.correction, from.plan,
+                                               from.graph, {});
+                         })},
   };
   return table;
+}
+
+void check_formats(const std::vector<std::string>& formats) {
+  for (const std::string& format : formats) {
+    if (exporters().contains(format)) continue;
+    throw UsageError(fmt::format("unknown format {}: expected some of {}{}", format,
+                                 fmt::join(export_formats(), ","),
+                                 did_you_mean(format, export_formats())));
+  }
 }
 
 }  // namespace
@@ -242,22 +276,34 @@ std::vector<std::string> export_formats() {
   return names;
 }
 
-void export_all(const Settings& settings, const Path& store_file,
-                const std::vector<std::string>& formats, const ExportOptions& options,
-                const Path& out) {
-  for (const std::string& format : formats) {
-    if (!exporters().contains(format)) {
-      throw UsageError(fmt::format("unknown format {}: expected some of {}", format,
-                                   fmt::join(export_formats(), ",")));
-    }
-  }
+Names export_all(const Settings& settings, const Path& store_file, const Names& formats,
+                 const ExportOptions& options, const Path& out) {
+  check_formats(formats);
   Exported from = read(settings, store_file, options.measured_walls);
   from.on_earth = options.reference();
   from.north_deg = options.north_deg();
   from.ogr_driver = options.ogr_driver;
   make_folder(out);
+  const Progress progress = console_progress(settings);
+  const auto is_going_on = [&](std::size_t done) {
+    if (progress("draw", share_of(done, formats.size() + 1))) return;
+    throw Interrupted("interrupted while drawing: the files so far are in " + out.string() +
+                      "; run the same command again for all of them");
+  };
+  is_going_on(0);
   draw(formats, settings, from);
-  for (const std::string& format : formats) exporters().at(format)(from, settings, out);
+  Names written;
+  for (std::size_t i = 0; i < formats.size(); ++i) {
+    is_going_on(i + 1);
+    const Names files = exporters().at(formats[i])(from, settings, out);
+    written.insert(written.end(), files.begin(), files.end());
+  }
+  return written;
+}
+
+void export_and_tell(const Settings& settings, const Path& store, const Names& formats,
+                     const ExportOptions& options, const Path& out) {
+  tell_files(settings, out, export_all(settings, store, formats, options, out));
 }
 
 }  // namespace roomatlas::apps

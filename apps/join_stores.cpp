@@ -12,6 +12,7 @@
 #include "output_places.hpp"
 #include "plan_report.hpp"
 #include "roomatlas/asr/joined_source.hpp"
+#include "roomatlas/core/counted.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "store_metadata.hpp"
 
@@ -22,7 +23,7 @@ using Stores = std::vector<std::unique_ptr<GeoPackageStore>>;
 
 std::string title_of(const std::vector<MemberMission>& members) {
   constexpr std::size_t kNamed = 3;  // more do not fit a title
-  if (members.size() > kNamed) return fmt::format("{} missions", members.size());
+  if (members.size() > kNamed) return counted(members.size(), "mission");
   std::vector<std::string> names;
   names.reserve(members.size());
   for (const MemberMission& member : members) names.push_back(member.name);
@@ -78,10 +79,10 @@ void tell(const JoinedBuilding& building, const Path& store) {
       continue;
     }
     spdlog::info(
-        "{}: {} joined: {} of {} pieces of its path fit, {:.0f} % of what can be compared "
+        "{}: {} joined: {} of {} of its path fit, {:.0f} % of what can be compared "
         "agrees; score {:.0f}, the next place {:.0f}",
-        store.string(), member.name, member.pieces_fitting, member.pieces, 100.0 * member.agreement,
-        member.score, member.runner_up_score);
+        store.string(), member.name, member.pieces_fitting, counted(member.pieces, "piece"),
+        100.0 * member.agreement, member.score, member.runner_up_score);
   }
 }
 
@@ -138,7 +139,8 @@ std::vector<WrittenBuilding> StoresToJoin::write(const Settings& settings,
     const Path store = numbered(place, ++number);
     tell(building, store);
     const std::size_t rooms = write_building(settings, building, missions_, store);
-    spdlog::info("{}: {} rooms of {} missions", store.string(), rooms, building.members.size());
+    spdlog::info("{}: {} of {}", store.string(), counted(rooms, "room"),
+                 counted(building.members.size(), "mission"));
     written.push_back({std::move(building), store, rooms});
   }
   if (number > 0 || files_.size() < 2) return written;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "log_report.hpp"
+#include "roomatlas/core/counted.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -43,8 +44,7 @@ void print_below(const std::vector<RecordedFrame>& frames, const std::string& pa
   if (depth > kDeepest) return;
   for (const RecordedFrame& frame : frames) {
     if (frame.parent != parent) continue;
-    const std::string how =
-        frame.is_fixed ? "fixed" : fmt::format("{} transforms", frame.transforms);
+    const std::string how = frame.is_fixed ? "fixed" : counted(frame.transforms, "transform");
     fmt::print("  {:{}}{}  ({})\n", "", 2 * depth, frame.child, how);
     print_below(frames, frame.child, depth + 1);
   }

@@ -10,6 +10,7 @@
 #include "log_report.hpp"
 #include "new_store.hpp"
 #include "output_places.hpp"
+#include "roomatlas/core/counted.hpp"
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/logs/open_mission.hpp"
 #include "roomatlas/io/results/summary.hpp"
@@ -119,11 +120,12 @@ void map(const Settings& settings, const Path& log, const Path& store_file) {
   show(info.issues, info.issues_not_listed);
   // of a mission that is corrected as a whole, `assemble` tells the count that holds
   if (summary.drives_reversed > 0 && !is_corrected_as_a_whole(info, settings)) {
-    spdlog::info("{} drives were reported forwards but went backwards", summary.drives_reversed);
+    spdlog::info("{} reported forwards went backwards", counted(summary.drives_reversed, "drive"));
   }
   if (summary.habits) spdlog::info("odometry: {}", describe(*summary.habits));
-  spdlog::info("{}: {} readings, {:.0f} m -> {} ASRs in {}", log.filename().string(), info.readings,
-               info.path_length_m, summary.asrs, store_file.string());
+  spdlog::info("{}: {}, {:.0f} m -> {} in {}", log.filename().string(),
+               counted(info.readings, "reading"), info.path_length_m, counted(summary.asrs, "ASR"),
+               store_file.string());
 }
 
 void info(const Settings& settings, const Path& log) {
@@ -151,9 +153,9 @@ void info(const Settings& settings, const Path& log) {
   fmt::print("odometry       {}\n", info.odometry);
   fmt::print("range readings {}\n", info.readings);
   for (const auto& sensor : info.sensors) {
-    fmt::print("  {} of {} beams, up to {:.1f} m\n",
+    fmt::print("  {} of {}, up to {:.1f} m\n",
                sensor->kind == SensorKind::laser ? "laser" : "sonar ring",
-               sensor->robot_from_beam.size(), sensor->max_range_m);
+               counted(sensor->robot_from_beam.size(), "beam"), sensor->max_range_m);
   }
   fmt::print("path           {:.1f} m\n", info.path_length_m);
   if (info.has_times && info.first_timestamp_s && info.last_timestamp_s) {
@@ -162,7 +164,9 @@ void info(const Settings& settings, const Path& log) {
   fmt::print("robot          {:.2f} m x {:.2f} m\n", info.footprint.length_m,
              info.footprint.width_m);
   if (info.true_poses > 0) fmt::print("true poses     {}\n", info.true_poses);
-  if (info.malformed_lines > 0) fmt::print("malformed      {} lines\n", info.malformed_lines);
+  if (info.malformed_lines > 0) {
+    fmt::print("malformed      {}\n", counted(info.malformed_lines, "line"));
+  }
   show(info.issues, info.issues_not_listed);
 }
 

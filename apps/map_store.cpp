@@ -6,6 +6,7 @@
 #include "console.hpp"
 #include "former_store.hpp"
 #include "new_store.hpp"
+#include "roomatlas/core/counted.hpp"
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/pipeline/assemble_map.hpp"
@@ -32,7 +33,8 @@ std::size_t map_into_store(const Settings& settings, const Path& file, const Map
     store.finish();
     made.put_in_place();
     show(assembly.plan.issues);
-    spdlog::info("{} rooms, {} doors", assembly.plan.rooms.size(), assembly.plan.doors.size());
+    spdlog::info("{}, {}", counted(assembly.plan.rooms.size(), "room"),
+                 counted(assembly.plan.doors.size(), "door"));
     return assembly.plan.rooms.size();
   } catch (...) {
     made.give_up();

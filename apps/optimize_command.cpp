@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "output_places.hpp"
+#include "roomatlas/core/counted.hpp"
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/trajectories/pose_graph_file.hpp"
 #include "roomatlas/solve/optimize.hpp"
@@ -138,13 +139,14 @@ void optimize(const Settings& settings, const OptimizeArguments& arguments) {
     const auto json = as_json(arguments.graph, input, result, elapsed.count());
     fmt::print("{}\n", json.dump(2, ' ', false, decltype(json)::error_handler_t::replace));
   } else {
-    fmt::print("{} nodes, {} edges, {} of them loops, {} component{}\n", input.graph.ids.size(),
-               input.graph.edges.size(), count_loops(input.graph), result.fixed.size(),
-               result.fixed.size() == 1 ? "" : "s");
+    fmt::print("{}, {}, {}, {}\n", counted(input.graph.ids.size(), "node"),
+               counted(input.graph.edges.size(), "edge"),
+               counted(count_loops(input.graph), "of them a loop", "of them loops"),
+               counted(result.fixed.size(), "component"));
     fmt::print("chi-square {:.6f} (before {:.6g}; expected {:.6g} to {:.6g})\n", result.chi_square,
                result.initial_chi_square, result.expected.low, result.expected.high);
-    fmt::print("{} iterations, {:.4f} s, {} closures rejected, {}\n", result.iterations,
-               elapsed.count(), count_rejected(result),
+    fmt::print("{}, {:.4f} s, {} rejected, {}\n", counted(result.iterations, "iteration"),
+               elapsed.count(), counted(count_rejected(result), "closure"),
                result.trusted ? "trusted" : "NOT TO BE TRUSTED");
     print_notes(input.issues);
     print_notes(result.issues);

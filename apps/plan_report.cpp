@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "console.hpp"
+#include "roomatlas/core/counted.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -34,8 +35,8 @@ void print(const Segmentation& areas) {
 }
 
 void print(const PlanGraphErrors& graph) {
-  fmt::print("  graph: {} doors between rooms, {} true; {}; {} missing, {} extra, {} wrong\n",
-             graph.edges, graph.true_edges,
+  fmt::print("  graph: {} between rooms, {} true; {}; {} missing, {} extra, {} wrong\n",
+             counted(graph.edges, "door"), graph.true_edges,
              graph.as_matched   ? "the same, room by room"
              : graph.isomorphic ? "isomorphic, but not as the rooms were matched"
                                 : "not isomorphic",
@@ -100,7 +101,7 @@ void print_pair(const char* what, const char* unit, const Statistics& before,
 }
 
 void print(const RoomPosesBeforeAfter& poses) {
-  fmt::print("poses of {} rooms, mean: before, after\n", poses.after.rooms.size());
+  fmt::print("poses of {}, mean: before, after\n", counted(poses.after.rooms.size(), "room"));
   print_pair("rotation", "deg", poses.before.rotation_deg, poses.after.rotation_deg);
   print_pair("translation", "m", poses.before.translation_m, poses.after.translation_m);
   print_pair("rotation, to the first", "deg", poses.before.relative_rotation_deg,

@@ -4,6 +4,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "output_places.hpp"
+#include "roomatlas/core/counted.hpp"
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
@@ -83,8 +84,9 @@ void simulate_rooms(const Settings& settings, std::int64_t rooms, const Path& ou
     spdlog::info("no truth.tum and no truth.geojson above {} rooms; true poses are in the store",
                  kTruthRooms);
   }
-  spdlog::info("{} rooms, {} doors, {:.0f} m driven -> {} ASRs in {}", summary.rooms, summary.doors,
-               summary.path_length_m, summary.asrs, (out / "building.gpkg").string());
+  spdlog::info("{}, {}, {:.0f} m driven -> {} in {}", counted(summary.rooms, "room"),
+               counted(summary.doors, "door"), summary.path_length_m, counted(summary.asrs, "ASR"),
+               (out / "building.gpkg").string());
 }
 
 }  // namespace roomatlas::apps

@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "output_places.hpp"
+#include "roomatlas/core/counted.hpp"
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/logs/drive.hpp"
 #include "roomatlas/io/logs/mission_writer.hpp"
@@ -67,7 +68,7 @@ class MissionFiles {
     log_->finish();
     write_tum(out_ / "truth.tum", truth_);
     write_file(out_ / "truth.geojson", to_geojson(world));
-    spdlog::info("{} readings in {}", truth_.size(), log_file_.string());
+    spdlog::info("{} in {}", counted(truth_.size(), "reading"), log_file_.string());
   }
 
  private:
@@ -83,11 +84,12 @@ void report(const ExploreSummary& summary, const FloorPlan& world, bool json) {
     fmt::print("{}\n", to_json(summary, world));
     return;
   }
-  fmt::print("{} of {} rooms entered in {:.0f} s over {:.1f} m, {} collisions\n",
-             summary.entered.size(), world.rooms.size(), summary.duration_s, summary.path_length_m,
-             summary.collisions);
-  spdlog::info("the robot told {} spaces and {} doorways apart and gave up {} goals",
-               summary.rooms_found, summary.doorways_found, summary.goals_given_up);
+  fmt::print("{} of {} entered in {:.0f} s over {:.1f} m, {}\n", summary.entered.size(),
+             counted(world.rooms.size(), "room"), summary.duration_s, summary.path_length_m,
+             counted(summary.collisions, "collision"));
+  spdlog::info("the robot told {} and {} apart and gave up {}",
+               counted(summary.rooms_found, "space"), counted(summary.doorways_found, "doorway"),
+               counted(summary.goals_given_up, "goal"));
   if (!summary.finished) spdlog::warn("the exploration did not end by itself: see --max-time");
 }
 
@@ -127,8 +129,9 @@ FloorPlan furnished_for(const Task& task, FloorPlan world, std::uint64_t seed,
   if (task.drive.empty()) options.route = {task.explore.world_from_start->position()};
   const std::size_t pieces = world.furniture.size();
   world = furnished(std::move(world), seed, options);
-  spdlog::info("{} bodies of furniture put in, {} doors stand open",
-               world.furniture.size() - pieces, open_leaves(world).size());
+  spdlog::info("{} of furniture put in, {} open",
+               counted(world.furniture.size() - pieces, "body", "bodies"),
+               counted(open_leaves(world).size(), "door stands", "doors stand"));
   return world;
 }
 

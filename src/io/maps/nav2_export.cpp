@@ -48,14 +48,15 @@ PlanRaster keepout_of(const PlanRaster& map) {
 
 }  // namespace
 
-void write_nav2_map(const std::filesystem::path& folder, const FloorPlan& plan,
-                    const Nav2Options& options) {
+std::vector<std::string> write_nav2_map(const std::filesystem::path& folder, const FloorPlan& plan,
+                                        const Nav2Options& options) {
   const PlanRaster map = io::raster_of(plan, options.cell_m, options.margin_m);
   write_file(folder / "map.pgm", pgm_of(map.cells));
   write_file(folder / "map.yaml", yaml_of(map, "map.pgm"));
   write_file(folder / "keepout_mask.pgm", pgm_of(keepout_of(map).cells));
   write_file(folder / "keepout_mask.yaml", yaml_of(map, "keepout_mask.pgm"));
   write_file(folder / "rooms.yaml", rooms_yaml(plan));
+  return {"map.pgm", "map.yaml", "keepout_mask.pgm", "keepout_mask.yaml", "rooms.yaml"};
 }
 
 }  // namespace roomatlas

@@ -143,8 +143,8 @@ std::string dataset_name(GDALDriver& driver, const std::string& name) {
 
 bool has_ogr() { return true; }
 
-void write_ogr(const std::filesystem::path& out, const std::string& driver_name,
-               const FloorPlan& plan) {
+std::vector<std::string> write_ogr(const std::filesystem::path& out, const std::string& driver_name,
+                                   const FloorPlan& plan) {
   GDALDriver* driver = driver_of(driver_name);
   const MemoryFolder memory("plan");
   Target target;
@@ -164,7 +164,7 @@ void write_ogr(const std::filesystem::path& out, const std::string& driver_name,
     throw InputError((out / name).string() + ": " + driver_name +
                      " cannot hold the plan: " + error.what());
   }
-  memory.write_to(out);
+  return memory.write_to(out);
 }
 
 }  // namespace roomatlas
@@ -179,7 +179,8 @@ void write_dxf(const std::filesystem::path&, const FloorPlan&) {
   throw UsageError("DXF needs GDAL, and this build has none: install libgdal-dev and build again");
 }
 
-void write_ogr(const std::filesystem::path&, const std::string& driver, const FloorPlan&) {
+std::vector<std::string> write_ogr(const std::filesystem::path&, const std::string& driver,
+                                   const FloorPlan&) {
   throw UsageError(driver +
                    " needs GDAL, and this build has none: install libgdal-dev and build again");
 }

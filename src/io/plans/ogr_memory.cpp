@@ -64,7 +64,8 @@ void MemoryFolder::put(const std::string& name, const std::string& content) cons
   VSIFCloseL(file);
 }
 
-void MemoryFolder::write_to(const std::filesystem::path& out) const {
+std::vector<std::string> MemoryFolder::write_to(const std::filesystem::path& out) const {
+  std::vector<std::string> written;
   const CPLStringList names(VSIReadDirRecursive(folder_.c_str()));
   for (int i = 0; i < names.Count(); ++i) {
     const std::string name = names[i];
@@ -73,7 +74,9 @@ void MemoryFolder::write_to(const std::filesystem::path& out) const {
     const std::filesystem::path file = out / name;
     std::filesystem::create_directories(file.parent_path());
     write_file(file, content_of(path(name)));
+    written.push_back(name);
   }
+  return written;
 }
 
 }  // namespace roomatlas::ogr

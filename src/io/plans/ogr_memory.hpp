@@ -36,8 +36,8 @@ class MemoryFolder {
 
   [[nodiscard]] std::string path(const std::string& name) const { return folder_ + "/" + name; }
   void put(const std::string& name, const std::string& content) const;
-  /// Writes all files below the folder on disk; each appears when it is whole.
-  void write_to(const std::filesystem::path& out) const;
+  /// Writes all files below the folder on disk; each appears when it is whole. Returns their names.
+  std::vector<std::string> write_to(const std::filesystem::path& out) const;
 
  private:
   std::string folder_;

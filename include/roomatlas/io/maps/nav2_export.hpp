@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "roomatlas/plan/floor_plan.hpp"
 
@@ -18,7 +20,8 @@ struct Nav2Options {
 /// centre lies in; walls also have the cells that their edges run through, so that thin ones stay
 /// closed, and door openings are free throughout. An empty plan gives a map of one unknown cell.
 /// Throws InputError when a file cannot be written, or the map would have more than 2^28 cells.
-void write_nav2_map(const std::filesystem::path& folder, const FloorPlan& plan,
+/// @returns the files' names
+std::vector<std::string> write_nav2_map(const std::filesystem::path& folder, const FloorPlan& plan,
                     const Nav2Options& options = {});
 
 }  // namespace roomatlas

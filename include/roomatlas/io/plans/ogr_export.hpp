@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "roomatlas/plan/floor_plan.hpp"
 
@@ -24,6 +25,7 @@ void write_dxf(const std::filesystem::path& file, const FloorPlan& plan);
 /// a format that this GDAL cannot write, InputError when writing fails.
 /// @param driver as `ogrinfo --formats` names it, such as "GML" or "ESRI Shapefile"
 /// @param out folder; files there are called `plan_DRIVER...`
-void write_ogr(const std::filesystem::path& out, const std::string& driver, const FloorPlan& plan);
+/// @returns the files' names
+std::vector<std::string> write_ogr(const std::filesystem::path& out, const std::string& driver, const FloorPlan& plan);
 
 }  // namespace roomatlas

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "roomatlas/evaluate/evaluation.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
+#include "settings.hpp"
+
+namespace roomatlas::apps {
+
+/// What was made of a building, besides its store.
+struct MadeOf {
+  const Evaluation& evaluation;
+  bool truth_was_given = false;  ///< on the command line: what it says is wanted in full
+  std::filesystem::path folder;
+  std::vector<std::string> files;  ///< names in the folder
+};
+
+/// The end of `build`: rooms with areas and kinds, doors, accuracy, whether it can be trusted and
+/// which file to open first; as text for people, or as one JSON object. On stdout.
+void report_building(const Settings& settings, const GeoPackageStore& store, const MadeOf& made);
+
+/// The files that were written: as text, or as one JSON object. On stdout.
+void tell_files(const Settings& settings, const std::filesystem::path& folder,
+                const std::vector<std::string>& files);
+
+}  // namespace roomatlas::apps
