@@ -14,7 +14,9 @@
 #include "roomatlas/io/results/comparison_text.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
+#include "roomatlas/pipeline/answer_trajectory.hpp"
 #include "roomatlas/pipeline/evaluate_store.hpp"
+#include "stored_configuration.hpp"
 #include "truth_files.hpp"
 
 namespace roomatlas::apps {
@@ -62,9 +64,24 @@ void add_missions(const GeoPackageStore& store, const std::string& name, const T
   judged.plans.push_back({name, std::move(evaluation)});
 }
 
+/// Of several answers the one that is not drawn: the truth decides.
+void add_other_answer(const Settings& settings, const Path& file, const std::string& name,
+                      const Trajectory& true_poses, const Preparation& prepare, Judged& judged) {
+  const GeoPackageStore store(file, GeoPackageStore::Mode::read_as_mapped);
+  const Metadata metadata = store.metadata();
+  const Answers answers = answers_in(metadata);
+  if (answers.count < 2) return;
+  Settings used = as_recorded(settings, metadata, file);
+  used.assemble.answer = answers.drawn == 1 ? 2 : 1;
+  Trajectory poses =
+      answer_trajectory(store, store.mission().footprint, used, console_progress(settings));
+  const std::string run = fmt::format("{} alternative {}", name, used.assemble.answer);
+  judged.runs.push_back({run, prepare(run, std::move(poses)), true_poses});
+}
+
 /// A store: both of its trajectories, and its plan.
-void add_store(const Path& file, const std::string& name, const Truth& truth,
-               const Preparation& prepare, Judged& judged) {
+void add_store(const Settings& settings, const Path& file, const std::string& name,
+               const Truth& truth, const Preparation& prepare, Judged& judged) {
   const GeoPackageStore store(file, GeoPackageStore::Mode::read);
   Evaluation evaluation = evaluation_of(store, file, truth, prepare);
   if (evaluation.missions) return add_missions(store, name, truth, prepare, evaluation, judged);
@@ -74,6 +91,7 @@ void add_store(const Path& file, const std::string& name, const Truth& truth,
       {name + " odometry", prepare(name + " odometry", std::move(placed.odometry)), true_poses});
   judged.runs.push_back(
       {name + " corrected", prepare(name + " corrected", std::move(placed.corrected)), true_poses});
+  add_other_answer(settings, file, name, true_poses, prepare, judged);
   evaluation.relations.reset();  // stand in the comparison
   evaluation.true_poses.reset();
   judged.plans.push_back({name, std::move(evaluation)});
@@ -99,7 +117,9 @@ void add_plan(const Settings& settings, const Path& file, const std::string& nam
 
 void add_run(const Settings& settings, const Path& file, const std::string& name,
              const Truth& truth, const Preparation& prepare, Judged& judged) {
-  if (is_sqlite(file) && !is_recording(file)) return add_store(file, name, truth, prepare, judged);
+  if (is_sqlite(file) && !is_recording(file)) {
+    return add_store(settings, file, name, truth, prepare, judged);
+  }
   if (is_plan(file)) return add_plan(settings, file, name, truth, judged);
   TrajectoryFile read = read_trajectory(file, settings.mission, LogPoses::recorded);
   show(read.issues);

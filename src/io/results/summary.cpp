@@ -198,6 +198,14 @@ std::string to_json(const Evaluation& evaluation, const std::optional<Judgement>
   return text_of(json);
 }
 
+Answers answers_in(const std::map<std::string, std::string>& metadata) {
+  const auto text = metadata.find("answers_json");
+  if (text == metadata.end() || text->second.empty()) return {};
+  const Json json = Json::parse(text->second);
+  return {json.at("drawn"), json.at("count"), json.at("first_score_m"), json.at("second_score_m"),
+          json.at("second")};
+}
+
 std::string summary_json(const std::map<std::string, std::string>& metadata,
                          const Correction& correction, const FloorPlan& plan,
                          const RoomGraph& graph, const std::optional<Evaluation>& evaluation) {

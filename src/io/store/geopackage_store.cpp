@@ -100,7 +100,7 @@ GeoPackageStore::GeoPackageStore(const fs::path& file, Mode mode)
 }
 
 GeoPackageStore::~GeoPackageStore() {
-  if (!state_->database || state_->mode == Mode::read) return;
+  if (!state_->database || state_->is_read_only()) return;
   state_->database->forget_statements();
   // A WAL file on a network drive freezes QGIS; when this fails, the store is still whole.
   state_->database->connection().tryExec("PRAGMA journal_mode = DELETE");

@@ -21,6 +21,10 @@ struct GeoPackageStore::State {
   std::int64_t rows_of_closed_database = 0;
   std::mutex mutex;
 
+  [[nodiscard]] bool is_read_only() const {
+    return mode == Mode::read || mode == Mode::read_as_mapped;
+  }
+
   /// Runs one public call: alone, on an open store, with the file's name on each error.
   template <typename Call>
   auto reading(Call call) {
@@ -40,7 +44,7 @@ struct GeoPackageStore::State {
   /// As `reading`, for calls that change the store.
   template <typename Call>
   auto writing(Call call) {
-    if (mode == Mode::read) throw std::logic_error("the store is open for reading");
+    if (is_read_only()) throw std::logic_error("the store is open for reading");
     return reading(call);
   }
 

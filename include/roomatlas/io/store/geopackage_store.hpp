@@ -19,9 +19,10 @@ namespace roomatlas {
 /// with VACUUM INTO, so that its bytes depend on its content alone.
 class GeoPackageStore : public AsrSink, public AssemblyStore {
  public:
-  enum class Mode { create, update, read };
+  enum class Mode { create, update, read, read_as_mapped };
 
-  /// `create` replaces what is there; `update` and `read` throw InputError when the file is
+  /// `create` replaces what is there; `read_as_mapped` gives paths as an assembly begins with them,
+  /// see `put(const Assembly&, ...)`. All but `create` throw InputError when the file is
   /// missing, no store of ours, or of another schema version (naming both versions).
   GeoPackageStore(const std::filesystem::path& file, Mode mode);
   ~GeoPackageStore() override;
@@ -43,8 +44,8 @@ class GeoPackageStore : public AsrSink, public AssemblyStore {
   /// Says which missions the ASRs are of; replaces what was said.
   void put_members(const std::vector<MemberMission>& members);
 
-  /// Paths of readings that were matched again: `get` has these from then on, but in a store that
-  /// is open to be updated, so that assembling again begins where it began before.
+  /// Paths of readings that were matched again: `get` has these from then on where the store is open
+  /// to be read, and no other, so that assembling again begins where it began before.
   void put(const Assembly& assembly, const std::string& configuration) override;
   [[nodiscard]] bool has_assembly() const override;
   [[nodiscard]] Correction correction() const override;
