@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "did_you_mean.hpp"
 #include "limits.hpp"
 #include "roomatlas/core/issue.hpp"
 #include "roomatlas/core/pose2.hpp"
@@ -57,6 +58,7 @@ CLI::Option* bind(CLI::App& app, const Parameter& parameter, const TextParameter
 }
 CLI::Option* bind(CLI::App& app, const Parameter& parameter, const FileParameter& file) {
   return app.add_option("--" + parameter.name, *file.value, parameter.meaning)
+      ->type_name("FILE")
       ->configurable(false);  // no path gets into the store
 }
 
@@ -92,7 +94,9 @@ void try_line(const std::string& name, const std::string& line) {
   Settings unused;
   bind_parameters(app, unused);
   if (app.get_option_no_throw("--" + name) == nullptr) {
-    throw UsageError("no such parameter: " + name);
+    std::vector<std::string> names;
+    for (const Parameter& parameter : parameters_of(unused)) names.push_back(parameter.name);
+    throw UsageError("no such parameter: " + name + did_you_mean(name, names));
   }
   std::istringstream in(line);
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters and CLI11: one of three places that include it.
+// Parameters and CLI11: one of the files that include it.
 #pragma once
 
 #include <CLI/CLI.hpp>

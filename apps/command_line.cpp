@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands and their arguments: one of four files that include CLI11.
+// The commands and their arguments: one of the files that include CLI11.
 #include "command_line.hpp"
 
 #include <fmt/format.h>
@@ -15,9 +15,14 @@
 
 #include "bind_parameters.hpp"
 #include "command_options.hpp"
+#include "command_tree.hpp"
 #include "commands.hpp"
+#include "completion.hpp"
 #include "console.hpp"
+#include "help_page.hpp"
 #include "limits.hpp"
+#include "man_page.hpp"
+#include "wrong_usage.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -43,6 +48,20 @@ struct Arguments {
   OptimizeArguments optimize;
   CompareArguments compare;
   LocateArguments locate;
+  std::string shell;
+  ManArguments man;
+};
+
+/// Help pages, instead of those of CLI11.
+class HelpPages : public CLI::FormatterBase {
+ public:
+  [[nodiscard]] std::string make_help(const CLI::App* app, std::string /*name*/,
+                                      CLI::AppFormatMode mode) const override {
+    const HelpSize size = mode == CLI::AppFormatMode::All ? HelpSize::all : HelpSize::page;
+    const CLI::App* program = app->get_parent() == nullptr ? app : app->get_parent();
+    const ProgramText text = text_of(*program);
+    return app == program ? help_of(text, size) : help_of(text.command(app->get_name()), size);
+  }
 };
 
 /// The commands with their files; what runs is left in `chosen`.
@@ -63,7 +82,6 @@ class Commands {
   CLI::App* command(const char* name, const char* meaning, std::function<void()> run) {
     CLI::App* sub = app_.add_subcommand(name, meaning)->fallthrough()->configurable(false);
     sub->callback([this, run = std::move(run)] { chosen_ = run; });
-    sub->footer("Parameters of all stages: `roomatlas --help`, `roomatlas config --print`.");
     return sub;
   }
 
@@ -80,12 +98,14 @@ class Commands {
         ->add_option("LOG|MAP", a_.judged,
                      "mission log, plain or gzip; several of one building are joined; or a "
                      "finished map: nav2 YAML, or PNG or PGM")
+        ->type_name("FILE")
         ->required()
         ->configurable(false);
     build->add_option("--resolution", a_.resolution_m, "m a pixel, of a map that is a picture")
         ->check(within(0.001, 10.0))
+        ->type_name("M")
         ->configurable(false);
-    output(build, a_.out, "folder for the results");
+    output_folder(build, a_.out, "folder for the results");
     add_truth(build, a_.truth);
     add_export_options(build, a_.exported);
     build->add_flag("--strict", a_.is_strict, "exit code 5 where the map is doubtful")
@@ -114,6 +134,7 @@ class Commands {
                              [this] { apps::join(settings_, a_.judged, a_.out); });
     join->add_option("STORE", a_.judged,
                      "assembled stores of missions, or of what was joined already")
+        ->type_name("FILE")
         ->required()
         ->configurable(false);
     output(join, a_.out, "store to write, such as building.gpkg");
@@ -133,7 +154,7 @@ class Commands {
         ->delimiter(',')
         ->capture_default_str()
         ->configurable(false);
-    output(exported, a_.out, "folder for the files");
+    output_folder(exported, a_.out, "folder for the files");
     add_export_options(exported, a_.exported);
     add_ogr_option(exported, a_.exported);
     add_measured_walls(exported, a_.exported);
@@ -148,6 +169,7 @@ class Commands {
         ->add_option("RUN", a_.judged,
                      "what to judge: an assembled store, a trajectory (TUM, g2o, poses) or a log; "
                      "several are compared with the first")
+        ->type_name("FILE")
         ->required()
         ->configurable(false);
     add_truth(evaluate, a_.truth);
@@ -177,7 +199,7 @@ class Commands {
                                 [this] { apps::inspect(settings_, a_.store, a_.asr, a_.out); });
     positional(inspect, "STORE", a_.store, "store with readings");
     inspect->add_option("ASR", a_.asr, "its number")->required()->configurable(false);
-    output(inspect, a_.out, "folder for asr_N.svg and asr_N.png");
+    output_folder(inspect, a_.out, "folder for asr_N.svg and asr_N.png");
   }
 
   void add_tools() {
@@ -199,6 +221,26 @@ class Commands {
                                [this] { fmt::print("{}", app_.config_to_str(true, true)); });
     config->add_flag("--print", a_.print_config, "print every parameter with default and meaning")
         ->configurable(false);
+    add_for_scripts();
+  }
+
+  /// What is written from the same definition as the help.
+  void add_for_scripts() {
+    CLI::App* completions =
+        command("completion", "what a shell reads to complete commands and options",
+                [this] { fmt::print("{}", completion(text_of(app_), a_.shell)); });
+    completions->add_option("SHELL", a_.shell, "the shell")
+        ->required()
+        ->check(CLI::IsMember(completion_shells()))
+        ->configurable(false);
+
+    CLI::App* manual = command("man", "the manual as man(1) reads it",
+                               [this] { apps::man(text_of(app_), a_.man); });
+    manual->add_option("COMMAND", a_.man.command, "whose page; without it the program's")
+        ->configurable(false);
+    manual->add_option("-o,--output", a_.man.out, "folder for the pages of all commands")
+        ->type_name("FOLDER")
+        ->configurable(false);
   }
 
   CLI::App& app_;
@@ -215,8 +257,13 @@ int run_command_line(int argc, char** argv) {
   Settings settings;
   Arguments arguments;
   std::function<void()> chosen;
-  app.set_version_flag("--version", ROOMATLAS_VERSION);
-  app.set_config("--config", "", "read parameters from this file (TOML)")->configurable(false);
+  app.formatter(std::make_shared<HelpPages>());
+  app.set_help_flag("-h,--help", "the most wanted options, on one page");
+  app.set_help_all_flag("--help-all", "all options and parameters");
+  app.set_version_flag("--version", ROOMATLAS_VERSION, "the release");
+  app.set_config("--config", "", "read parameters from this file (TOML)")
+      ->type_name("FILE")
+      ->configurable(false);
   app.config_formatter(std::make_shared<ConfigurationFile>(app));
   app.allow_config_extras(false);
   app.require_subcommand(1);
@@ -232,7 +279,7 @@ int run_command_line(int argc, char** argv) {
   } catch (const CLI::Success& success) {
     return app.exit(success);  // --help and --version
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "error: {}\nrun `roomatlas --help`\n", error.what());
+    fmt::print(stderr, "{}", explain(app, error));
     return kUsage;
   }
   complete(settings, app);

@@ -26,6 +26,7 @@ struct TruthArguments {
 
 CLI::Option* positional(CLI::App* command, const char* name, Path& value, const char* meaning);
 CLI::Option* output(CLI::App* command, Path& value, const char* meaning);
+CLI::Option* output_folder(CLI::App* command, Path& value, const char* meaning);
 void add_export_options(CLI::App* command, ExportOptions& options);
 void add_measured_walls(CLI::App* command, ExportOptions& options);
 void add_ogr_option(CLI::App* command, ExportOptions& options);

@@ -45,7 +45,7 @@ std::size_t distance(const std::string& typed, const std::string& name, std::siz
   const std::string wanted = plain(name);
   if (typed.size() >= kShortestBeginning && wanted.starts_with(typed)) return 1;
   const std::size_t edits = edits_between(typed, wanted);
-  const std::size_t most = std::min(kMostEdits, 1 + typed.size() / kLettersPerEdit);
+  const std::size_t most = std::clamp(typed.size() / kLettersPerEdit, std::size_t{1}, kMostEdits);
   const bool is_all_new = edits >= std::max(typed.size(), wanted.size());
   return edits <= most && !is_all_new ? edits : none;
 }

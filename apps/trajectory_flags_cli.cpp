@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How trajectories are judged, on the command line: one of three files that include CLI11.
+// How trajectories are judged, on the command line: one of the files that include CLI11.
 #include <CLI/CLI.hpp>
 
 #include <map>
@@ -16,7 +16,7 @@ void add_choice(CLI::App* command, const std::string& names, Choice& value,
                 const std::map<std::string, Choice>& choices, const std::string& meaning,
                 const std::string& preset) {
   command->add_option(names, value, meaning + " [" + preset + "]")
-      ->transform(CLI::CheckedTransformer(choices).description(""))
+      ->transform(CLI::CheckedTransformer(choices))
       ->group("Judging trajectories")
       ->configurable(false);
 }

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "command_tree.hpp"
+
+namespace roomatlas::apps {
+
+/// `roomatlas.1` in roff (man(7)): commands, options of all of them, parameters, exit status.
+[[nodiscard]] std::string man_page(const ProgramText& program);
+
+/// `roomatlas-COMMAND.1`.
+[[nodiscard]] std::string man_page(const ProgramText& program, const CommandText& command);
+
+/// What `roomatlas man` was asked for.
+struct ManArguments {
+  std::string command;        ///< empty: the program's own page
+  std::filesystem::path out;  ///< folder for all pages; empty: one page on stdout
+};
+void man(const ProgramText& program, const ManArguments& arguments);
+
+}  // namespace roomatlas::apps
