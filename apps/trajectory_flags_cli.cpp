@@ -52,8 +52,10 @@ void add_times(CLI::App* command, TrajectoryFlags& flags) {
       ->expected(3)
       ->check(finite());
   add("--stamps-from", flags.stamps_from,
-      "CARMEN log: poses stamped by its logger's clock (last column) get its own timestamps");
-  add("--carry", flags.carry, "odometry (TUM or log) that carries poses on where there are none");
+      "CARMEN log: poses stamped by its logger's clock (last column) get its own timestamps")
+      ->type_name("FILE");
+  add("--carry", flags.carry, "odometry (TUM or log) that carries poses on where there are none")
+      ->type_name("FILE");
   add("--split-seconds", flags.compare.split_s,
       "s; relations across less are local, the others loop [30]")
       ->check(finite());

@@ -6,6 +6,14 @@ install(TARGETS roomatlas_library EXPORT roomatlas_targets)
 install(DIRECTORY include/roomatlas TYPE INCLUDE FILES_MATCHING PATTERN *.hpp)
 if(ROOMATLAS_PROGRAM)
   install(TARGETS roomatlas)
+  # Where the program cannot run here (built for another machine), it is installed without them.
+  if(NOT CMAKE_CROSSCOMPILING)
+    install(CODE "
+      execute_process(COMMAND \"${CMAKE_COMMAND}\" \"-DPROGRAM=$<TARGET_FILE:roomatlas>\"
+        \"-DPREFIX=\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\" -DMAN=${CMAKE_INSTALL_MANDIR}
+        -DDATA=${CMAKE_INSTALL_DATADIR} -P \"${PROJECT_SOURCE_DIR}/cmake/install_text.cmake\"
+        COMMAND_ERROR_IS_FATAL ANY)")
+  endif()
 endif()
 install(FILES LICENSE TYPE DOC)
 

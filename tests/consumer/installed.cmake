@@ -30,3 +30,10 @@ if(NOT answer STREQUAL "12 m2, 2 m\n")
   message(FATAL_ERROR "the consumer says ${answer}")
 endif()
 run(${OUT}/prefix/bin/roomatlas --version)
+foreach(text share/man/man1/roomatlas.1 share/man/man1/roomatlas-build.1
+             share/bash-completion/completions/roomatlas share/zsh/vendor-completions/_roomatlas
+             share/fish/vendor_completions.d/roomatlas.fish)
+  if(NOT EXISTS ${OUT}/prefix/${text})
+    message(FATAL_ERROR "${text} is not installed")
+  endif()
+endforeach()
