@@ -79,18 +79,27 @@ class MissionFiles {
   Trajectory truth_;
 };
 
+void tell_rest(const ExploreSummary& summary) {
+  spdlog::info("the robot told {} and {} apart and gave up {}",
+               counted(summary.rooms_found, "space"), counted(summary.doorways_found, "doorway"),
+               counted(summary.goals_given_up, "goal"));
+  if (!summary.finished) spdlog::warn("the exploration did not end by itself: see --max-time");
+}
+
 void report(const ExploreSummary& summary, const FloorPlan& world, bool json) {
   if (json) {
     fmt::print("{}\n", to_json(summary, world));
     return;
   }
+  if (world.rooms.empty()) {
+    fmt::print("{:.0f} s, {:.1f} m driven, {}; the world has no rooms to be counted\n",
+               summary.duration_s, summary.path_length_m, counted(summary.collisions, "collision"));
+    return tell_rest(summary);
+  }
   fmt::print("{} of {} entered in {:.0f} s over {:.1f} m, {}\n", summary.entered.size(),
              counted(world.rooms.size(), "room"), summary.duration_s, summary.path_length_m,
              counted(summary.collisions, "collision"));
-  spdlog::info("the robot told {} and {} apart and gave up {}",
-               counted(summary.rooms_found, "space"), counted(summary.doorways_found, "doorway"),
-               counted(summary.goals_given_up, "goal"));
-  if (!summary.finished) spdlog::warn("the exploration did not end by itself: see --max-time");
+  tell_rest(summary);
 }
 
 std::optional<Pose2> start_of(const std::vector<double>& start) {

@@ -2,9 +2,11 @@
 #include "roomatlas/simulate/explore.hpp"
 
 #include "explorer.hpp"
+#include "number_text.hpp"
 #include "robot.hpp"
 #include "roomatlas/simulate/world.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace roomatlas {
@@ -19,13 +21,41 @@ std::optional<RoomId> room_at(const FloorPlan& world, const Point2& point) {
   return std::nullopt;
 }
 
+/// Half of the robot's diagonal: what it needs around it to turn.
+double turning_radius_m(const RobotFootprint& footprint) {
+  return std::hypot(footprint.length_m, footprint.width_m) / 2.0;
+}
+
 bool turns_freely(const FloorPlan& world, const Point2& at, const RobotFootprint& footprint) {
   try {
-    require_free(world, at, std::hypot(footprint.length_m, footprint.width_m) / 2.0);
+    require_free(world, at, turning_radius_m(footprint));
     return true;
   } catch (const InputError&) {
     return false;
   }
+}
+
+/// The place of a raster over a floor that is farthest from all obstacles, where the robot can turn
+/// there: among furniture the middle of a room says nothing.
+std::optional<Point2> freest_place(const FloorPlan& world, const Polygon& floor,
+                                   const RobotFootprint& footprint) {
+  constexpr double kFinest_m = 0.2;
+  constexpr double kMostSteps = 100.0;  // of the longer side
+  const Box2 box = bounds(floor.outer);
+  const double step_m = std::max(kFinest_m, box.size().maxCoeff() / kMostSteps);
+  std::optional<Point2> best;
+  double best_m = turning_radius_m(footprint);
+  for (double x = box.min.x() + step_m / 2.0; x < box.max.x(); x += step_m) {
+    for (double y = box.min.y() + step_m / 2.0; y < box.max.y(); y += step_m) {
+      const Point2 at(x, y);
+      if (!contains(floor, at)) continue;
+      const double here_m = clearance_m(world, at);
+      if (!(here_m > best_m)) continue;
+      best = at;
+      best_m = here_m;
+    }
+  }
+  return best;
 }
 
 }  // namespace
@@ -40,7 +70,23 @@ Pose2 default_start(const FloorPlan& world, const RobotFootprint& footprint) {
     const Point2 at = interior_point(free);
     if (turns_freely(world, at, footprint)) return {at.x(), at.y(), 0.0};
   }
-  throw InputError("world: found no place where the robot can turn; say one with --start");
+  std::vector<Polygon> floors;
+  for (const PlanRoom& room : world.rooms) {
+    floors.insert(floors.end(), room.parts.begin(), room.parts.end());
+  }
+  floors.insert(floors.end(), world.free_space.begin(), world.free_space.end());
+  for (const Polygon& floor : floors) {
+    if (const auto at = freest_place(world, floor, footprint)) return {at->x(), at->y(), 0.0};
+  }
+  if (floors.empty()) {
+    throw InputError(
+        "world: it has no rooms, so nothing tells inside from outside: say where the robot starts "
+        "with --start X,Y,DEG");
+  }
+  throw InputError("world: found no place where a robot of this size can turn, which takes " +
+                   number_text(turning_radius_m(footprint)) +
+                   " m around it: give a smaller one with --robot-length and --robot-width, or say "
+                   "a place with --start X,Y,DEG");
 }
 
 ExploreSummary explore(const FloorPlan& world, const SimulationOptions& simulation,

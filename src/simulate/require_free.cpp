@@ -75,6 +75,10 @@ std::string remedy(const FloorPlan& world, const Point2& point, double clearance
 
 }  // namespace
 
+double clearance_m(const FloorPlan& world, const Point2& point) {
+  return nearest_obstacle(world, point).distance_m;
+}
+
 void require_free(const FloorPlan& world, const Point2& point, double clearance_m) {
   const std::string start = "the robot's place " + place_text(point) + " ";
   if (!point.allFinite()) throw InputError(start + "is not a place: expected two finite numbers");

@@ -39,7 +39,9 @@ struct ExploreSummary {
                                      const ExploreOptions& options,
                                      const std::function<void(const SimulatedStep&)>& sink);
 
-/// A place to start: the label point of the first room where the robot fits, looking along x.
+/// A place to start, looking along x: the label point of the first room where the robot can turn,
+/// else the middle of such a free region, else what is farthest from all obstacles in the first
+/// of both that has such a place.
 /// @throws InputError where there is none
 [[nodiscard]] Pose2 default_start(const FloorPlan& world, const RobotFootprint& footprint);
 

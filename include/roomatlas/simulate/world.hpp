@@ -29,6 +29,10 @@ constexpr double kLeafThickness_m = 0.04;
 /// Throws InputError with all errors that `check_world` finds, one a line.
 void require_sound(const FloorPlan& world);
 
+/// How far the nearest wall, piece of furniture or open leaf is from `point` (world metres); 0
+/// inside of one, infinite where there is none.
+[[nodiscard]] double clearance_m(const FloorPlan& world, const Point2& point);
+
 /// Throws InputError unless a robot can stand at `point` (world metres): outside of walls,
 /// furniture and open leaves, at least `clearance_m` from them, and in a room or door where the
 /// world has rooms. The message names the place, the nearest obstacle, and a place that is free.

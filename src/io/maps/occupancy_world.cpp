@@ -49,6 +49,19 @@ CellGrid<int> obstacles_of(const CellGrid<MapCell>& cells, std::int64_t& closed_
   return obstacles;
 }
 
+/// The regions of free cells in cells, the largest first.
+std::vector<Polygon> free_regions(const CellGrid<MapCell>& cells) {
+  CellGrid<int> free(cells.width(), cells.height(), 0);
+  for (int y = 0; y < cells.height(); ++y) {
+    for (int x = 0; x < cells.width(); ++x) free(x, y) = cells(x, y) == MapCell::free ? 1 : 0;
+  }
+  std::vector<Polygon> regions;
+  for (TracedRegion& region : trace_cells(free)) regions.push_back(std::move(region.outline));
+  std::stable_sort(regions.begin(), regions.end(),
+                   [](const Polygon& a, const Polygon& b) { return area(a) > area(b); });
+  return regions;
+}
+
 /// From cells with the rim to world metres.
 class ToWorld {
  public:
@@ -149,6 +162,7 @@ FloorPlan world_of_occupancy(const Picture& picture, const OccupancyScale& scale
     plan.walls.push_back(to_world(region.outline));
   }
   require_floor({cells.begin(), cells.end()}, name);
+  for (const Polygon& region : free_regions(cells)) plan.free_space.push_back(to_world(region));
   if (closed_cells > 0) {
     plan.issues.push_back({Severity::note, "", 0, "walls",
                            std::to_string(closed_cells) + " unknown cells beside free ones are "
