@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "evaluation_report.hpp"
 #include "join_stores.hpp"
 #include "map_store.hpp"
+#include "mission_stores.hpp"
 #include "new_store.hpp"
 #include "output_places.hpp"
 #include "roomatlas/correct/place.hpp"
@@ -24,17 +24,6 @@
 
 namespace roomatlas::apps {
 namespace {
-
-/// True when an earlier run of `build` left a finished map of this log.
-bool is_mapped_already(const Settings& settings, const Path& log, const Path& store_file) {
-  if (!std::filesystem::exists(store_file)) return false;
-  try {
-    const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
-    return is_mapped_from(store.metadata(), sha256_of_file(log), settings);
-  } catch (const InputError&) {
-    return false;  // an interrupted or foreign store is mapped anew
-  }
-}
 
 void write_summary(const Path& store_file, const std::optional<Evaluation>& evaluation,
                    const Path& out) {
@@ -95,41 +84,11 @@ void require_trust(const Path& store_file) {
                    ": the map is doubtful, or could not be judged; it is written nevertheless");
 }
 
-/// One mission of several in a store of its own, which an earlier run may have left.
-void map_and_assemble(const Settings& settings, const Path& log, const Path& store) {
-  require_output_store(store, {log});
-  settle_new_store(store);
-  if (is_mapped_already(settings, log, store) &&
-      GeoPackageStore(store, GeoPackageStore::Mode::read).has_assembly()) {
-    spdlog::info("{} holds this mission already", store.string());
-    return;
-  }
-  map(settings, log, store);
-  (void)assemble(settings, store);
-}
-
-/// Stores of several missions, named after their logs: NAME.gpkg, and NAME-2.gpkg where two logs
-/// have one name.
-std::vector<Path> stores_for(const std::vector<Path>& logs, const Path& folder) {
-  std::vector<Path> stores;
-  std::map<std::string, int> named;
-  for (const Path& log : logs) {
-    std::string name = log.filename().string();
-    name = name.substr(0, name.find('.'));
-    const int number = ++named[name];
-    if (number > 1) name += fmt::format("-{}", number);
-    stores.push_back(folder / (name + ".gpkg"));
-  }
-  return stores;
-}
-
 /// Each mission in OUT/missions, what holds together in OUT, and whatever does not beside it.
 void build_joined(const Settings& settings, const BuildArguments& arguments) {
   const Path& out = arguments.out;
   for (const Path& log : arguments.inputs) {
-    if (is_map(log)) {
-      throw UsageError(log.string() + ": a finished map stands alone: joined are missions");
-    }
+    require_no_map(log);
     (void)open_mission(log, settings.mission);
   }
   make_folder(out / "missions");

@@ -14,12 +14,12 @@ namespace {
 /// What comes out of solving, to be handed on.
 struct Solved {
   std::vector<Pose2> poses;  ///< ascending by the visits' ids
-  std::vector<Closure> closures;
+  std::vector<ClosureVerdict> verdicts;
 };
 
 template <MaybeConst<Solved> Value, typename Visit>
 void fields_of(Value& solved, Visit& visit) {
-  visit(solved.poses, solved.closures);
+  visit(solved.poses, solved.verdicts);
 }
 
 std::vector<Pose2> poses_of(const Placement& placement) {
@@ -27,6 +27,13 @@ std::vector<Pose2> poses_of(const Placement& placement) {
   poses.reserve(placement.size());
   for (const auto& [id, pose] : placement) poses.push_back(pose);
   return poses;
+}
+
+std::vector<ClosureVerdict> verdicts_of(const std::vector<Closure>& closures) {
+  std::vector<ClosureVerdict> verdicts;
+  verdicts.reserve(closures.size());
+  for (const Closure& closure : closures) verdicts.push_back(closure.verdict);
+  return verdicts;
 }
 
 /// What is joined so far, in one frame.
@@ -94,13 +101,13 @@ class Component {
   void solve() {
     if (!workers_.is_shared()) return solve_joint(missions_, options_, placement_, closures_);
     constexpr std::size_t kOnce = 1;
-    Solved solved = made_by<Solved>(workers_, kOnce, 1, [&](std::size_t) {
-                      solve_joint(missions_, options_, placement_, closures_);
-                      return Solved{poses_of(placement_), closures_};
-                    }).front();
+    const Solved solved = made_by<Solved>(workers_, kOnce, 1, [&](std::size_t) {
+                            solve_joint(missions_, options_, placement_, closures_);
+                            return Solved{poses_of(placement_), verdicts_of(closures_)};
+                          }).front();
     std::size_t i = 0;
     for (auto& [id, pose] : placement_) pose = solved.poses[i++];
-    closures_ = std::move(solved.closures);
+    for (std::size_t k = 0; k < closures_.size(); ++k) closures_[k].verdict = solved.verdicts[k];
   }
 
   void take_in(const MissionMap& mission) {

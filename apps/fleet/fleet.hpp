@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+
+namespace roomatlas::apps {
+
+/// Files of a fleet's run.
+struct FleetArguments {
+  std::vector<Path> logs;
+  Path
+      out;  ///< the building's store; those of the missions go into the folder `missions` beside it
+  /// The program and its arguments that map one mission of these, with so many threads.
+  std::function<std::vector<std::string>(std::size_t mission, int jobs)> command;
+};
+
+/// What one process of one mission does; it knows nothing of MPI.
+void map_mission_of_fleet(const Settings& settings, const FleetArguments& arguments,
+                          std::size_t mission);
+
+/// What each rank does, between MPI_Init and MPI_Finalize: its share of the missions, then its
+/// share of the matching; the leader writes the building.
+/// @returns the exit code: 0 in all ranks but the leader, whose code says whether a mission failed
+int run_fleet(const Settings& settings, const FleetArguments& arguments);
+
+}  // namespace roomatlas::apps

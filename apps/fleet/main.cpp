@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// roomatlas-fleet: many missions, mapped and joined by the ranks of an MPI run.
+#include <fmt/format.h>
+#include <glog/logging.h>
+#include <malloc.h>
+#include <mpi.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+
+#include <csignal>
+#include <cstdlib>
+#include <memory>
+
+#include "bind_parameters.hpp"
+#include "command_line.hpp"
+#include "console.hpp"
+#include "exit_code.hpp"
+#include "fleet.hpp"
+#include "roomatlas/core/issue.hpp"
+
+namespace {
+
+using namespace roomatlas;
+using namespace roomatlas::apps;
+
+struct CommandLine {
+  Settings settings;
+  FleetArguments files;
+  std::vector<int> mission;  ///< number and threads, in the process of one mission
+};
+
+/// @returns the exit code of a command line that is answered at once
+std::optional<int> read(int argc, char** argv, CommandLine& line) {
+  CLI::App app(
+      "Roomatlas for a fleet: mission logs -> one building, by the ranks of an MPI run:\n"
+      "mpirun --enable-recovery -n 8 roomatlas-fleet MISSIONS... -o building.gpkg",
+      "roomatlas-fleet");
+  app.set_version_flag("--version", ROOMATLAS_VERSION);
+  app.set_config("--config", "", "read parameters from this file (TOML)")->configurable(false);
+  app.config_formatter(std::make_shared<ConfigurationFile>(app));
+  app.allow_config_extras(false);
+  app.add_flag("-q,--quiet", line.settings.quiet, "errors alone on stderr")->configurable(false);
+  app.add_flag("-v,--verbose", line.settings.verbose, "more on stderr")->configurable(false);
+  app.add_option("MISSION", line.files.logs, "mission logs of one building or campus")
+      ->required()
+      ->configurable(false);
+  app.add_option("-o,--output", line.files.out,
+                 "store to write, such as building.gpkg; each mission's own store is put into the "
+                 "folder `missions` beside it")
+      ->required()
+      ->configurable(false);
+  app.add_option("--one-mission", line.mission)->expected(2)->group("")->configurable(false);
+  bind_parameters(app, line.settings);
+  const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
+  const bool speaks = rank == nullptr || std::string(rank) == "0";  // one of all is enough
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return speaks ? app.exit(success) : 0;
+  } catch (const CLI::ParseError& error) {
+    if (speaks) fmt::print(stderr, "error: {}\nrun `roomatlas-fleet --help`\n", error.what());
+    return kUsage;
+  }
+  complete(line.settings, app);
+  return std::nullopt;
+}
+
+/// One open store a mission, and some more.
+void allow_many_files() {
+  struct rlimit limit = {};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+  limit.rlim_cur = limit.rlim_max;
+  (void)setrlimit(RLIMIT_NOFILE, &limit);
+}
+
+int run_mission(CommandLine& line) {
+  line.settings.jobs = line.mission[1];
+  line.settings.quiet = true;
+  set_up_console(line.settings);
+  return exit_code_of([&] {
+    map_mission_of_fleet(line.settings, line.files, static_cast<std::size_t>(line.mission[0]));
+    return static_cast<int>(kOk);
+  });
+}
+
+int run_rank(CommandLine& line, int argc, char** argv) {
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr) {
+    (void)prctl(PR_SET_PDEATHSIG, SIGKILL);  // no rank outlives who started it
+  }
+  allow_many_files();
+  set_up_console(line.settings);
+  const std::vector<std::string> words(argv, argv + argc);
+  line.files.command = [&words](std::size_t mission, int jobs) {
+    std::vector<std::string> command = words;
+    command.insert(command.end(),
+                   {"--one-mission", fmt::format("{}", mission), fmt::format("{}", jobs)});
+    return command;
+  };
+  MPI_Init(&argc, &argv);
+  MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);  // of a rank that died
+  bool has_failed = true;
+  const int code = exit_code_of([&] {
+    const int result = run_fleet(line.settings, line.files);
+    has_failed = false;
+    return result;
+  });
+  if (has_failed) MPI_Abort(MPI_COMM_WORLD, code);
+  MPI_Finalize();
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  constexpr int kLargeBytes = 1024 * 1024;
+  (void)mallopt(M_MMAP_THRESHOLD, kLargeBytes);  // as in `roomatlas`
+  FLAGS_minloglevel = google::GLOG_FATAL;
+  google::InitGoogleLogging(argv[0]);
+  CommandLine line;
+  if (const auto answered = read(argc, argv, line)) return *answered;
+  return line.mission.empty() ? run_rank(line, argc, argv) : run_mission(line);
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stores of single missions from which a building is joined.
+#pragma once
+
+#include <vector>
+
+#include "commands.hpp"
+
+namespace roomatlas::apps {
+
+/// True when an earlier run left a finished map of this log.
+[[nodiscard]] bool is_mapped_already(const Settings& settings, const Path& log,
+                                     const Path& store_file);
+
+/// @throws UsageError for a finished map, which stands alone
+void require_no_map(const Path& log);
+
+/// One mission of several in a store of its own, which an earlier run may have left.
+void map_and_assemble(const Settings& settings, const Path& log, const Path& store);
+
+/// Stores of several missions, named after their logs: NAME.gpkg, and NAME-2.gpkg where two logs
+/// have one name.
+[[nodiscard]] std::vector<Path> stores_for(const std::vector<Path>& logs, const Path& folder);
+
+}  // namespace roomatlas::apps
