@@ -77,10 +77,12 @@ Assembly assembled(const Settings& settings, const Path& store_file) {
 
 }  // namespace
 
-std::size_t assemble_again(const Settings& settings, const Path& store_file, int alternative) {
+std::size_t assemble_again(const Settings& settings, const Path& store_file, int alternative,
+                           const std::vector<std::string>& missions) {
   const Metadata metadata = GeoPackageStore(store_file, GeoPackageStore::Mode::read).metadata();
   Settings used = as_recorded(settings, metadata, store_file);
   used.assemble.answer = alternative;
+  used.assemble.missions = missions;
   return assemble(used, store_file);
 }
 

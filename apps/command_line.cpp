@@ -34,6 +34,7 @@ struct Arguments {
   Path store;
   AsrId asr = 0;
   int alternative = 1;  ///< of several answers
+  std::vector<std::string> missions;
   double resolution_m = 0.0;
   std::string room;
   std::string name;
@@ -116,15 +117,24 @@ class Commands {
     positional(map, "LOG", a_.log, "mission log, plain or gzip");
     output(map, a_.out, "store to write, such as building.gpkg");
 
-    CLI::App* assemble = command(
-        "assemble", "offline stage: graph, correction, floor plan",
-        [this] { require_a_room(assemble_again(settings_, a_.store, a_.alternative), a_.store); });
+    CLI::App* assemble =
+        command("assemble", "offline stage: graph, correction, floor plan", [this] {
+          require_a_room(assemble_again(settings_, a_.store, a_.alternative, a_.missions),
+                         a_.store);
+        });
     positional(assemble, "STORE", a_.store, "store to complete");
     assemble
         ->add_option("--alternative", a_.alternative,
                      "which answer is drawn where several explain the readings nearly as well")
         ->check(within(1, 9))
         ->capture_default_str()
+        ->configurable(false);
+    assemble
+        ->add_option(
+            "--missions", a_.missions,
+            "of a building of several: draw what these alone saw (names or numbers, separated "
+            "by commas)")
+        ->delimiter(',')
         ->configurable(false);
   }
 

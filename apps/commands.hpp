@@ -76,7 +76,9 @@ void convert(const Settings& settings, const Path& log, const Path& out);
 std::size_t assemble(const Settings& settings, const Path& store);
 /// The same with what the store was mapped with, where this run was given nothing else.
 /// @param alternative which of several answers, from 1
-std::size_t assemble_again(const Settings& settings, const Path& store, int alternative);
+/// @param missions of a store of several: those that are drawn; empty: all
+std::size_t assemble_again(const Settings& settings, const Path& store, int alternative,
+                           const std::vector<std::string>& missions);
 /// Called once all is written. Throws NotEnoughError for a plan without any room.
 void require_a_room(std::size_t rooms, const Path& store);
 /// @returns the names of the files that were written into the folder

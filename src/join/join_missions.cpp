@@ -51,6 +51,7 @@ class Component {
   }
 
   [[nodiscard]] std::size_t missions() const { return missions_.size(); }
+  [[nodiscard]] double known_m2() const { return index_.known_m2(); }
   [[nodiscard]] const Placement& placement() const { return placement_; }
   [[nodiscard]] const std::vector<Closure>& closures() const { return closures_; }
 
@@ -64,12 +65,17 @@ class Component {
         placement_[id] = piece.place.building_from_query * mission.mission_from_asr.at(id);
       }
     }
-    const std::vector<Closure> found = matched(mission, near_, options_.window);
+    std::vector<Closure> found = matched(mission, near_, options_.window);
+    visits_since_ += static_cast<double>(mission.shapes.size());
+    const auto visits = static_cast<double>(shapes_.size() + mission.shapes.size());
+    const bool is_moved =
+        visits_since_ < options_.solve_growth * visits && moved_alone(mission, found);
     closures_.insert(closures_.end(), found.begin(), found.end());
-    missions_.push_back(&mission);
-    solve();
-    missions_.pop_back();
     take_in(mission);
+    if (!is_moved) {
+      solve();
+      visits_since_ = 0.0;
+    }
     MissionMap placed{mission.shapes, {}, mission.sensor, {}};
     for (const AsrShape& shape : mission.shapes) {
       placed.mission_from_asr[shape.id] = placement_.at(shape.id);
@@ -108,6 +114,17 @@ class Component {
     std::size_t i = 0;
     for (auto& [id, pose] : placement_) pose = solved.poses[i++];
     for (std::size_t k = 0; k < closures_.size(); ++k) closures_[k].verdict = solved.verdicts[k];
+  }
+
+  /// Moves the mission against what is joined; where that cannot be without a contradiction, all is
+  /// as it was.
+  bool moved_alone(const MissionMap& mission, const std::vector<Closure>& found) {
+    Placement before;
+    for (const AsrShape& shape : mission.shapes) before[shape.id] = placement_.at(shape.id);
+    std::vector<Closure> tried = found;
+    if (solve_alone(mission, options_, placement_, tried)) return true;
+    for (const auto& [id, pose] : before) placement_[id] = pose;
+    return false;
   }
 
   void take_in(const MissionMap& mission) {
@@ -175,6 +192,7 @@ class Component {
   std::vector<const MissionMap*> missions_;
   Placement placement_;
   std::vector<Closure> closures_;
+  double visits_since_ = 0.0;  ///< that joined since all were solved together
 };
 
 void note(const MissionSearch& search, JoinedMission& mission) {
@@ -196,10 +214,18 @@ JoinedMissions join_missions(const std::vector<MissionMap>& missions, const Join
     joined.missions[open.front()].component = number;
     joined.missions[open.front()].is_base = true;
     open.erase(open.begin());
-    // Whoever found no place is tried again once the component has grown.
+    // Whoever found no place is tried again once the component knows more than it did then.
+    std::map<std::size_t, double> known_then_m2;
     for (std::size_t size_before = 0; size_before != component.missions();) {
       size_before = component.missions();
       for (auto at = open.begin(); at != open.end();) {
+        const auto tried = known_then_m2.find(*at);
+        const double known_m2 = component.known_m2();
+        if (tried != known_then_m2.end() && known_m2 - tried->second < options.search_growth_m2) {
+          ++at;
+          continue;
+        }
+        known_then_m2[*at] = known_m2;
         report(progress, "join missions",
                1.0 - static_cast<double>(open.size()) / static_cast<double>(missions.size()));
         JoinedMission& mission = joined.missions[*at];

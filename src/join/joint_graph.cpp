@@ -2,8 +2,11 @@
 #include "joint_graph.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <utility>
 
+#include "roomatlas/grid/cells.hpp"
 #include "roomatlas/solve/optimize.hpp"
 
 namespace roomatlas {
@@ -17,6 +20,51 @@ Eigen::Matrix3d information_of(const OwnSigmas& sigmas, double apart_m) {
       1.0 / (heading_rad * heading_rad);
   return weights.asDiagonal();
 }
+
+/// Places of visits in squares, for the nearest ones: a store of many missions is one mission here,
+/// and may have thousands.
+class EarlierVisits {
+ public:
+  void add(const Point2& at) {
+    const Cell cell = frame_.cell_of(at);
+    squares_[{cell.y, cell.x}].push_back(places_.size());
+    places_.push_back(at);
+  }
+
+  /// By distance, then by number; fewer than `count` only where there are no more.
+  [[nodiscard]] std::vector<std::size_t> nearest(const Point2& at, std::size_t count) const {
+    std::vector<std::pair<double, std::size_t>> found;
+    const std::size_t wanted = std::min(count, places_.size());
+    const Cell middle = frame_.cell_of(at);
+    // Whatever lies outside of `ring` squares is at least so many sides away.
+    for (int ring = 0; wanted > 0; ++ring) {
+      for_each_cell(
+          {{middle.x - ring, middle.y - ring}, {middle.x + ring + 1, middle.y + ring + 1}},
+          [&](const Cell& cell) {
+            const bool is_on_ring =
+                std::abs(cell.x - middle.x) == ring || std::abs(cell.y - middle.y) == ring;
+            if (!is_on_ring) return;
+            const auto there = squares_.find({cell.y, cell.x});
+            if (there == squares_.end()) return;
+            for (const std::size_t i : there->second) {
+              found.emplace_back((places_[i] - at).norm(), i);
+            }
+          });
+      if (found.size() < wanted) continue;
+      std::sort(found.begin(), found.end());
+      if (found[wanted - 1].first <= ring * frame_.cell_m) break;
+    }
+    std::vector<std::size_t> nearest;
+    for (std::size_t k = 0; k < wanted; ++k) nearest.push_back(found[k].second);
+    return nearest;
+  }
+
+ private:
+  static constexpr double kSquareM = 4.0;  ///< a room or so
+  CellFrame frame_{kSquareM};
+  std::map<std::pair<int, int>, std::vector<std::size_t>> squares_;
+  std::vector<Point2> places_;
+};
 
 /// A mission's own correction as measurements between its visits: each against the one before, and
 /// against the nearest of the earlier ones, so that it bends as a sheet does and not as a chain.
@@ -39,8 +87,12 @@ class OwnMeasurements {
       add_headings_to(graph, node_of);
       return;
     }
+    EarlierVisits visits;
     for (std::size_t i = 1; i < mission_.shapes.size(); ++i) {
-      for (const std::size_t earlier : held_to(i)) {
+      if (i > 1) visits.add(pose(i - 2).position());
+      std::vector<std::size_t> held_to = visits.nearest(pose(i).position(), neighbours_);
+      held_to.push_back(i - 1);
+      for (const std::size_t earlier : held_to) {
         const Pose2 between = inverse(pose(earlier)) * pose(i);
         graph.edges.push_back({node_of.at(mission_.shapes[earlier].id),
                                node_of.at(mission_.shapes[i].id), EdgeKind::odometry, between,
@@ -66,21 +118,6 @@ class OwnMeasurements {
     return mission_.mission_from_asr.at(mission_.shapes[i].id);
   }
 
-  [[nodiscard]] std::vector<std::size_t> held_to(std::size_t i) const {
-    std::vector<std::size_t> earlier;
-    for (std::size_t k = 0; k + 1 < i; ++k) earlier.push_back(k);
-    const std::size_t count = std::min(neighbours_, earlier.size());
-    std::partial_sort(earlier.begin(), earlier.begin() + static_cast<std::ptrdiff_t>(count),
-                      earlier.end(), [&](std::size_t a, std::size_t b) {
-                        const double a_m = (pose(a).position() - pose(i).position()).norm();
-                        const double b_m = (pose(b).position() - pose(i).position()).norm();
-                        return a_m != b_m ? a_m < b_m : a < b;
-                      });
-    earlier.resize(count);
-    earlier.push_back(i - 1);
-    return earlier;
-  }
-
   const MissionMap& mission_;
   const OwnSigmas& sigmas_;
   double robust_sigmas_;
@@ -90,39 +127,81 @@ class OwnMeasurements {
 
 }  // namespace
 
-void solve_joint(const std::vector<const MissionMap*>& missions, const JoinOptions& options,
-                 Placement& placement, std::vector<Closure>& closures) {
-  PoseGraph graph;
-  std::map<AsrId, std::int32_t> node_of;
-  for (const MissionMap* mission : missions) {
-    for (const AsrShape& shape : mission->shapes) {
-      node_of[shape.id] = static_cast<std::int32_t>(graph.ids.size());
-      graph.ids.push_back(shape.id);
-      graph.guess.push_back(placement.at(shape.id));
-    }
+namespace {
+
+using NodeOf = std::map<AsrId, std::int32_t>;
+
+constexpr double kThrownOut = 0.05;  // of its weight left: a match elsewhere than all the others
+
+void add_nodes(const MissionMap& mission, const Placement& placement, PoseGraph& graph,
+               NodeOf& node_of) {
+  for (const AsrShape& shape : mission.shapes) {
+    node_of[shape.id] = static_cast<std::int32_t>(graph.ids.size());
+    graph.ids.push_back(shape.id);
+    graph.guess.push_back(placement.at(shape.id));
   }
-  for (const MissionMap* mission : missions)
-    OwnMeasurements(*mission, options).add_to(graph, node_of);
-  std::vector<std::size_t> closure_of_edge;
-  const std::size_t first = graph.edges.size();
-  for (std::size_t k = 0; k < closures.size(); ++k) {
-    const Closure& closure = closures[k];
-    if (closure.verdict != ClosureVerdict::accepted || !node_of.contains(closure.from)) continue;
-    closure_of_edge.push_back(k);
-    graph.edges.push_back({node_of.at(closure.from), node_of.at(closure.to), EdgeKind::loop,
-                           closure.match.first_from_second, closure.match.information,
-                           options.robust_sigmas});
-  }
+}
+
+/// Solves, moves the visits, and tells closures that were thrown out.
+/// @param closure_of_edge of the edges from `first` on
+/// @returns how many were thrown out
+int solve(const PoseGraph& graph, const NodeOf& node_of,
+          const std::vector<Closure*>& closure_of_edge, std::size_t first, Placement& placement) {
   const OptimizeResult result = optimize(graph, {});
   for (const auto& [id, node] : node_of) {
     placement[id] = result.poses[static_cast<std::size_t>(node)];
   }
-  constexpr double kThrownOut = 0.05;  // of its weight left: a match elsewhere than all the others
+  int thrown_out = 0;
   for (std::size_t k = 0; k < closure_of_edge.size(); ++k) {
-    if (result.edges[first + k].weight < kThrownOut) {
-      closures[closure_of_edge[k]].verdict = ClosureVerdict::contradicted;
-    }
+    if (result.edges[first + k].weight >= kThrownOut) continue;
+    closure_of_edge[k]->verdict = ClosureVerdict::contradicted;
+    ++thrown_out;
   }
+  return thrown_out;
+}
+
+}  // namespace
+
+void solve_joint(const std::vector<const MissionMap*>& missions, const JoinOptions& options,
+                 Placement& placement, std::vector<Closure>& closures) {
+  PoseGraph graph;
+  NodeOf node_of;
+  for (const MissionMap* mission : missions) add_nodes(*mission, placement, graph, node_of);
+  for (const MissionMap* mission : missions)
+    OwnMeasurements(*mission, options).add_to(graph, node_of);
+  std::vector<Closure*> closure_of_edge;
+  const std::size_t first = graph.edges.size();
+  for (Closure& closure : closures) {
+    if (closure.verdict != ClosureVerdict::accepted || !node_of.contains(closure.from)) continue;
+    closure_of_edge.push_back(&closure);
+    graph.edges.push_back({node_of.at(closure.from), node_of.at(closure.to), EdgeKind::loop,
+                           closure.match.first_from_second, closure.match.information,
+                           options.robust_sigmas});
+  }
+  (void)solve(graph, node_of, closure_of_edge, first, placement);
+}
+
+bool solve_alone(const MissionMap& mission, const JoinOptions& options, Placement& placement,
+                 std::span<Closure> closures) {
+  // All that stays is one node, the first, which the solver holds: what lies in it is measured
+  // from its frame.
+  PoseGraph graph;
+  graph.ids.push_back(0);
+  graph.guess.emplace_back();
+  NodeOf node_of;
+  add_nodes(mission, placement, graph, node_of);
+  OwnMeasurements(mission, options).add_to(graph, node_of);
+  std::vector<Closure*> closure_of_edge;
+  const std::size_t first = graph.edges.size();
+  for (Closure& closure : closures) {
+    if (closure.verdict != ClosureVerdict::accepted) continue;
+    closure_of_edge.push_back(&closure);
+    graph.edges.push_back({0, node_of.at(closure.to), EdgeKind::loop,
+                           placement.at(closure.from) * closure.match.first_from_second,
+                           closure.match.information, options.robust_sigmas});
+  }
+  if (closure_of_edge.empty()) return true;  // nothing holds it but where it was found
+  return solve(graph, node_of, closure_of_edge, first, placement) == 0;
 }
 
 }  // namespace roomatlas

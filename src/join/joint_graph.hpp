@@ -2,6 +2,7 @@
 // The poses of all visits of joined missions, by least squares.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "roomatlas/join/join_missions.hpp"
@@ -16,5 +17,13 @@ namespace roomatlas {
 /// @param closures between them
 void solve_joint(const std::vector<const MissionMap*>& missions, const JoinOptions& options,
                  Placement& placement, std::vector<Closure>& closures);
+
+/// Moves the visits of one mission alone, against what is joined already, which stays where it is:
+/// costs what the mission costs. Of its matches those that contradict the others get that verdict.
+/// @param placement of all visits; those of the mission are moved
+/// @param closures of the mission with others
+/// @returns false where any match contradicts, so that what is joined may have to give way
+[[nodiscard]] bool solve_alone(const MissionMap& mission, const JoinOptions& options,
+                               Placement& placement, std::span<Closure> closures);
 
 }  // namespace roomatlas

@@ -134,15 +134,25 @@ BuildingIndex::BuildingIndex(const FloorSketch& building_sketch, const LocateOpt
 
 BuildingIndex::~BuildingIndex() = default;
 
+double BuildingIndex::known_m2() const {
+  return static_cast<double>(known_cells_) * kFloorCellM * kFloorCellM;
+}
+
+void BuildingIndex::note(TileGrid<char>& seen, const TileGrid<char>& other, const Cell& cell) {
+  char& value = seen.edit(cell);
+  if (value == 0 && other.at(cell) == 0) ++known_cells_;
+  value = 1;
+}
+
 void BuildingIndex::add(const FloorSketch& sketch) {
   const std::vector<double> directions = direction_histogram(sketch.walls);
   std::transform(directions_.begin(), directions_.end(), directions.begin(), directions_.begin(),
                  std::plus<>());
   for (const ScanPoint& wall : sketch.walls) {
     faces_.add(Face{wall.position, wall.normal, kFaceHits});
-    walls_.edit(coarse().cell_of(wall.position)) = 1;
+    note(walls_, floor_, coarse().cell_of(wall.position));
   }
-  for (const Point2& at : sketch.floor) floor_.edit(coarse().cell_of(at)) = 1;
+  for (const Point2& at : sketch.floor) note(floor_, walls_, coarse().cell_of(at));
   plane_ = std::make_unique<CorrelationPlane>(
       layers_of(walls_, floor_),
       static_cast<int>(std::ceil(options_.max_query_m / kFloorCellM)) + 3);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -99,6 +100,31 @@ MemberMission member_of(const AssemblyStore& store, const JoinedMission& joined,
   member.pieces = static_cast<int>(joined.best.pieces.size());
   member.pieces_fitting = static_cast<int>(joined.best.fitting());
   return member;
+}
+
+/// Which of the members are drawn: those that are named, by name or number, or all.
+std::vector<bool> drawn_of(const std::vector<MemberMission>& members,
+                           const std::vector<std::string>& named) {
+  std::vector<bool> drawn(members.size(), named.empty());
+  for (const std::string& name : named) drawn[index_of(members, name)] = true;
+  return drawn;
+}
+
+/// Visits from which nothing is drawn: of missions that were not asked for, and of sonars where
+/// lasers saw the building.
+/// @returns whether lasers are drawn
+bool leave_out(const std::vector<MemberMission>& members, const std::vector<std::string>& named,
+               std::set<AsrId>& not_drawn) {
+  const std::vector<bool> drawn = drawn_of(members, named);
+  bool has_laser = false;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    has_laser = has_laser || (drawn[i] && members[i].sensor == SensorKind::laser);
+  }
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (drawn[i] && (!has_laser || members[i].sensor == SensorKind::laser)) continue;
+    for (AsrId id = members[i].first_asr; id <= members[i].last_asr; ++id) not_drawn.insert(id);
+  }
+  return has_laser;
 }
 
 /// Takes a store's missions and visits into a building, with the numbers that follow.
@@ -204,13 +230,8 @@ Assembly assemble_joined(AssemblyStore& store, const JoinedBuilding& building,
       correct_to(asrs, corrected.graph, building.placement, options.assemble.correct);
   corrected.correction.model = "joined";
   corrected.correction.message = "placed by matching several missions";
-  bool has_laser = false;
-  for (const MemberMission& member : building.members) {
-    has_laser = has_laser || member.sensor == SensorKind::laser;
-    if (member.sensor == SensorKind::laser) continue;
-    for (AsrId id = member.first_asr; id <= member.last_asr; ++id) corrected.not_drawn.insert(id);
-  }
-  if (!has_laser) corrected.not_drawn.clear();
+  const bool has_laser =
+      leave_out(building.members, options.assemble.missions, corrected.not_drawn);
   Assembly assembly =
       assemble_corrected(has_laser ? MissionKind::laser : MissionKind::sonar, store,
                          std::move(corrected), store.mission().footprint, options, progress);

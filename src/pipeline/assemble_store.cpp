@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "put_assembly.hpp"
+#include "roomatlas/core/issue.hpp"
 #include "roomatlas/merge/carry_over.hpp"
 #include "roomatlas/pipeline/assemble.hpp"
 #include "roomatlas/pipeline/assemble_joined.hpp"
@@ -28,6 +29,9 @@ Assembly assemble_store(AssemblyStore& store, const Options& options,
     building.placement = placement_of(store.correction());
     building.closures = store.closures();
     return assemble_joined(store, building, options, configuration, progress);
+  }
+  if (!options.assemble.missions.empty()) {
+    throw UsageError("--missions: the store is of one mission, there is nothing to choose from");
   }
   Assembly assembly = assemble(store, store.mission().footprint, options, progress);
   put_with_former_rooms(store, configuration, assembly);

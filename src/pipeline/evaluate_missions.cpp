@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -43,12 +44,30 @@ std::vector<TimeSpan> spans_of(const std::vector<Trajectory>& trajectories) {
   return spans;
 }
 
-bool overlap(std::vector<TimeSpan> spans) {
-  std::erase_if(spans, [](const TimeSpan& span) { return !span.is_there; });
-  std::sort(spans.begin(), spans.end(),
-            [](const TimeSpan& a, const TimeSpan& b) { return a.first_s < b.first_s; });
-  for (std::size_t i = 1; i < spans.size(); ++i) {
-    if (spans[i].first_s <= spans[i - 1].last_s) return true;
+/// Whether two missions are parts of one recording: where both have a time, odometry is the same.
+bool is_one_recording(const Trajectory& first, const Trajectory& second) {
+  std::map<double, Pose2> poses;
+  for (const StampedPose& pose : first) poses.emplace(pose.timestamp_s, pose.pose);
+  std::size_t shared = 0;
+  for (const StampedPose& pose : second) {
+    const auto there = poses.find(pose.timestamp_s);
+    if (there == poses.end()) continue;
+    const Pose2 off = inverse(there->second) * pose.pose;
+    if (off.position().norm() > 1e-6 || std::abs(off.theta_rad) > 1e-6) return false;
+    ++shared;
+  }
+  return shared > 0;
+}
+
+/// Whether any time may be that of two missions, so that it does not tell which is meant.
+/// @param odometry of each mission, as in its log
+bool do_clocks_clash(const std::vector<TimeSpan>& spans, const std::vector<Trajectory>& odometry) {
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    for (std::size_t k = i + 1; k < spans.size(); ++k) {
+      const bool meet = spans[i].is_there && spans[k].is_there &&
+                        spans[i].first_s <= spans[k].last_s && spans[k].first_s <= spans[i].last_s;
+      if (meet && !is_one_recording(odometry[i], odometry[k])) return true;
+    }
   }
   return false;
 }
@@ -59,29 +78,15 @@ PlacedMission placed_mission(const AsrSource& source, Correction correction,
   std::erase_if(correction.asrs, [&](const AsrCorrection& asr) {
     return asr.asr < member.first_asr || asr.asr > member.last_asr;
   });
-  PlacedMission placed = place(source, correction);
-  if (placed.corrected.empty()) return placed;
-  const Pose2 begun = placed.corrected.front().pose * inverse(placed.odometry.front().pose);
-  for (StampedPose& pose : placed.odometry) pose.pose = begun * pose.pose;
-  return placed;
+  return place(source, correction);
 }
 
-bool is_called(const MemberMission& member, std::size_t number, const std::string& name) {
-  return name == member.name || name == std::to_string(number) ||
-         name == member.name.substr(0, member.name.find('.'));
-}
-
-std::size_t index_of(const std::vector<MemberMission>& members, const std::string& name) {
-  std::vector<std::size_t> found;
-  std::string known;
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    if (is_called(members[i], i + 1, name)) found.push_back(i);
-    known += (i > 0 ? ", " : "") + std::to_string(i + 1) + " (" + members[i].name + ")";
-  }
-  if (found.size() == 1) return found.front();
-  throw UsageError("truth of mission " + name + ": the building has " +
-                   (found.empty() ? "none" : "several") + " of that name: its missions are " +
-                   known + "; say the number");
+/// Odometry that begins where the corrected path begins.
+Trajectory begun_at(const Trajectory& corrected, Trajectory odometry) {
+  if (corrected.empty()) return odometry;
+  const Pose2 begun = corrected.front().pose * inverse(odometry.front().pose);
+  for (StampedPose& pose : odometry) pose.pose = begun * pose.pose;
+  return odometry;
 }
 
 /// The truth of each mission, in its own clock: what is named, else what came with it.
@@ -144,17 +149,17 @@ std::vector<Relation> within(const std::vector<Relation>& relations, const TimeS
   return some;
 }
 
+/// Relations that lead from one mission to another.
 std::vector<Relation> between(const std::vector<Relation>& relations,
                               const std::vector<TimeSpan>& spans) {
-  const auto mission_at = [&](double time_s) {
-    return std::find_if(spans.begin(), spans.end(),
-                        [&](const TimeSpan& span) { return span.holds(time_s); });
-  };
+  const auto any = [&](auto holds) { return std::any_of(spans.begin(), spans.end(), holds); };
   std::vector<Relation> some;
   for (const Relation& one : relations) {
-    const auto first = mission_at(one.t1_s);
-    const auto second = mission_at(one.t2_s);
-    if (first != spans.end() && second != spans.end() && first != second) some.push_back(one);
+    const bool in_one =
+        any([&](const TimeSpan& span) { return span.holds(one.t1_s) && span.holds(one.t2_s); });
+    const bool in_some = any([&](const TimeSpan& span) { return span.holds(one.t1_s); }) &&
+                         any([&](const TimeSpan& span) { return span.holds(one.t2_s); });
+    if (in_some && !in_one) some.push_back(one);
   }
   return some;
 }
@@ -190,6 +195,7 @@ JoinedPaths joined_paths(const AssemblyStore& store, const Truth& truth,
   const std::vector<MemberMission> members = store.members();
   const Correction correction = store.correction();
   JoinedPaths paths;
+  std::vector<Trajectory> recorded;
   for (const MemberMission& member : members) {
     PlacedMission placed = placed_mission(store, correction, member);
     const auto prepared = [&](const char* what, Trajectory trajectory) {
@@ -197,11 +203,13 @@ JoinedPaths joined_paths(const AssemblyStore& store, const Truth& truth,
                  ? preparation.prepare(member.name + " " + what, std::move(trajectory))
                  : trajectory;
     };
-    paths.odometry.push_back(prepared("odometry", std::move(placed.odometry)));
+    recorded.push_back(placed.odometry);
+    paths.odometry.push_back(
+        prepared("odometry", begun_at(placed.corrected, std::move(placed.odometry))));
     paths.corrected.push_back(prepared("corrected", std::move(placed.corrected)));
   }
   const std::vector<TimeSpan> spans = spans_of(paths.corrected);
-  const bool is_shared = overlap(spans);
+  const bool is_shared = do_clocks_clash(spans, recorded);
   if (is_shared && (!truth.poses.empty() || !truth.relations.empty())) {
     throw UsageError(
         "the times of the missions overlap: say whose truth it is, --truth MISSION=FILE with the "

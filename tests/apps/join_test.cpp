@@ -140,6 +140,28 @@ TEST_F(Join, AddsAMissionToABuildingThatKeepsItsRooms) {
   EXPECT_THAT(names, ::testing::Contains("Kitchen"));
 }
 
+TEST_F(Join, DrawsWhatSomeOfTheMissionsSawAlone) {
+  const std::string half = log("half", "two_rooms", "--sensor laser --seed 5 --max-time 40");
+  const std::string place = (*folder_ / "some").string();
+  ASSERT_EQ(run("-q build " + one_ + " " + half + " -o " + place).exit_code, 0);
+  const std::string store = place + "/building.gpkg";
+  const auto area_m2 = [](const std::string& file) {
+    double sum = 0.0;
+    const FloorPlan plan = GeoPackageStore(file, GeoPackageStore::Mode::read).plan();
+    for (const PlanRoom& room : plan.rooms) sum += room.area_m2;
+    return sum;
+  };
+  const double all_m2 = area_m2(store);
+  const double half_m2 = area_m2(place + "/missions/half.gpkg");
+  ASSERT_GT(std::abs(half_m2 - all_m2), 0.3);  // a short drive leaves corners out
+  ASSERT_EQ(run("-q assemble " + store + " --missions half").exit_code, 0);
+  EXPECT_NEAR(area_m2(store), half_m2, 0.15);
+  ASSERT_EQ(run("-q assemble " + store + " --missions 1,2").exit_code, 0);
+  EXPECT_NEAR(area_m2(store), all_m2, 1e-3);
+  EXPECT_EQ(run("-q assemble " + store + " --missions other").exit_code, 2);
+  EXPECT_EQ(run("-q assemble " + place + "/missions/one.gpkg --missions 1").exit_code, 2);
+}
+
 TEST_F(Join, LeavesAMissionOfAnotherBuildingAloneAndSaysSo) {
   const std::string other = log("other", "open_hall", "--sensor laser --tour --seed 4");
   const std::string place = (*folder_ / "apart").string();

@@ -31,7 +31,7 @@ inline const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"merge", {"core", "plan", "planar"}},
     {"locate", {"core", "grid", "match", "asr", "sonar", "loops"}},
     {"join", {"core", "grid", "solve", "loops", "locate"}},
-    {"assembly", {"plan", "asr", "graph", "sonar", "correct", "loops", "mission"}},
+    {"assembly", {"core", "plan", "asr", "graph", "sonar", "correct", "loops", "mission"}},
     {"evaluate", {"core", "plan", "polyline", "asr", "correct", "loops", "assembly", "planar"}},
     {"trust",
      {"plan", "mission", "asr", "graph", "solve", "correct", "loops", "assembly", "evaluate"}},

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "roomatlas/mission/mission.hpp"
 #include "roomatlas/plan/ids.hpp"
@@ -24,5 +25,11 @@ struct MemberMission {
   /// How many of the building's true poses are its own: those of the missions follow each other.
   std::int64_t true_poses = 0;
 };
+
+/// The mission of that name: as its log is called, the same without its endings, or its number from
+/// 1.
+/// @throws UsageError where there is none, or several
+[[nodiscard]] std::size_t index_of(const std::vector<MemberMission>& members,
+                                   const std::string& name);
 
 }  // namespace roomatlas

@@ -26,11 +26,16 @@ struct JoinOptions {
   int max_matches = 3;  ///< ... the nearest of other missions, so many at most
   SearchWindow window{0.5, radians(2.5)};        ///< around where the mission was placed
   SearchWindow again_window{1.2, radians(4.0)};  ///< once all are placed: what a mission bent ...
-  int rounds = 2;                                ///< ... is straightened in so many rounds
-  int min_agreeing = 60;                         ///< points on common walls, of lasers ...
-  int min_agreeing_sonar = 30;  ///< ... and where one of the two is a sonars' visit
-  double min_agreement = 0.65;  ///< of the points that can tell
-  double robust_sigmas = 2.0;   ///< matches off by more lose weight (Cauchy)
+  /// All are solved together when so large a share of the visits is new, or where matches of a new
+  /// mission contradict each other; else it is moved alone, which costs what it costs.
+  double solve_growth = 0.3;
+  double search_growth_m2 = 5.0;  ///< who found no place is looked for again once so much more
+                                  ///< floor and wall is known
+  int rounds = 2;                 ///< ... is straightened in so many rounds
+  int min_agreeing = 60;          ///< points on common walls, of lasers ...
+  int min_agreeing_sonar = 30;    ///< ... and where one of the two is a sonars' visit
+  double min_agreement = 0.65;    ///< of the points that can tell
+  double robust_sigmas = 2.0;     ///< matches off by more lose weight (Cauchy)
 };
 
 /// What became of one mission.

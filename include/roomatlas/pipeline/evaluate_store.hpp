@@ -37,8 +37,8 @@ struct JoinedPaths {
 };
 
 /// @param store of several missions, assembled
-/// @throws UsageError where truth is of no one mission though the missions' times overlap, or names
-///   a mission that is none or several of them
+/// @throws UsageError where truth is of no one mission though the missions' times overlap (parts of
+///   one recording may), or names a mission that is none or several of them
 [[nodiscard]] JoinedPaths joined_paths(const AssemblyStore& store, const Truth& truth,
                                        const TrajectoryPreparation& preparation = {});
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "roomatlas/asr/recorder.hpp"
 #include "roomatlas/correct/correct.hpp"
 #include "roomatlas/draft/draft_building.hpp"
@@ -39,6 +42,8 @@ struct AssembleOptions {
   bool correct_sonars = true;  ///< a mission with sonars alone is corrected as a whole first; off:
                                ///< its rooms as odometry bent them
   SonarTrajectoryOptions sonars;
+  std::vector<std::string> missions;  ///< of several, by name or number: those that are drawn;
+                                      ///< empty: all
   int answer =
       1;  ///< which of several that explain the readings about equally well, the best first
   bool match_rooms = true;  ///< match localized rooms by their walls; off: doorways alone
