@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "console.hpp"
+#include "progress_text.hpp"
 #include "roomatlas/core/counted.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +8,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <memory>
@@ -63,18 +64,48 @@ void set_up_console(const Settings& settings) {
   spdlog::set_default_logger(logger);
 }
 
-Progress console_progress(const Settings& settings) {
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  return [=, watch = std::make_shared<SignalWatch>(), last = std::string()](
-             const std::string& stage, double done) mutable {
-    if (settings.quiet) return stop_requested == 0;
-    if (terminal) {
-      const int percent = static_cast<int>(100.0 * std::clamp(done, 0.0, 1.0));
-      std::fprintf(stderr, "\r\033[K%s %d %%\r", stage.c_str(), percent);
-    } else if (stage != last) {
-      std::fprintf(stderr, "%s ...\n", stage.c_str());
+namespace {
+
+/// Shows how far a stage is.
+class ProgressLine {
+ public:
+  void show(const std::string& stage, double done) {
+    const auto now = Clock::now();
+    if (stage != stage_) {
+      stage_ = stage;
+      began_ = now;
+      told_ = now;
+      if (!is_terminal_) std::fprintf(stderr, "%s ...\n", stage.c_str());
     }
-    last = stage;
+    const std::string text = progress_text(stage, done, seconds(now - began_));
+    if (is_terminal_) {
+      std::fprintf(stderr, "\r\033[K%s\r", text.c_str());
+    } else if (seconds(now - told_) >= kBetweenLines_s) {
+      std::fprintf(stderr, "%s\n", text.c_str());
+      told_ = now;
+    }
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr double kBetweenLines_s = 10.0;  // where lines stay, few of them
+
+  static double seconds(Clock::duration time) {
+    return std::chrono::duration<double>(time).count();
+  }
+
+  bool is_terminal_ = isatty(STDERR_FILENO) != 0;
+  std::string stage_;
+  Clock::time_point began_;
+  Clock::time_point told_;
+};
+
+}  // namespace
+
+Progress console_progress(const Settings& settings) {
+  return [quiet = settings.quiet, watch = std::make_shared<SignalWatch>(),
+          line = std::make_shared<ProgressLine>()](const std::string& stage, double done) {
+    if (!quiet) line->show(stage, done);
     return stop_requested == 0;
   };
 }

@@ -12,9 +12,10 @@ namespace roomatlas::apps {
 /// but what --json prints.
 void set_up_console(const Settings& settings);
 
-/// Progress on stderr: one line that is overwritten on a terminal, one line a stage elsewhere,
-/// none with --quiet. Says stop after Ctrl-C or SIGTERM, which are caught as long as it or a copy
-/// lives: a second one ends the process at once, as the first does where nobody asks.
+/// Progress on stderr, with the time left: one line that is overwritten on a terminal; elsewhere
+/// one line a stage, and one each 10 s; none with --quiet. Says stop after Ctrl-C or SIGTERM, which
+/// are caught as long as it or a copy lives: a second one ends the process at once, as the first
+/// does where nobody asks.
 [[nodiscard]] Progress console_progress(const Settings& settings);
 
 /// Shows warnings and errors, the first `limit` of them, and how many more there are. Notes are

@@ -101,7 +101,7 @@ MappedBuilding building_of(MissionKind kind, const AsrSource& source, const Asse
     const Pose2 axes = axes_from_building(source, placement, gather, options.jobs);
     const BuildingEvidence evidence =
         gather_evidence(source, moved(placement, axes), footprint, gather, progress, options.jobs);
-    report(progress, "draft", 0.0);
+    report(progress, "draft", -1.0);
     DraftedBuilding drafted = draft_building(evidence, assemble.draft, options.jobs);
     return moved(mapped_building_of(std::move(drafted), evidence, map), inverse(axes));
   }
@@ -147,7 +147,7 @@ CorrectedMission correct_mission(MissionKind kind, const AsrSource& source,
   if (kind == MissionKind::sonar) {
     return correct_sonar_mission(source, footprint, options, progress);
   }
-  report(progress, "correct", 0.0);
+  report(progress, "correct", -1.0);
   return kind == MissionKind::laser ? correct_laser_mission(source, options, progress)
                                     : correct_paper_mission(load(source, AsrDetail::path), options);
 }
@@ -172,12 +172,12 @@ Assembly assemble_corrected(MissionKind kind, const AsrSource& source, Corrected
   assembly.room_of_asr = building.room_of_asr;
   assembly.doors = building.doors;
   set_rooms(assembly.graph, assembly.room_of_asr);
-  report(progress, "merge", 0.0);
+  report(progress, "merge", -1.0);
   draw_up(std::move(building), options.assemble, assembly);
   for (const Issues& issues : {unused, lost_on_the_way(assembly.graph)}) {
     assembly.plan.issues.insert(assembly.plan.issues.end(), issues.begin(), issues.end());
   }
-  report(progress, "judge", 0.0);
+  report(progress, "judge", -1.0);
   if (kind == MissionKind::sonar && !assembly.sonars) return assembly;  // several missions' sonars
   assembly.judgement = judge_map(
       map_figures(WithPaths(recorded, assembly.paths), assembly, options.assemble.correct),
@@ -191,7 +191,7 @@ Assembly assemble_corrected(MissionKind kind, const AsrSource& source, Corrected
 
 Assembly assemble(const AsrSource& source, const RobotFootprint& footprint, const Options& options,
                   const Progress& progress) {
-  report(progress, "load", 0.0);
+  report(progress, "load", -1.0);
   if (source.ids().empty()) {
     throw NotEnoughError("the store holds no ASR: run `roomatlas map` first");
   }

@@ -22,14 +22,14 @@ Assembly assemble_map(const MapCells& map, const Options& options, const Progres
   const BuildingEvidence evidence = evidence_of_map(map);
   Assembly assembly;
   if (evidence.surfaces.empty()) return assembly;
-  report(progress, "draft", 0.0);
+  report(progress, "draft", -1.0);
   DraftBuildingOptions draft = assemble.draft;
   draft.walls.thickest_m = std::max(draft.walls.thickest_m, kThickestWall_m);
   MappedBuilding building = moved(mapped_building_of(draft_building(evidence, draft, options.jobs),
                                                      evidence, options.map.record.map),
                                   map.building_from_map);
   assembly.doors = building.doors;
-  report(progress, "merge", 0.0);
+  report(progress, "merge", -1.0);
   draw_up(std::move(building), assemble, assembly);
   return assembly;
 }

@@ -24,16 +24,16 @@ std::vector<RangeReading> readings_of(const AsrSource& source) {
 
 CorrectedMission correct_sonar_mission(const AsrSource& source, const RobotFootprint& footprint,
                                        const Options& options, const Progress& progress) {
-  report(progress, "correct sonars", 0.0);
+  report(progress, "correct sonars", -1.0);
   const std::vector<RangeReading> readings = readings_of(source);
   const DriveDirections directions = find_drive_directions(readings, options.map.directions);
   SonarTrajectoryOptions sonars = options.assemble.sonars;
   sonars.take_second = options.assemble.answer == 2;
   SonarTrajectory trajectory = correct_sonar_trajectory(
-      readings, directions, sonars, [&] { report(progress, "correct sonars", 0.0); }, options.jobs);
+      readings, directions, sonars, [&] { report(progress, "correct sonars", -1.0); }, options.jobs);
   RecordedAgain again =
       record_again(readings, trajectory.map_from_robot, footprint, options.map.record);
-  report(progress, "correct", 0.0);
+  report(progress, "correct", -1.0);
   const std::vector<Asr> asrs = load(again.asrs, AsrDetail::path);
   CorrectedMission result;
   result.graph = build_graph(asrs);
