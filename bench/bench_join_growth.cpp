@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "changes/driven_mission.hpp"
@@ -88,8 +90,9 @@ double exponent(const std::vector<std::pair<double, double>>& points) {
 int run(int buildings, int most, std::uint64_t seed) {
   const std::vector<MissionMap> drives = driven_campus(buildings, seed);
   std::printf(
-      "| missions | visits | joined | buildings | matches | processor (s) | a mission (s) |\n"
-      "|---|---|---|---|---|---|---|\n");
+      "| missions | visits | joined | buildings | matches | searches | processor (s) | searching "
+      "(s) "
+      "| matching again (s) | a mission (s) |\n|---|---|---|---|---|---|---|---|---|---|\n");
   std::vector<std::pair<double, double>> points;
   for (int count = 10; count <= most; count *= 2) {
     Draw draw(seed, 1);
@@ -100,13 +103,27 @@ int run(int buildings, int most, std::uint64_t seed) {
           static_cast<std::size_t>(draw.whole(0, static_cast<int>(drives.size()) - 1));
       missions.push_back(stretch_of(drives[drive], next, draw));
     }
+    // Which stage the time since the last report was spent in.
+    std::map<std::string, double> spent_s;
+    std::string stage = "begin";
+    int searches = 0;
     const double from_s = processor_s();
-    const JoinedMissions joined = join_missions(missions, {});
+    double last_s = from_s;
+    const JoinedMissions joined = join_missions(missions, {}, [&](const std::string& now, double) {
+      const double now_s = processor_s();
+      spent_s[stage] += now_s - last_s;
+      last_s = now_s;
+      stage = now;
+      searches += now == "join missions" ? 1 : 0;
+      return true;
+    });
     const double cost_s = processor_s() - from_s;
+    spent_s[stage] += processor_s() - last_s;
     int bases = 0;
     for (const JoinedMission& mission : joined.missions) bases += mission.is_base ? 1 : 0;
-    std::printf("| %d | %d | %d | %d | %zu | %.1f | %.2f |\n", count, static_cast<int>(next) - 1,
-                count - bases, bases, joined.closures.size(), cost_s, cost_s / count);
+    std::printf("| %d | %d | %d | %d | %zu | %d | %.1f | %.1f | %.1f | %.2f |\n", count,
+                static_cast<int>(next) - 1, count - bases, bases, joined.closures.size(), searches,
+                cost_s, spent_s["look for places"], spent_s["join missions again"], cost_s / count);
     std::fflush(stdout);
     points.emplace_back(count, cost_s);
     if (count < most && 2 * count > most) count = most / 2;
