@@ -6,7 +6,7 @@
 
 #include "console.hpp"
 #include "roomatlas/io/maps/label_plan.hpp"
-#include "roomatlas/io/plans/plan_geojson.hpp"
+#include "roomatlas/io/plans/rooms_geojson.hpp"
 #include "roomatlas/io/plans/spans_file.hpp"
 #include "roomatlas/io/trajectories/relations.hpp"
 #include "roomatlas/io/trajectories/trajectory_file.hpp"
@@ -21,24 +21,30 @@ void require_content(const Path& file) {
   }
 }
 
-/// True for JSON that says nothing of being a plan of this program.
-bool is_other_json(const Path& file) {
+/// What a JSON file is, as far as its outside tells.
+/// A plan on the earth is features, as of any program: its frame is no robot's.
+enum class JsonKind { plan, features, other, broken };
+
+JsonKind json_kind(const Path& file) {
   std::ifstream in(file, std::ios::binary);
   const auto json = nlohmann::json::parse(in, nullptr, false);
-  return !json.is_discarded() && !(json.is_object() && json.contains("roomatlas"));
+  if (json.is_discarded()) return JsonKind::broken;
+  if (!json.is_object()) return JsonKind::other;
+  const auto own = json.find("roomatlas");
+  const bool is_plan = own != json.end() && !(own->is_object() && own->contains("origin"));
+  if (is_plan) return JsonKind::plan;
+  return json.value("type", nlohmann::json()) == "FeatureCollection" ? JsonKind::features
+                                                                     : JsonKind::other;
 }
 
 FloorPlan plan_in(const Path& file) {
-  try {
-    return read_plan(file);
-  } catch (const InputError&) {
-    if (!is_other_json(file)) throw;
-    throw InputError(
-        file.string() +
-        ": is no plan of this program: it lacks the property \"roomatlas\"; known are plans "
-        "(plan.local.geojson of `roomatlas export`), room labels (.pgm, .pgm.gz), spans (.csv), "
-        ".relations, and trajectories (TUM, g2o, CARMEN logs with TRUEPOS)");
-  }
+  if (json_kind(file) != JsonKind::other) return read_any_plan(file);
+  throw InputError(
+      file.string() +
+      ": is neither a plan of this program nor a FeatureCollection of rooms (GeoJSON); known are "
+      "plans (plan.local.geojson of `roomatlas export`), rooms of QGIS and OpenStreetMap "
+      "(.geojson), room labels (.pgm, .pgm.gz), spans (.csv), .relations, and trajectories (TUM, "
+      "g2o, CARMEN logs with TRUEPOS)");
 }
 
 void require_rooms(const FloorPlan& plan, const Path& file) {
@@ -63,8 +69,10 @@ void add_truth(const Path& file, const Settings& settings, Truth& truth) {
     }
   } else if (extension == ".geojson" || extension == ".json") {
     truth.plan = plan_in(file);
-    truth.plan_has_doors = true;
+    truth.plan_is_of_poses = json_kind(file) == JsonKind::plan;
+    truth.plan_has_doors = truth.plan_is_of_poses || !truth.plan->doors.empty();
     require_rooms(*truth.plan, file);
+    show(truth.plan->issues);
   } else if (extension == ".pgm") {
     truth.plan = read_label_plan(file, settings.label_pixel_m);
     truth.plan_has_doors = false;

@@ -6,10 +6,9 @@ namespace {
 
 /// Where the true plan lies: by the trajectory where it has true poses, else by the rooms alone.
 PlanAlignment alignment_of(const Evaluation& evaluation, const FloorPlan& plan,
-                           const FloorPlan& truth) {
-  if (!evaluation.true_poses || evaluation.true_poses->after.matched == 0) {
-    return align_plan(plan, truth, {});
-  }
+                           const Truth& truth) {
+  const bool has_poses = evaluation.true_poses && evaluation.true_poses->after.matched > 0;
+  if (!has_poses || !truth.plan_is_of_poses) return align_plan(plan, *truth.plan, {});
   PlanAlignment alignment;
   alignment.truth_from_building = evaluation.true_poses->after.truth_from_building;
   alignment.by = AlignedBy::trajectory;
@@ -31,7 +30,7 @@ Evaluation evaluate(const Trajectory& odometry, const Trajectory& corrected, con
   }
   if (!truth.spans.empty()) evaluation.spans = span_errors(plan, truth.spans);
   if (!truth.plan) return evaluation;
-  evaluation.plan_alignment = alignment_of(evaluation, plan, *truth.plan);
+  evaluation.plan_alignment = alignment_of(evaluation, plan, truth);
   if (evaluation.plan_alignment.by == AlignedBy::nothing) {
     evaluation.issues.push_back(
         {Severity::warning, "", 0, "truth",
@@ -41,7 +40,7 @@ Evaluation evaluate(const Trajectory& odometry, const Trajectory& corrected, con
   PlanErrorOptions options;
   options.doors_known = truth.plan_has_doors;
   evaluation.plan = plan_errors(plan, *truth.plan, evaluation.plan_alignment.truth_from_building,
-                                truth.poses, options);
+                                truth.plan_is_of_poses ? truth.poses : Trajectory{}, options);
   evaluation.walls = wall_errors(plan, *truth.plan, evaluation.plan_alignment.truth_from_building,
                                  *evaluation.plan, {});
   return evaluation;

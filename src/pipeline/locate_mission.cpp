@@ -78,7 +78,7 @@ LocatedMission locate_mission(const AssemblyStore& building, const AsrSource& as
     throw InputError(building.mission().file + ": not assembled; run `roomatlas assemble` first");
   }
   const Asked mission = corrected(asked, footprint, options, progress);
-  report(progress, "locate", 0.0);
+  report(progress, "locate", -1.0);
   const MissionMap known = mission_map_of(building, placement_of(building.correction()), options);
   const PlaceMissionOptions placing = locating_options();
   const BuildingIndex index(sketch_of(known), placing.locate);

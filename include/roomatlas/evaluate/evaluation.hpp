@@ -33,8 +33,9 @@ struct Truth {
   Trajectory poses;
   std::vector<TruthOfMission> missions;  ///< beside those above, which are of all
   std::optional<FloorPlan> plan;
-  bool plan_has_doors = true;  ///< false for a plan from a label picture
-  std::vector<Span> spans;     ///< lengths measured in the building
+  bool plan_has_doors = true;    ///< false for a plan from a label picture
+  bool plan_is_of_poses = true;  ///< false for a plan in a frame of its own: laid on by its rooms
+  std::vector<Span> spans;       ///< lengths measured in the building
 };
 
 struct RelationsBeforeAfter {

@@ -2,7 +2,7 @@
 #include "roomatlas/io/maps/read_world.hpp"
 #include "nav2_map.hpp"
 #include "occupancy_world.hpp"
-#include "roomatlas/io/plans/plan_geojson.hpp"
+#include "roomatlas/io/plans/rooms_geojson.hpp"
 
 #include <algorithm>
 
@@ -59,7 +59,7 @@ FloorPlan read_world(const Path& file, const WorldFileOptions& options) {
                        ": room labels belong to a picture, and the world " + file.string() +
                        " is not one");
     }
-    return read_plan(file);
+    return read_any_plan(file);
   }
   world.title = title_of(file);
   return world;
