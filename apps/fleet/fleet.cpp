@@ -59,16 +59,21 @@ class FleetRank {
     silent_ = console_progress(told);
   }
 
-  int run() {
+  FleetOutcome run() {
     begin();
     map();
     for (;;) {
-      const RankWorkers workers(locks_, lowest_alive(), jobs_, [this] { return stops(); });
+      const int leader = lowest_alive();
+      if (leader > 0 && leader == rank_) {
+        spdlog::warn("those before rank {} died; it leads the matching now", leader);
+      }
+      const RankWorkers workers(locks_, leader, jobs_, [this] { return stops(); });
       try {
-        if (!workers.is_leader()) return follow(workers);
-        return exit_code_of([&] { return lead(workers); });
+        const int code =
+            workers.is_leader() ? exit_code_of([&] { return lead(workers); }) : follow(workers);
+        return {code, workers.has_lost_ranks()};
       } catch (const LeaderDied&) {
-        spdlog::warn("the rank that led the matching died; rank {} leads it now", lowest_alive());
+        continue;  // with the next one, from the beginning of the matching
       }
     }
   }
@@ -206,7 +211,7 @@ void map_mission_of_fleet(const Settings& settings, const FleetArguments& argume
   map_and_assemble(settings, missions.logs.at(mission), missions.stores.at(mission));
 }
 
-int run_fleet(const Settings& settings, const FleetArguments& arguments) {
+FleetOutcome run_fleet(const Settings& settings, const FleetArguments& arguments) {
   if (arguments.logs.size() < kFewest) {
     throw UsageError("one mission makes no fleet: `roomatlas build` maps it");
   }

@@ -22,9 +22,13 @@ struct FleetArguments {
 void map_mission_of_fleet(const Settings& settings, const FleetArguments& arguments,
                           std::size_t mission);
 
+struct FleetOutcome {
+  int exit_code = 0;  ///< of the leader; 0 in all others
+  bool has_lost_ranks = false;
+};
+
 /// What each rank does, between MPI_Init and MPI_Finalize: its share of the missions, then its
 /// share of the matching; the leader writes the building.
-/// @returns the exit code: 0 in all ranks but the leader, whose code says whether a mission failed
-int run_fleet(const Settings& settings, const FleetArguments& arguments);
+[[nodiscard]] FleetOutcome run_fleet(const Settings& settings, const FleetArguments& arguments);
 
 }  // namespace roomatlas::apps

@@ -101,13 +101,16 @@ int run_rank(CommandLine& line, int argc, char** argv) {
   };
   MPI_Init(&argc, &argv);
   MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);  // of a rank that died
-  bool has_failed = true;
+  std::optional<FleetOutcome> outcome;
   const int code = exit_code_of([&] {
-    const int result = run_fleet(line.settings, line.files);
-    has_failed = false;
-    return result;
+    outcome = run_fleet(line.settings, line.files);
+    return outcome->exit_code;
   });
-  if (has_failed) MPI_Abort(MPI_COMM_WORLD, code);
+  if (!outcome) MPI_Abort(MPI_COMM_WORLD, code);
+  if (outcome->has_lost_ranks) {
+    (void)std::fflush(nullptr);
+    _exit(code);  // MPI_Finalize would wait for those that died
+  }
   MPI_Finalize();
   return code;
 }

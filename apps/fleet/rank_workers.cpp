@@ -22,6 +22,9 @@ constexpr int kLooksAtLife = 2000;  // between two questions whether a rank is a
 // The first byte of what a leader says.
 constexpr char kAll = 'a';
 constexpr char kEnd = 'e';
+// The second byte at the end.
+constexpr char kWhole = 'w';
+constexpr char kWithout = 'o';  // ranks that died
 
 void append(std::string& message, std::size_t number) {
   message.append(reinterpret_cast<const char*>(&number), sizeof number);
@@ -125,7 +128,12 @@ void RankWorkers::send_to_all(const std::string& message) const {
   }
 }
 
-void RankWorkers::end() const { send_to_all(std::string(1, kEnd)); }
+void RankWorkers::end() const {
+  for (int rank = 0; rank < size_; ++rank) {
+    has_lost_ranks_ = has_lost_ranks_ || (rank != rank_ && !locks_.is_held(RunLocks::rank(rank)));
+  }
+  send_to_all({kEnd, has_lost_ranks_ ? kWithout : kWhole});
+}
 
 void RankWorkers::wait_for_end() const {
   try {
@@ -139,7 +147,10 @@ void RankWorkers::wait_for_end() const {
 std::string RankWorkers::from_leader() const {
   std::string message;
   if (!receive(leader_, message)) throw LeaderDied("the leader died");
-  if (message.front() == kEnd) throw RunEnded("the leader ended the run");
+  if (message.front() == kEnd) {
+    has_lost_ranks_ = message.back() == kWithout;
+    throw RunEnded("the leader ended the run");
+  }
   return message;
 }
 

@@ -40,6 +40,8 @@ class RankWorkers : public Workers {
   void end() const;
   /// The others wait for that. @throws LeaderDied, Interrupted
   void wait_for_end() const;
+  /// Known once the run has ended: whether ranks died. MPI_Finalize would wait for them for ever.
+  [[nodiscard]] bool has_lost_ranks() const { return has_lost_ranks_; }
 
  private:
   using Parts = std::vector<std::string>;
@@ -61,6 +63,7 @@ class RankWorkers : public Workers {
   std::function<bool()> stops_;
   int rank_ = 0;
   int size_ = 1;
+  mutable bool has_lost_ranks_ = false;
   mutable std::vector<int> live_;  ///< as the leader knows them; the same in each rank
 };
 
