@@ -14,6 +14,9 @@ if(ROOMATLAS_PROGRAM)
         -DDATA=${CMAKE_INSTALL_DATADIR} -P \"${PROJECT_SOURCE_DIR}/cmake/install_text.cmake\"
         COMMAND_ERROR_IS_FATAL ANY)")
   endif()
+  if(TARGET roomatlas-fleet)
+    install(TARGETS roomatlas-fleet)
+  endif()
 endif()
 install(FILES LICENSE TYPE DOC)
 

@@ -47,8 +47,9 @@ pid_t start(std::vector<std::string> command, const Path& said) {
   return made;
 }
 
-/// The last line that the process said; how it ended, where it said nothing.
-std::string reason_of(const Path& said, int status) {
+/// The last line that the process said, without the name of its log; how it ended, where it said
+/// nothing.
+std::string reason_of(const Path& log, const Path& said, int status) {
   if (WIFSIGNALED(status)) {
     return fmt::format("its process was ended by signal {} ({})", WTERMSIG(status),
                        strsignal(WTERMSIG(status)));
@@ -58,6 +59,8 @@ std::string reason_of(const Path& said, int status) {
   for (std::string line; std::getline(in, line);) {
     if (line.starts_with("error: ")) reason = line.substr(std::strlen("error: "));
   }
+  const std::string named = log.string() + ": ";
+  if (reason.starts_with(named)) reason.erase(0, named.size());
   return reason;
 }
 
@@ -143,7 +146,7 @@ class MissionMapping {
       std::filesystem::remove(said_file(store));
       spdlog::info("{}: mapped", name);
     } else {
-      const std::string reason = reason_of(said_file(store), status);
+      const std::string reason = reason_of(missions_.logs[one.mission], said_file(store), status);
       if (WIFSIGNALED(status) && one.tries < kTries) {
         spdlog::warn("{}: {}; it is tried once more", name, reason);
         begin(one.mission, one.tries + 1);

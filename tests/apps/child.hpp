@@ -15,8 +15,10 @@ namespace roomatlas::test {
 class Child {
  public:
   /// @param shell what the shell is told before it becomes the program
-  explicit Child(const std::string& arguments, const std::string& shell = "") {
-    const std::string command = shell + "exec " + ROOMATLAS_PROGRAM + " " + arguments + " >" +
+  /// @param program another than the one of this project
+  explicit Child(const std::string& arguments, const std::string& shell = "",
+                 const std::string& program = ROOMATLAS_PROGRAM) {
+    const std::string command = shell + "exec " + program + " " + arguments + " >" +
                                 (folder_ / "out").string() + " 2>" + (folder_ / "err").string();
     pid_ = fork();
     if (pid_ != 0) return;
@@ -49,6 +51,7 @@ class Child {
     for (const int signal : signals) kill(pid_, signal);
     kill(pid_, SIGCONT);
   }
+  [[nodiscard]] pid_t pid() const { return pid_; }
   /// Waits for its end. @returns the signal that ended it, 0 where none did
   int wait() {
     if (pid_ > 0) waitpid(pid_, &status_, 0);
