@@ -169,14 +169,15 @@ TEST(Evaluate, RefusesAPlanWithoutATrueOneAndATrueOneWithoutRooms) {
 }
 
 TEST(Evaluate, TellsWhatTruthIsWhenJsonIsOfAnotherProgram) {
-  for (const char* other :
-       {"{}", "[1]", R"({"type":"Feature"})", R"({"type":"FeatureCollection","features":[]})"}) {
+  for (const char* other : {"{}", "[1]", R"({"type":"Feature"})"}) {
     const std::string said = failure(tum(0.1), "t.geojson", other, 3);
-    EXPECT_THAT(said, HasSubstr("t.geojson: is no plan of this program: it lacks the property "
-                                "\"roomatlas\""));
+    EXPECT_THAT(said, HasSubstr("t.geojson: is neither a plan of this program nor a "
+                                "FeatureCollection of rooms"));
     EXPECT_THAT(said, HasSubstr("known are plans (plan.local.geojson"));
     EXPECT_THAT(said, HasSubstr(".relations"));
   }
+  EXPECT_THAT(failure(tum(0.1), "t.geojson", R"({"type":"FeatureCollection","features":[]})", 3),
+              HasSubstr("holds no polygon that is a room"));
   EXPECT_THAT(failure(tum(0.1), "t.geojson", R"({"type":"FeatureCollection","roomatlas":{}})", 3),
               HasSubstr("roomatlas.schema: missing"));
   EXPECT_THAT(failure(tum(0.1), "t.geojson", "{", 3), HasSubstr("not valid JSON"));

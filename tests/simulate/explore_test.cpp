@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/simulate/explore.hpp"
 #include "roomatlas/core/issue.hpp"
+#include "roomatlas/simulate/world.hpp"
 
 #include "simulate/simulated.hpp"
 
@@ -68,6 +69,37 @@ TEST(Explore, EndsWhenTheTimeIsUp) {
   const ExploreSummary summary = explored(two_rooms(), {}, options);
   EXPECT_FALSE(summary.finished);
   EXPECT_NEAR(summary.duration_s, 5.0, 0.11);
+}
+
+TEST(DefaultStart, IsFoundBesideATableThatFillsTheMiddles) {
+  FloorPlan world = two_rooms();
+  for (const double x : {2.0, 6.2}) {  // both rooms are free along their walls alone
+    world.furniture.push_back({slab(x - 1.2, 0.8, x + 1.2, 3.2), FurnitureKind::free_standing});
+  }
+  const RobotFootprint robot;
+  const double needed_m = std::hypot(robot.length_m, robot.width_m) / 2.0;
+  const Point2 start = default_start(world, robot).position();
+  EXPECT_NO_THROW(require_free(world, start, needed_m));
+  // brute force over room 1: nothing there has clearly more room around it
+  double best_m = 0.0;
+  for (double x = 0.0; x < 4.0; x += 0.05) {
+    for (double y = 0.0; y < 4.0; y += 0.05) {
+      best_m = std::max(best_m, clearance_m(world, {x, y}));
+    }
+  }
+  EXPECT_GT(clearance_m(world, start), best_m - 0.15);
+}
+
+TEST(DefaultStart, IsRefusedWhereNothingTellsInsideFromOutside) {
+  FloorPlan world = two_rooms();
+  world.rooms.clear();
+  world.doors.clear();
+  try {
+    (void)default_start(world, {});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("--start X,Y,DEG"));
+  }
 }
 
 TEST(Explore, EndsInAPlaceTooTightToTurnIn) {
