@@ -63,9 +63,9 @@ Path topmost_missing(const Path& folder) {
 void build_from_map(const Settings& settings, const BuildArguments& arguments) {
   const MapCells cells = read_map(arguments.inputs.front(), arguments.resolution_m);
   make_folder(arguments.out);
+  const PlaceLock folder_lock(arguments.out);
   const Path store = arguments.out / "building.gpkg";
-  require_output_store(store, {arguments.inputs.front()});
-  settle_new_store(store);
+  const PlaceLock store_lock = lock_new_store(store, {arguments.inputs.front()});
   const std::size_t rooms = map_into_store(settings, arguments.inputs.front(), cells, store);
   write_results(settings, store, arguments,
                 {"svg", "pdf", "png", "geojson", "graphml", "csv", "nav2"});
@@ -92,11 +92,13 @@ void build_joined(const Settings& settings, const BuildArguments& arguments) {
     (void)open_mission(log, settings.mission);
   }
   make_folder(out / "missions");
+  const PlaceLock folder_lock(out);
   const std::vector<Path> stores = stores_for(arguments.inputs, out / "missions");
   for (std::size_t i = 0; i < stores.size(); ++i) {
     map_and_assemble(settings, arguments.inputs[i], stores[i]);
   }
   const Path store = out / "building.gpkg";
+  const PlaceLock store_lock = lock_new_store(store, arguments.inputs);
   for (const WrittenBuilding& written : join_into(settings, stores, store)) {
     BuildArguments drawn = arguments;
     if (written.store != store) {
@@ -120,9 +122,9 @@ void build_from_log(const Settings& settings, const BuildArguments& arguments) {
   (void)open_mission(log, settings.mission);  // an unreadable log leaves no folder behind
   const Path new_folder = topmost_missing(out);
   make_folder(out);
+  const PlaceLock folder_lock(out);
   const Path store = out / "building.gpkg";
-  require_output_store(store, {log});
-  settle_new_store(store);
+  const PlaceLock store_lock = lock_new_store(store, {log});
   if (is_mapped_already(settings, log, store)) {
     spdlog::info("{} holds this mission already; assembling it again", store.string());
     GeoPackageStore(store, GeoPackageStore::Mode::update)

@@ -22,6 +22,7 @@
 #include "help_page.hpp"
 #include "limits.hpp"
 #include "man_page.hpp"
+#include "output_places.hpp"
 #include "wrong_usage.hpp"
 
 namespace roomatlas::apps {
@@ -112,13 +113,16 @@ class Commands {
     build->add_flag("--strict", a_.is_strict, "exit code 5 where the map is doubtful")
         ->configurable(false);
 
-    CLI::App* map = command("map", "online stage: log -> rooms in a store",
-                            [this] { apps::map(settings_, a_.log, a_.out); });
+    CLI::App* map = command("map", "online stage: log -> rooms in a store", [this] {
+      const PlaceLock lock = lock_new_store(a_.out, {a_.log});
+      apps::map(settings_, a_.log, a_.out);
+    });
     positional(map, "LOG", a_.log, "mission log, plain or gzip");
     output(map, a_.out, "store to write, such as building.gpkg");
 
     CLI::App* assemble =
         command("assemble", "offline stage: graph, correction, floor plan", [this] {
+          const PlaceLock lock = lock_store(a_.store);
           require_a_room(assemble_again(settings_, a_.store, a_.alternative, a_.missions),
                          a_.store);
         });

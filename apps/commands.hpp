@@ -85,7 +85,7 @@ void require_a_room(std::size_t rooms, const Path& store);
 std::vector<std::string> export_all(const Settings& settings, const Path& store,
                                     const std::vector<std::string>& formats,
                                     const ExportOptions& options, const Path& out);
-/// The same, and says what was written.
+/// The same while no other run may write into the folder, and says what was written.
 void export_and_tell(const Settings& settings, const Path& store,
                      const std::vector<std::string>& formats, const ExportOptions& options,
                      const Path& out);

@@ -134,6 +134,7 @@ void compare(const Settings& settings, const CompareArguments& arguments) {
   warn_of_doubts(old_store, arguments.before);
   warn_of_doubts(new_store, arguments.after);
   make_folder(arguments.out);
+  const PlaceLock lock(arguments.out);
 
   const Progress progress = console_progress(settings);
   Pose2 old_from_new;

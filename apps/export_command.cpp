@@ -303,6 +303,9 @@ Names export_all(const Settings& settings, const Path& store_file, const Names& 
 
 void export_and_tell(const Settings& settings, const Path& store, const Names& formats,
                      const ExportOptions& options, const Path& out) {
+  check_formats(formats);
+  make_folder(out);
+  const PlaceLock lock(out);
   tell_files(settings, out, export_all(settings, store, formats, options, out));
 }
 

@@ -159,6 +159,7 @@ std::vector<WrittenBuilding> join_into(const Settings& settings, const std::vect
 }
 
 void join(const Settings& settings, const std::vector<Path>& stores, const Path& out) {
+  const PlaceLock lock = lock_new_store(out, stores);
   (void)join_into(settings, stores, out);
 }
 

@@ -31,8 +31,7 @@ void require_no_map(const Path& log) {
 }
 
 void map_and_assemble(const Settings& settings, const Path& log, const Path& store) {
-  require_output_store(store, {log});
-  settle_new_store(store);
+  const PlaceLock lock = lock_new_store(store, {log});
   if (is_mapped_already(settings, log, store) &&
       GeoPackageStore(store, GeoPackageStore::Mode::read).has_assembly()) {
     spdlog::info("{} holds this mission already", store.string());

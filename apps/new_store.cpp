@@ -22,6 +22,12 @@ void remove_side_files(const fs::path& store) {
   }
 }
 
+void remove_store(const fs::path& store) {
+  std::error_code ignored;
+  fs::remove(store, ignored);
+  remove_side_files(store);
+}
+
 void replace(const fs::path& place, const fs::path& by) {
   remove_side_files(place);
   std::error_code error;
@@ -77,14 +83,26 @@ void NewStore::give_up() const {
                  file_.string());
     return;
   }
-  std::error_code ignored;
-  fs::remove(file_, ignored);
-  remove_side_files(file_);
+  remove_store(file_);
+}
+
+void remove_leftovers(const fs::path& store) {
+  remove_store(store.string() + ".tmp");
+  std::error_code missing;
+  if (!fs::exists(store, missing)) return remove_side_files(store);
+  if (!fs::exists(store.string() + "-wal", missing)) return;
+  try {
+    const GeoPackageStore recovered(store, GeoPackageStore::Mode::update);
+  } catch (const InputError&) {  // who reads it says what is wrong with it
+  }
 }
 
 void settle_new_store(const fs::path& place) {
   const fs::path made = beside(place);
-  if (!is_mapped(made)) return;
+  if (!is_mapped(made)) {
+    remove_store(made);
+    return;
+  }
   GeoPackageStore(made, GeoPackageStore::Mode::update).finish();
   replace(place, made);
   spdlog::info("{}: a run before was stopped as it put its finished map here; this is done now",

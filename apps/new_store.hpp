@@ -27,8 +27,12 @@ class NewStore {
   std::filesystem::path file_;
 };
 
-/// Puts the store in its place that a run had finished beside it when it was stopped. One that was
-/// not finished stays, for the next run to replace.
+/// Puts the store in its place that a run had finished beside it when it was stopped, and removes
+/// one that was not finished.
 void settle_new_store(const std::filesystem::path& place);
+
+/// Removes the temporary files of a run that was killed; what it had committed to the store is in
+/// the store's own file from then on. The store must not be in use.
+void remove_leftovers(const std::filesystem::path& store);
 
 }  // namespace roomatlas::apps

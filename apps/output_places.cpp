@@ -6,8 +6,10 @@
 #include <string>
 #include <string_view>
 
+#include "new_store.hpp"
 #include "roomatlas/core/issue.hpp"
 #include "roomatlas/io/logs/open_mission.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -81,6 +83,21 @@ void require_output_store(const fs::path& file, const std::vector<fs::path>& inp
   if (is_sqlite(file) && !is_recording(file)) return;
   refuse(file,
          "is there already and is no store, so it is not replaced: give another name with -o");
+}
+
+PlaceLock lock_new_store(const fs::path& file, const std::vector<fs::path>& inputs) {
+  require_output_store(file, inputs);
+  PlaceLock lock(file);
+  remove_leftovers(file);
+  settle_new_store(file);
+  return lock;
+}
+
+PlaceLock lock_store(const fs::path& file) {
+  (void)GeoPackageStore(file, GeoPackageStore::Mode::read);  // says what is wrong with it
+  PlaceLock lock(file);
+  remove_leftovers(file);
+  return lock;
 }
 
 bool is_sqlite(const fs::path& file) {

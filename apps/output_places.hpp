@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "roomatlas/io/files/place_lock.hpp"
+
 namespace roomatlas::apps {
 
 // What is asked before a command works, so that `-o` destroys nothing but a former result. All
@@ -20,6 +22,14 @@ void require_output_file(const std::filesystem::path& file,
 /// The same for a store, which replaces another store or an empty file alone.
 void require_output_store(const std::filesystem::path& file,
                           const std::vector<std::filesystem::path>& inputs);
+
+/// The same, and from then on no other run may write there. What a run that was killed left beside
+/// the store is removed; a store that it had finished is put in its place.
+[[nodiscard]] PlaceLock lock_new_store(const std::filesystem::path& file,
+                                       const std::vector<std::filesystem::path>& inputs);
+
+/// A store that is there and is to be changed.
+[[nodiscard]] PlaceLock lock_store(const std::filesystem::path& file);
 
 /// A store is an SQLite file, whatever its name.
 [[nodiscard]] bool is_sqlite(const std::filesystem::path& file);

@@ -70,6 +70,7 @@ void simulate_rooms(const Settings& settings, std::int64_t rooms, const Path& ou
   const RandomBuildingOptions options = options_of(settings, rooms);
   if (rooms < 1) throw UsageError("--random-rooms: expected 1 or more");
   make_folder(out);
+  const PlaceLock lock(out);
   require_output_store(out / "building.gpkg", {});
   GeoPackageStore store(out / "building.gpkg", GeoPackageStore::Mode::create);
   WatchedSink sink(store, settings, rooms);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "commands.hpp"
+#include "output_places.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/io/store/room_names.hpp"
 #include "roomatlas/io/text/utf8.hpp"
@@ -57,6 +58,7 @@ void require_unused(const Path& store, const FloorPlan& plan, const PlanRoom& ch
 void rename(const Settings&, const Path& store_file, const std::string& room,
             const std::string& name) {
   check_name(name);
+  const PlaceLock lock = lock_store(store_file);
   const FloorPlan plan = GeoPackageStore(store_file, GeoPackageStore::Mode::read).plan();
   const PlanRoom& chosen = find_room(store_file, plan, room);
   require_unused(store_file, plan, chosen, name);

@@ -170,6 +170,7 @@ void simulate(const Settings& settings, const SimulateArguments& arguments) {
         driven_within(std::move(task.drive), settings.explore.max_time_s, settings.simulation);
   }
   make_folder(arguments.out);
+  const PlaceLock lock(arguments.out);
   const std::string log = "mission." + arguments.format;
   for (const std::string& name : {log, std::string("truth.tum"), std::string("truth.geojson")}) {
     require_output_file(arguments.out / name, {arguments.world, arguments.drive});

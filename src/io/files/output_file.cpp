@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "output_file.hpp"
 
+#include "locked_file.hpp"
 #include "roomatlas/core/issue.hpp"
 #include "roomatlas/io/files/files.hpp"
+
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -11,7 +14,6 @@
 
 namespace roomatlas {
 namespace io {
-
 OutputFile::OutputFile(std::filesystem::path file)
     : file_(std::move(file)), temporary_(file_.string() + ".part") {
   std::error_code error;
@@ -23,7 +25,16 @@ OutputFile::OutputFile(std::filesystem::path file)
         ": is a device or another special file, which is not replaced: choose another");
   }
   errno = 0;
-  stream_.reset(std::fopen(temporary_.c_str(), "wb"));
+  const LockedFile opened = open_locked(temporary_);
+  if (opened.is_taken) {
+    ::close(opened.descriptor);
+    throw InputError(file_.string() +
+                     ": another run is writing it, and nothing was touched: wait until it has "
+                     "ended, or choose another name");
+  }
+  if (opened.descriptor < 0) fail(opened.error);
+  if (::ftruncate(opened.descriptor, 0) != 0) fail(errno);
+  stream_.reset(::fdopen(opened.descriptor, "wb"));
   if (!stream_) fail(errno);
 }
 
