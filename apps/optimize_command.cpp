@@ -115,6 +115,14 @@ std::string covariance_table(const PoseGraph& graph, const OptimizeResult& resul
   return text;
 }
 
+OptimizeResult solved(const Path& file, const PoseGraph& graph, const OptimizeOptions& options) {
+  try {
+    return roomatlas::optimize(graph, options);
+  } catch (const NotEnoughError& error) {
+    throw NotEnoughError(file.string() + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 void optimize(const Settings& settings, const OptimizeArguments& arguments) {
@@ -124,7 +132,7 @@ void optimize(const Settings& settings, const OptimizeArguments& arguments) {
   OptimizeOptions options = arguments.options;
   options.covariance = !arguments.covariance.empty();
   const auto start = std::chrono::steady_clock::now();
-  const OptimizeResult result = roomatlas::optimize(input.graph, options);
+  const OptimizeResult result = solved(arguments.graph, input.graph, options);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 
   std::vector<std::uint8_t> accepted;

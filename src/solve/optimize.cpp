@@ -2,6 +2,7 @@
 #include "roomatlas/solve/optimize.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "covariance.hpp"
 #include "index.hpp"
@@ -49,6 +50,54 @@ void give_reasons(const PoseGraph& graph, bool robust, OptimizeResult& result) {
   }
 }
 
+bool is_finite(const Pose2& pose) {
+  return std::isfinite(pose.x_m) && std::isfinite(pose.y_m) && std::isfinite(pose.theta_rad);
+}
+
+bool is_finite(const OptimizeResult& result) {
+  const auto& covariance = result.covariance;
+  const auto all_finite = [](const Eigen::Matrix3d& matrix) { return matrix.allFinite(); };
+  return std::isfinite(result.initial_chi_square) && std::isfinite(result.chi_square) &&
+         std::ranges::all_of(result.poses, [](const Pose2& pose) { return is_finite(pose); }) &&
+         std::ranges::all_of(result.edges,
+                             [](const EdgeVerdict& v) { return std::isfinite(v.chi_square); }) &&
+         std::ranges::all_of(covariance.of_node, all_finite) &&
+         std::ranges::all_of(covariance.of_edge, all_finite);
+}
+
+/// The part of the graph that has the largest number, in words.
+std::string largest_of(const PoseGraph& graph) {
+  std::string named;
+  double largest = -1.0;
+  const auto take = [&](double value, const auto& words) {
+    if (!(value > largest)) return;
+    largest = value;
+    named = words();
+  };
+  for (const PoseEdge& edge : graph.edges) {
+    const double value = std::max({std::abs(edge.from_from_to.x_m), std::abs(edge.from_from_to.y_m),
+                                   edge.information.cwiseAbs().maxCoeff()});
+    take(value, [&] {
+      return "the edge from " + std::to_string(graph.ids[at(edge.from)]) + " to " +
+             std::to_string(graph.ids[at(edge.to)]);
+    });
+  }
+  for (std::size_t i = 0; i < graph.guess.size(); ++i) {
+    take(std::max(std::abs(graph.guess[i].x_m), std::abs(graph.guess[i].y_m)),
+         [&] { return "vertex " + std::to_string(graph.ids[i]); });
+  }
+  return named;
+}
+
+/// Numbers that are none are no result.
+void require_finite(const PoseGraph& graph, const OptimizeResult& result) {
+  if (is_finite(result)) return;
+  throw NotEnoughError(
+      "the pose graph has no solution in finite numbers, so none is written: is a column of it "
+      "damaged? The largest number has " +
+      largest_of(graph) + "; expected are metres, radians and their information");
+}
+
 }  // namespace
 
 OptimizeResult optimize(const PoseGraph& graph, const OptimizeOptions& options) {
@@ -79,6 +128,7 @@ OptimizeResult optimize(const PoseGraph& graph, const OptimizeOptions& options) 
   if (options.covariance) {
     result.covariance = covariance_of(graph, squares, robust.solved.state, robust.weights);
   }
+  require_finite(graph, result);
   return result;
 }
 

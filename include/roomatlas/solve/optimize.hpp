@@ -94,7 +94,8 @@ struct OptimizeResult {
 /// own fixed node, that of lowest id. The order of nodes and edges does not matter but for
 /// rounding. Losses are minimised by iteratively reweighted least squares, from the guess (without
 /// one, odometry) and from the global start; the lower minimum is kept.
-/// Throws InputError as `check` does, and NotEnoughError when the graph has no edge.
+/// Throws InputError as `check` does, and NotEnoughError when the graph has no edge, or numbers so
+/// large that the solution is not finite.
 /// Not guaranteed: that the minimum is global. Several starts are tried where closed loops show
 /// that a rotation was wrapped wrongly.
 [[nodiscard]] OptimizeResult optimize(const PoseGraph& graph, const OptimizeOptions& options);
