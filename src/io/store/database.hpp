@@ -15,26 +15,37 @@
 namespace roomatlas {
 
 /// The row that a query stands on, one column after another. A REAL that is NULL is a NaN,
-/// because SQLite keeps no NaN.
+/// because SQLite keeps no NaN. SQLite keeps values of any type in any column: what is of another
+/// type than the format says throws DamagedData with what was found and what is expected.
 class Row {
  public:
-  explicit Row(SQLite::Statement& statement) : statement_(statement) {}
+  /// @param number of the row among the query's, from 1
+  Row(SQLite::Statement& statement, std::int64_t number) : statement_(statement), number_(number) {}
 
-  std::int64_t integer() { return next().getInt64(); }
+  std::int64_t integer();
   bool flag() { return integer() != 0; }
   double real();
-  std::string text() { return next().getString(); }
+  /// A REAL that must be a number, of no more than kLargest.
+  double finite();
+  std::string text();
   /// Valid until the query takes its next step.
   ByteView blob();
+  /// Of finite numbers, in metres and radians.
   Point2 point();
   Pose2 pose();
   std::optional<std::int64_t> optional_integer();
   [[nodiscard]] bool has_more() const { return column_ < statement_.getColumnCount(); }
+  /// "table rooms, row 3, field geom: ", of the field that was read last.
+  [[nodiscard]] std::string place() const;
+
+  static constexpr double kLargest = 1e8;  ///< metres, radians or square metres: beyond is damage
 
  private:
-  SQLite::Column next() { return statement_.getColumn(column_++); }
+  /// The next column, which must be of one of two types or NULL.
+  SQLite::Column next(int type, int other, const char* expected);
 
   SQLite::Statement& statement_;
+  std::int64_t number_ = 0;
   int column_ = 0;
 };
 
@@ -83,8 +94,12 @@ class Database {
     std::int64_t rows = 0;
     for (; use.statement.executeStep(); ++rows) {
       ++rows_fetched_;
-      Row row(use.statement);
-      visit(row);
+      Row row(use.statement, rows + 1);
+      try {
+        visit(row);
+      } catch (const DamagedData& damage) {
+        throw DamagedData(row.place() + damage.what());
+      }
     }
     return rows;
   }
@@ -92,6 +107,9 @@ class Database {
   [[nodiscard]] std::int64_t last_inserted_id() const { return connection_.getLastInsertRowid(); }
   [[nodiscard]] std::int64_t rows_fetched() const { return rows_fetched_; }
   [[nodiscard]] SQLite::Database& connection() { return connection_; }
+
+  /// Whether SQL can damage the file or change its schema's number. It is on from the start.
+  void set_defensive(bool on);
 
   /// Drops the prepared statements, which would keep the file in use.
   void forget_statements() { statements_.clear(); }

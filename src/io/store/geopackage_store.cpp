@@ -71,11 +71,31 @@ void write_compact_copy(Database& db, const fs::path& copy) {
   }
   // VACUUM counts itself in the schema's cookie. The tables never change, so no other program can
   // take this for another schema.
+  db.set_defensive(false);  // which forbids this
   db.execute("PRAGMA schema_version = 1");
+  db.set_defensive(true);
   db.run("VACUUM INTO ?", copy.string());
 }
 
 }  // namespace
+
+std::string remedy(const SQLite::Exception& error) {
+  constexpr int kError = 1;  // of SQL, which is ours: a table or column is not there
+  constexpr int kBusy = 5;
+  constexpr int kCorrupt = 11;
+  constexpr int kFull = 13;
+  switch (error.getErrorCode()) {
+    case kError:
+    case kCorrupt:
+      return ": the store is damaged; map the log again, or take a copy of the store";
+    case kBusy:
+      return ": another program has it open; close that and try again";
+    case kFull:
+      return ": make room on the disk and run the same command again";
+    default:
+      return "";
+  }
+}
 
 void write_metadata(Database& db, const std::map<std::string, std::string>& values) {
   for (const auto& [key, value] : values) {

@@ -30,7 +30,7 @@ PlanRoom room_of(Row& row) {
   room.parts = polygons_of_wkb(wkb_of_geopackage_blob(row.blob()));
   room.name = row.text();
   room.kind = value_of_stored_name(kRoomKinds, row.text());
-  room.area_m2 = row.real();
+  room.area_m2 = row.finite();
   room.label_point = row.point();
   room.asrs = ids_of(row.text());
   return room;
@@ -40,7 +40,7 @@ PlanDoor door_of(Row& row) {
   PlanDoor door;
   door.id = row.integer();
   door.opening = polygon_of_wkb(wkb_of_geopackage_blob(row.blob())).outer;
-  door.width_m = row.real();
+  door.width_m = row.finite();
   door.room_a = row.optional_integer();
   door.room_b = row.optional_integer();
   door.jambs.a = row.point();
@@ -48,8 +48,7 @@ PlanDoor door_of(Row& row) {
   if (!row.has_more()) return door;  // made by an earlier release
   door.kind = value_of_stored_name(kDoorKinds, row.text());
   Segment2 leaf;
-  leaf.a = row.point();
-  leaf.b = row.point();
+  for (double* at : {&leaf.a.x(), &leaf.a.y(), &leaf.b.x(), &leaf.b.y()}) *at = row.real();
   if (leaf.a.allFinite() && leaf.b.allFinite()) door.leaf = leaf;
   return door;
 }
@@ -146,6 +145,30 @@ std::vector<Polygon> polygons_of(Database& db, const std::string& table) {
       +[](Row& row) { return polygon_of_wkb(wkb_of_geopackage_blob(row.blob())); });
 }
 
+/// @param missing names, by their numbers, rows that another table speaks of
+void require_rows(Database& db, const std::string& missing, const std::string& table,
+                  const std::string& what) {
+  db.for_each_row(missing + " LIMIT 1", [&](Row& row) {
+    throw MissingRow("table " + table + " " + what + std::to_string(row.integer()));
+  });
+}
+
+/// Every door and edge is of rooms that are there.
+void require_rooms(Database& db, const std::string& prefix, bool has_edges) {
+  db.for_each_row("SELECT id FROM " + prefix + "rooms WHERE id < 1", [](Row& row) {
+    throw DamagedData("found " + std::to_string(row.integer()) + ", expected a number from 1");
+  });
+  const std::string rooms = " EXCEPT SELECT id FROM " + prefix + "rooms";
+  const std::string doors = " FROM " + prefix + "doors WHERE room_";
+  for (const char* side : {"a", "b"}) {
+    require_rows(db, "SELECT room_" + std::string(side) + doors + side + " IS NOT NULL" + rooms,
+                 prefix + "rooms", "has no row, and a door one, for room ");
+  }
+  if (!has_edges) return;
+  require_rows(db, "SELECT room FROM " + prefix + "edges" + rooms, prefix + "rooms",
+               "has no row, and an edge one, for room ");
+}
+
 /// Rooms, doors, walls, free space and edges.
 /// @param prefix of the tables' names
 FloorPlan shapes_of(Database& db, const std::string& prefix) {
@@ -154,7 +177,9 @@ FloorPlan shapes_of(Database& db, const std::string& prefix) {
   plan.doors = all(db, "SELECT * FROM " + prefix + "doors ORDER BY id", door_of);
   plan.walls = polygons_of(db, prefix + "walls");
   plan.free_space = polygons_of(db, prefix + "free_space");
-  if (db.connection().tableExists(prefix + "edges")) {  // else made by an earlier release
+  const bool has_edges = db.connection().tableExists(prefix + "edges");
+  require_rooms(db, prefix, has_edges);
+  if (has_edges) {  // else made by an earlier release
     plan.edges =
         all(db, "SELECT geom, room, evidence, deviation_m FROM " + prefix + "edges ORDER BY id",
             edge_of);
@@ -197,6 +222,14 @@ Correction GeoPackageStore::correction() const {
             "heading_bias_rad_per_m, heading_bias_rad_per_rad, heading_bias_asrs FROM assembly",
             summary_of);
     if (summaries.empty()) throw_not_assembled(state_->file);
+    require_rows(db, "SELECT id FROM asr EXCEPT SELECT asr FROM corrections", "corrections",
+                 "has no row for visit ");
+    require_rows(db, "SELECT asr FROM corrections EXCEPT SELECT id FROM asr", "asr",
+                 "has no row for the corrected visit ");
+    require_rows(db,
+                 "SELECT from_asr FROM factors UNION SELECT to_asr FROM factors WHERE to_asr <> 0 "
+                 "EXCEPT SELECT id FROM asr",
+                 "asr", "has no row, and `factors` one, for visit ");
     Correction correction = summaries.front();
     correction.asrs = all(db, "SELECT * FROM corrections ORDER BY asr", asr_correction_of);
     correction.factors =
@@ -209,8 +242,13 @@ Correction GeoPackageStore::correction() const {
 }
 
 std::vector<Closure> GeoPackageStore::closures() const {
-  return state_->reading(
-      [](Database& db) { return all(db, "SELECT * FROM closures ORDER BY id", closure_of); });
+  return state_->reading([](Database& db) {
+    require_rows(db,
+                 "SELECT from_asr FROM closures UNION SELECT to_asr FROM closures "
+                 "EXCEPT SELECT id FROM asr",
+                 "asr", "has no row, and `closures` one, for visit ");
+    return all(db, "SELECT * FROM closures ORDER BY id", closure_of);
+  });
 }
 
 FloorPlan GeoPackageStore::plan() const {

@@ -11,6 +11,14 @@
 
 namespace roomatlas {
 
+/// A row is missing that others speak of.
+struct MissingRow : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What to do about what SQLite says, where that is known.
+[[nodiscard]] std::string remedy(const SQLite::Exception& error);
+
 struct GeoPackageStore::State {
   std::filesystem::path file;
   Mode mode = Mode::read;
@@ -33,11 +41,16 @@ struct GeoPackageStore::State {
     try {
       return call(*database);
     } catch (const SQLite::Exception& error) {
-      throw InputError(file.string() + ": " + error.what());
+      throw InputError(file.string() + ": " + error.what() + remedy(error));
     } catch (const std::filesystem::filesystem_error& error) {
       throw InputError(file.string() + ": " + error.code().message());
+    } catch (const MissingRow& error) {
+      throw InputError(file.string() + ": " + error.what() +
+                       ": the store is damaged; 'roomatlas assemble' makes these rows again, else "
+                       "map the log again");
     } catch (const DamagedData& error) {
-      throw InputError(file.string() + ": " + error.what() + "; map the log again");
+      throw InputError(file.string() + ": " + error.what() +
+                       ": the store is damaged; map the log again");
     }
   }
 
