@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 
@@ -102,6 +102,20 @@ TEST(OptimizeCommand, WrongGraphsHaveTheirExitCodes) {
     EXPECT_EQ(result.outcome.err.rfind("error: ", 0), 0U) << result.outcome.err;
     EXPECT_NE(result.outcome.err.find(wrong.mentions), std::string::npos) << result.outcome.err;
     EXPECT_FALSE(result.wrote);
+  }
+}
+
+TEST(OptimizeCommand, NumbersThatAreNoneAreNotWritten) {
+  const Folder folder;
+  const std::string out = (folder / "out.g2o").string();
+  for (const char* numbers : {"1e200 0 0 1 0 0 1 0 1", "1 1e190 0 1 0 0 1 0 1"}) {
+    const std::string edge = std::string("EDGE_SE2 0 1 ") + numbers + "\n";
+    const auto graph = folder.write(
+        "in.g2o", edge + "EDGE_SE2 1 2 1 0 0 1 0 0 1 0 1\nEDGE_SE2 0 2 5 0 0 1 0 0 1 0 1\n");
+    const Outcome outcome = run("-q optimize " + graph.string() + " -o " + out);
+    EXPECT_EQ(outcome.exit_code, 4) << numbers;
+    EXPECT_THAT(outcome.err, ::testing::HasSubstr("the edge from 0 to 1")) << numbers;
+    EXPECT_FALSE(std::filesystem::exists(out)) << numbers;
   }
 }
 
