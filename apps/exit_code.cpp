@@ -5,6 +5,7 @@
 
 #include <exception>
 #include <filesystem>
+#include <new>
 
 #include "command_line.hpp"
 #include "commands.hpp"
@@ -32,6 +33,11 @@ int exit_code_of(const std::function<int()>& work) {
     return kInterrupted;
   } catch (const std::filesystem::filesystem_error& error) {
     return fail(error, kInput);
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr,
+               "error: not enough memory for this input: what it holds lies too far apart, or is "
+               "damaged; a larger --cell needs less\n");
+    return kInput;
   } catch (const std::exception& error) {
     return fail(error, kInternal);
   }

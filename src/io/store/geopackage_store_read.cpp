@@ -38,7 +38,7 @@ Asr asr_of(Row& row) {
   asr.start_s = row.real();
   asr.end_s = row.real();
   asr.odom_from_asr = row.pose();
-  asr.reference_point_asr = row.point();
+  for (double* at : {&asr.reference_point_asr.x(), &asr.reference_point_asr.y()}) *at = row.real();
   asr.outline_asr = polygon_of_wkb(row.blob());
   const ByteView walls = row.blob();
   asr.walls = walls_of(walls, row.text());
@@ -103,6 +103,13 @@ void take_matched_path(Database& db, Asr& asr) {
       keys.first, keys.last);
 }
 
+void require_a_range_a_beam(const RangeReading& reading) {
+  const std::size_t beams = reading.sensor->robot_from_beam.size();
+  if (reading.ranges_m.size() == beams) return;
+  throw DamagedData("a reading has " + std::to_string(reading.ranges_m.size()) +
+                    " ranges, expected " + std::to_string(beams) + ", as its sensor has beams");
+}
+
 std::vector<RangeReading> readings_of(Database& db, SensorTable& sensors, const Asr& asr) {
   std::vector<RangeReading> readings;
   db.for_each_row(
@@ -115,6 +122,7 @@ std::vector<RangeReading> readings_of(Database& db, SensorTable& sensors, const 
         packed.deflated.assign(deflated.begin(), deflated.end());
         readings =
             unpack_readings(packed, asr.path, [&](std::int64_t id) { return sensors.get(db, id); });
+        for (const RangeReading& reading : readings) require_a_range_a_beam(reading);
       },
       asr.id);
   return readings;

@@ -13,6 +13,25 @@
 namespace roomatlas {
 namespace {
 
+void require_metres(const std::vector<Point2>& points) {
+  for (const Point2& point : points) {
+    if (point.cwiseAbs().maxCoeff() <= Row::kLargest && point.allFinite()) continue;
+    throw DamagedData("geometry has a coordinate that is no number of metres");
+  }
+}
+
+void require_metres(const Polygon& polygon) {
+  require_metres(polygon.outer);
+  for (const Ring& hole : polygon.holes) require_metres(hole);
+}
+
+/// A polygon of a feature table.
+Polygon drawn_polygon(Row& row) {
+  Polygon polygon = polygon_of_wkb(wkb_of_geopackage_blob(row.blob()));
+  require_metres(polygon);
+  return polygon;
+}
+
 std::vector<AsrId> ids_of(const std::string& text) {
   std::vector<AsrId> ids;
   const char* const end = text.data() + text.size();
@@ -28,6 +47,7 @@ PlanRoom room_of(Row& row) {
   PlanRoom room;
   room.id = row.integer();
   room.parts = polygons_of_wkb(wkb_of_geopackage_blob(row.blob()));
+  for (const Polygon& part : room.parts) require_metres(part);
   room.name = row.text();
   room.kind = value_of_stored_name(kRoomKinds, row.text());
   room.area_m2 = row.finite();
@@ -39,7 +59,7 @@ PlanRoom room_of(Row& row) {
 PlanDoor door_of(Row& row) {
   PlanDoor door;
   door.id = row.integer();
-  door.opening = polygon_of_wkb(wkb_of_geopackage_blob(row.blob())).outer;
+  door.opening = drawn_polygon(row).outer;
   door.width_m = row.finite();
   door.room_a = row.optional_integer();
   door.room_b = row.optional_integer();
@@ -56,7 +76,7 @@ PlanDoor door_of(Row& row) {
 PlanFurniture furniture_of(Row& row) {
   (void)row.integer();  // id
   PlanFurniture piece;
-  piece.outline = polygon_of_wkb(wkb_of_geopackage_blob(row.blob()));
+  piece.outline = drawn_polygon(row);
   if (row.has_more()) piece.kind = value_of_stored_name(kFurnitureKinds, row.text());
   return piece;
 }
@@ -64,6 +84,7 @@ PlanFurniture furniture_of(Row& row) {
 PlanEdge edge_of(Row& row) {
   PlanEdge edge;
   const Polyline line = line_of_wkb(wkb_of_geopackage_blob(row.blob()));
+  require_metres(line);
   if (line.size() != 2) throw DamagedData("an edge of a room has no two ends");
   edge.line = {line[0], line[1]};
   edge.room = row.integer();
@@ -140,9 +161,7 @@ std::vector<Value> all(Database& db, const std::string& sql, Value (*value_of)(R
 }
 
 std::vector<Polygon> polygons_of(Database& db, const std::string& table) {
-  return all<Polygon>(
-      db, "SELECT geom FROM " + table + " ORDER BY id",
-      +[](Row& row) { return polygon_of_wkb(wkb_of_geopackage_blob(row.blob())); });
+  return all<Polygon>(db, "SELECT geom FROM " + table + " ORDER BY id", drawn_polygon);
 }
 
 /// @param missing names, by their numbers, rows that another table speaks of

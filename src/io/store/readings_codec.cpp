@@ -82,13 +82,7 @@ void write_ranges(ByteWriter& out, const RangeReading& reading) {
 }
 
 void read_ranges(ByteReader& in, RangeReading& reading) {
-  const std::size_t count = in.counted(in.varint(), 1);
-  if (count != reading.sensor->robot_from_beam.size()) {
-    throw DamagedData("a reading has " + std::to_string(count) + " ranges, expected " +
-                      std::to_string(reading.sensor->robot_from_beam.size()) +
-                      ", as its sensor has beams");
-  }
-  reading.ranges_m.resize(count);
+  reading.ranges_m.resize(in.counted(in.varint(), 1));
   std::uint64_t code = 0;  // unsigned: damaged data must not overflow
   for (float& range_m : reading.ranges_m) {
     code += static_cast<std::uint64_t>(in.zigzag());

@@ -15,7 +15,6 @@ enum Type : std::uint32_t {
 };
 
 constexpr std::uint8_t kLittleEndian = 1;
-constexpr double kLargest_m = 1e7;
 constexpr std::size_t kPointBytes = 16;
 constexpr std::size_t kCountBytes = 4;
 constexpr std::size_t kHeaderBytes = 5;  // byte order, type
@@ -65,9 +64,6 @@ Polyline read_points(ByteReader& in, std::size_t count) {
   for (Point2& point : points) {
     point.x() = in.f64();
     point.y() = in.f64();
-    if (!(point.cwiseAbs().maxCoeff() <= kLargest_m)) {
-      throw DamagedData("geometry has a coordinate that is none, expected metres");
-    }
   }
   return points;
 }
