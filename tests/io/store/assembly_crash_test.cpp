@@ -44,7 +44,7 @@ Closure sample_closure(int agreeing) {
 Assembly whole_assembly(int version) {
   FloorPlan plan = sample_plan();
   plan.title = "assembly " + std::to_string(version);
-  Assembly assembly = sample_assembly(sample_correction(version), plan, {{1, version}});
+  Assembly assembly = sample_assembly(sample_correction(2 + version), plan, {{1, version}});
   assembly.measured_plan = plan;
   assembly.measured_plan->rooms.front().area_m2 = version;
   assembly.closures.assign(static_cast<std::size_t>(version), sample_closure(version));
