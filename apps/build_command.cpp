@@ -11,6 +11,7 @@
 #include "evaluation_report.hpp"
 #include "join_stores.hpp"
 #include "map_store.hpp"
+#include "mission_parts.hpp"
 #include "mission_stores.hpp"
 #include "new_store.hpp"
 #include "output_places.hpp"
@@ -85,21 +86,31 @@ void require_trust(const Path& store_file) {
 }
 
 /// Each mission in OUT/missions, what holds together in OUT, and whatever does not beside it.
-void build_joined(const Settings& settings, const BuildArguments& arguments) {
+void build_joined(const Settings& settings, const BuildArguments& arguments,
+                  const std::vector<LogPart>& missions) {
   const Path& out = arguments.out;
-  for (const Path& log : arguments.inputs) {
-    require_no_map(log);
-    (void)open_mission(log, settings.mission);
-  }
   make_folder(out / "missions");
   const PlaceLock folder_lock(out);
-  const std::vector<Path> stores = stores_for(arguments.inputs, out / "missions");
-  for (std::size_t i = 0; i < stores.size(); ++i) {
-    map_and_assemble(settings, arguments.inputs[i], stores[i]);
+  const std::vector<Path> named = stores_for(missions, out / "missions");
+  std::vector<Path> stores;
+  for (std::size_t i = 0; i < missions.size(); ++i) {
+    if (map_and_assemble(settings, missions[i], named[i])) stores.push_back(named[i]);
   }
   const Path store = out / "building.gpkg";
   const PlaceLock store_lock = lock_new_store(store, arguments.inputs);
-  for (const WrittenBuilding& written : join_into(settings, stores, store)) {
+  std::vector<WrittenBuilding> buildings = join_into(settings, stores, store);
+  if (buildings.empty()) {
+    throw NotEnoughError(arguments.inputs.front().string() +
+                         ": no part of it between kidnappings is long enough to be mapped");
+  }
+  if (!is_any_joined(buildings)) {
+    if (arguments.inputs.size() > 1) require_any_joined(buildings);
+    // the parts of one mission: the largest is the building
+    std::filesystem::copy_file(buildings.front().store, store,
+                               std::filesystem::copy_options::overwrite_existing);
+    buildings.front().store = store;
+  }
+  for (const WrittenBuilding& written : buildings) {
     BuildArguments drawn = arguments;
     if (written.store != store) {
       drawn.out = out / "beside" / written.store.stem();
@@ -111,6 +122,13 @@ void build_joined(const Settings& settings, const BuildArguments& arguments) {
     require_a_room(written.rooms, written.store);
   }
   if (arguments.strict) require_trust(store);
+}
+
+void require_missions(const Settings& settings, const std::vector<Path>& logs) {
+  for (const Path& log : logs) {
+    require_no_map(log);
+    (void)open_mission(log, settings.mission);
+  }
 }
 
 void build_from_log(const Settings& settings, const BuildArguments& arguments) {
@@ -125,7 +143,7 @@ void build_from_log(const Settings& settings, const BuildArguments& arguments) {
   const PlaceLock folder_lock(out);
   const Path store = out / "building.gpkg";
   const PlaceLock store_lock = lock_new_store(store, {log});
-  if (is_mapped_already(settings, log, store)) {
+  if (is_mapped_already(settings, {log, {}}, store)) {
     spdlog::info("{} holds this mission already; assembling it again", store.string());
     GeoPackageStore(store, GeoPackageStore::Mode::update)
         .put_metadata({{"configuration", settings.as_toml}});  // maps alike: all else may differ
@@ -148,10 +166,14 @@ void build_from_log(const Settings& settings, const BuildArguments& arguments) {
 
 void build(const Settings& settings, const BuildArguments& arguments) {
   (void)arguments.exported.reference();  // wrong options leave no folder behind
-  if (arguments.inputs.size() > 1) {
-    build_joined(settings, arguments);
-  } else if (is_map(arguments.inputs.front())) {
+  if (arguments.inputs.size() == 1 && is_map(arguments.inputs.front())) {
     build_from_map(settings, arguments);
+    return;
+  }
+  if (arguments.inputs.size() > 1) require_missions(settings, arguments.inputs);
+  const std::vector<LogPart> missions = parts_of(settings, arguments.inputs);
+  if (missions.size() > 1) {
+    build_joined(settings, arguments, missions);
   } else {
     build_from_log(settings, arguments);
   }

@@ -116,6 +116,18 @@ void add_simulate(CLI::App* command, SimulateArguments& a) {
       ->type_name("X,Y,DEG")
       ->configurable(false);
   command
+      ->add_option("--carry-at", a.carry_at_s,
+                   "s; the robot is carried away then, and drives on from --carry-to")
+      ->check(within(1.0, 1e6))
+      ->configurable(false);
+  command
+      ->add_option("--carry-to", a.carry_to,
+                   "where to: x,y in m, heading in deg; odometry goes on as if nothing was")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(finite())
+      ->configurable(false);
+  command
       ->add_option("--furnish", a.furnish,
                    "seed of furniture and open door leaves that are put into the rooms first")
       ->type_name("SEED")

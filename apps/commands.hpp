@@ -12,6 +12,7 @@
 #include "comparison_report.hpp"
 #include "export_options.hpp"
 #include "roomatlas/io/maps/read_world.hpp"
+#include "roomatlas/mission/part_of_mission.hpp"
 #include "roomatlas/solve/optimize.hpp"
 #include "settings.hpp"
 #include "trajectory_flags.hpp"
@@ -27,6 +28,8 @@ struct SimulateArguments {
   Path drive;                                 ///< empty: the robot explores
   bool tour = false;                          ///< through all rooms, instead of a drive
   std::vector<double> start;                  ///< x and y in metres, heading in degrees; or empty
+  double carry_at_s = 0.0;                    ///< then the robot is carried away; 0: it is not
+  std::vector<double> carry_to;               ///< as `start`: where to; or empty
   std::optional<std::uint64_t> furnish;       ///< seed of the furniture that is put in
   std::optional<std::int64_t> random_rooms;   ///< instead of a world
   std::optional<std::uint64_t> random_world;  ///< seed of a world, instead of one
@@ -69,7 +72,9 @@ struct LocateArguments {
 
 void info(const Settings& settings, const Path& log);
 void build(const Settings& settings, const BuildArguments& arguments);
-void map(const Settings& settings, const Path& log, const Path& store);
+/// @param part of the log that is mapped
+void map(const Settings& settings, const Path& log, const Path& store,
+         const MissionPart& part = {});
 /// Writes what would be mapped as another log.
 void convert(const Settings& settings, const Path& log, const Path& out);
 /// Completes the store. @returns how many rooms the plan has

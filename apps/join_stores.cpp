@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "console.hpp"
@@ -143,7 +144,16 @@ std::vector<WrittenBuilding> StoresToJoin::write(const Settings& settings,
                  counted(building.members.size(), "mission"));
     written.push_back({std::move(building), store, rooms});
   }
-  if (number > 0 || files_.size() < 2) return written;
+  return written;
+}
+
+bool is_any_joined(const std::vector<WrittenBuilding>& buildings) {
+  return std::any_of(buildings.begin(), buildings.end(),
+                     [](const WrittenBuilding& one) { return one.building.missions.size() > 1; });
+}
+
+void require_any_joined(const std::vector<WrittenBuilding>& buildings) {
+  if (is_any_joined(buildings) || buildings.size() < 2) return;
   throw NotEnoughError(
       "nothing holds any two of these missions together: they share no rooms, or what they share "
       "looks alike in several places. Each has its own plan; a mission that drives from the one's "
@@ -160,7 +170,7 @@ std::vector<WrittenBuilding> join_into(const Settings& settings, const std::vect
 
 void join(const Settings& settings, const std::vector<Path>& stores, const Path& out) {
   const PlaceLock lock = lock_new_store(out, stores);
-  (void)join_into(settings, stores, out);
+  require_any_joined(join_into(settings, stores, out));
 }
 
 }  // namespace roomatlas::apps

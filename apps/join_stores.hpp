@@ -41,11 +41,15 @@ class StoresToJoin {
 
 /// Joins the missions of several assembled stores and writes a store for each building of two and
 /// more: the largest at `place`, others beside it as NAME.2.gpkg and so on. Says which mission was
-/// joined and why others were not.
-/// @throws InputError for a store that is not assembled, NotEnoughError where nothing holds any two
-///   of them together
+/// joined and why others were not. Missions that stand alone come last, the largest first.
+/// @throws InputError for a store that is not assembled
 [[nodiscard]] std::vector<WrittenBuilding> join_into(const Settings& settings,
                                                      const std::vector<Path>& stores,
                                                      const Path& place);
+
+/// Whether one of them is of several missions.
+[[nodiscard]] bool is_any_joined(const std::vector<WrittenBuilding>& buildings);
+/// @throws NotEnoughError where nothing holds any two missions together
+void require_any_joined(const std::vector<WrittenBuilding>& buildings);
 
 }  // namespace roomatlas::apps

@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "mission_parts.hpp"
 #include "output_places.hpp"
 #include "roomatlas/asr/memory_store.hpp"
 #include "roomatlas/core/geometry.hpp"
@@ -76,7 +77,14 @@ Told told(const LocatedMission& located, std::size_t i, const FloorPlan& plan) {
   return result;
 }
 
-void print_json(const LocatedMission& located, const FloorPlan& plan) {
+/// A stretch of the log between two kidnappings, and where it was.
+struct LocatedPart {
+  double from_s = 0.0;
+  double to_s = 0.0;
+  LocatedMission located;
+};
+
+Json json_of(const LocatedMission& located, const FloorPlan& plan) {
   Json json;
   json["verdict"] = to_string(located.verdict);
   json["nowhere_odds"] = located.nowhere_odds;
@@ -90,6 +98,21 @@ void print_json(const LocatedMission& located, const FloorPlan& plan) {
                               {"x_m", place.pose.x_m},
                               {"y_m", place.pose.y_m},
                               {"theta_rad", place.pose.theta_rad}});
+  }
+  return json;
+}
+
+void print_json(const std::vector<LocatedPart>& parts, const FloorPlan& plan) {
+  Json json;
+  if (parts.size() == 1) {
+    json = json_of(parts.front().located, plan);
+  } else {
+    json["parts"] = Json::array();
+    for (const LocatedPart& part : parts) {
+      Json one = {{"from_s", part.from_s}, {"to_s", part.to_s}};
+      one.update(json_of(part.located, plan));
+      json["parts"].push_back(std::move(one));
+    }
   }
   fmt::print("{}\n", json.dump(2));
 }
@@ -113,29 +136,70 @@ void print(const LocatedMission& located, const FloorPlan& plan) {
   fmt::print("{:5.1f} %  nowhere\n", 100.0 * located.nowhere_odds);
 }
 
+/// Where the robot was in one part of the span. A part in which no wall was seen was nowhere.
+LocatedPart located_part(const Settings& settings, const LocateArguments& arguments,
+                         const AssemblyStore& building, const MissionPart& part) {
+  const auto mission = open_mission_to_map(arguments.log, settings.mission);
+  TimeSpan span(*mission, arguments);
+  PartOfMission cut(span, part);
+  MemoryStore asked;
+  LocatedPart result;
+  result.located.nowhere_odds = 1.0;
+  try {
+    (void)map_mission(cut, asked, settings.map, console_progress(settings));
+    result.located = locate_mission(building, asked, mission->info().footprint, settings,
+                                    console_progress(settings));
+  } catch (const NotEnoughError& error) {
+    if (part.is_whole()) throw;
+    spdlog::warn("{}", error.what());
+  }
+  result.from_s = cut.info().first_timestamp_s.value_or(0.0);
+  result.to_s = cut.info().last_timestamp_s.value_or(0.0);
+  return result;
+}
+
+std::vector<MissionPart> parts_of_span(const Settings& settings, const LocateArguments& arguments) {
+  const auto mission = open_mission_to_map(arguments.log, settings.mission);
+  TimeSpan span(*mission, arguments);
+  return parts_between(kidnappings_in(settings, span));
+}
+
+/// The paths of all parts whose place is sure.
+Trajectory sure_paths(const std::vector<LocatedPart>& parts) {
+  Trajectory paths;
+  for (const LocatedPart& part : parts) {
+    if (part.located.verdict != PlaceVerdict::placed) continue;
+    const Trajectory& path = part.located.building_from_robot;
+    paths.insert(paths.end(), path.begin(), path.end());
+  }
+  return paths;
+}
+
 }  // namespace
 
 void locate(const Settings& settings, const LocateArguments& arguments) {
   const GeoPackageStore building(arguments.building, GeoPackageStore::Mode::read);
-  const auto mission = open_mission_to_map(arguments.log, settings.mission);
-  TimeSpan span(*mission, arguments);
-  MemoryStore asked;
-  (void)map_mission(span, asked, settings.map, console_progress(settings));
-  const LocatedMission located = locate_mission(building, asked, mission->info().footprint,
-                                                settings, console_progress(settings));
+  std::vector<LocatedPart> parts;
+  for (const MissionPart& part : parts_of_span(settings, arguments)) {
+    parts.push_back(located_part(settings, arguments, building, part));
+  }
   const FloorPlan plan = building.plan();
   if (settings.json) {
-    print_json(located, plan);
+    print_json(parts, plan);
   } else {
-    print(located, plan);
+    for (const LocatedPart& part : parts) {
+      if (parts.size() > 1) fmt::print("from {} to {} s:\n", part.from_s, part.to_s);
+      print(part.located, plan);
+    }
   }
   if (arguments.out.empty()) return;
   require_output_file(arguments.out, {arguments.building, arguments.log});
-  if (located.verdict != PlaceVerdict::placed) {
+  const Trajectory paths = sure_paths(parts);
+  if (paths.empty()) {
     throw NotEnoughError(arguments.out.string() +
                          ": not written: where the robot was is not sure enough");
   }
-  write_tum(arguments.out, located.building_from_robot);
+  write_tum(arguments.out, paths);
 }
 
 }  // namespace roomatlas::apps

@@ -99,10 +99,13 @@ bool is_corrected_as_a_whole(const MissionInfo& info, const Settings& settings) 
 
 }  // namespace
 
-void map(const Settings& settings, const Path& log, const Path& store_file) {
+void map(const Settings& settings, const Path& log, const Path& store_file,
+         const MissionPart& part) {
   require_output_store(store_file, {log});
-  const auto mission = open_log(log, settings.mission);
-  PeekedMission peeked(*mission);
+  const auto opened = open_log(log, settings.mission);
+  PartOfMission cut(*opened, part);
+  const MissionSource* mission = opened.get();  // of the whole log: what it lacks is told of it
+  PeekedMission peeked(cut);
   struct NoSink : AsrSink {
     void put(const Asr&) override {}
     void put(const TruePose&) override {}
@@ -115,7 +118,8 @@ void map(const Settings& settings, const Path& log, const Path& store_file) {
     (void)map_mission(peeked, nowhere, settings.map);  // says what is missing
   }
 
-  const auto [summary, info] = record_in_place(settings, peeked, sha256_of_file(log), store_file);
+  const auto [summary, info] =
+      record_in_place(settings, peeked, sha256_of_part(log, part), store_file);
   if (info.recording) spdlog::info("{}: {}", log.filename().string(), info.recording->choice);
   show(info.issues, info.issues_not_listed);
   // of a mission that is corrected as a whole, `assemble` tells the count that holds
@@ -123,7 +127,7 @@ void map(const Settings& settings, const Path& log, const Path& store_file) {
     spdlog::info("{} reported forwards went backwards", counted(summary.drives_reversed, "drive"));
   }
   if (summary.habits) spdlog::info("odometry: {}", describe(*summary.habits));
-  spdlog::info("{}: {}, {:.0f} m -> {} in {}", log.filename().string(),
+  spdlog::info("{}: {}, {:.0f} m -> {} in {}", log.filename().string() + part.suffix(),
                counted(info.readings, "reading"), info.path_length_m, counted(summary.asrs, "ASR"),
                store_file.string());
 }

@@ -15,11 +15,11 @@
 
 namespace roomatlas::apps {
 
-bool is_mapped_already(const Settings& settings, const Path& log, const Path& store_file) {
+bool is_mapped_already(const Settings& settings, const LogPart& mission, const Path& store_file) {
   if (!std::filesystem::exists(store_file)) return false;
   try {
     const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
-    return is_mapped_from(store.metadata(), sha256_of_file(log), settings);
+    return is_mapped_from(store.metadata(), sha256_of_part(mission.log, mission.part), settings);
   } catch (const InputError&) {
     return false;  // an interrupted or foreign store is mapped anew
   }
@@ -30,23 +30,31 @@ void require_no_map(const Path& log) {
   throw UsageError(log.string() + ": a finished map stands alone: joined are missions");
 }
 
-void map_and_assemble(const Settings& settings, const Path& log, const Path& store) {
-  const PlaceLock lock = lock_new_store(store, {log});
-  if (is_mapped_already(settings, log, store) &&
+bool map_and_assemble(const Settings& settings, const LogPart& mission, const Path& store) {
+  const PlaceLock lock = lock_new_store(store, {mission.log});
+  if (is_mapped_already(settings, mission, store) &&
       GeoPackageStore(store, GeoPackageStore::Mode::read).has_assembly()) {
     spdlog::info("{} holds this mission already", store.string());
-    return;
+    return true;
   }
-  map(settings, log, store);
-  (void)assemble(settings, store);
+  try {
+    map(settings, mission.log, store, mission.part);
+    (void)assemble(settings, store);
+  } catch (const NotEnoughError& error) {
+    if (mission.part.is_whole()) throw;
+    spdlog::warn("{}{}: left out: {}", mission.log.string(), mission.part.suffix(), error.what());
+    return false;
+  }
+  return true;
 }
 
-std::vector<Path> stores_for(const std::vector<Path>& logs, const Path& folder) {
+std::vector<Path> stores_for(const std::vector<LogPart>& missions, const Path& folder) {
   std::vector<Path> stores;
   std::map<std::string, int> named;
-  for (const Path& log : logs) {
-    std::string name = log.filename().string();
+  for (const LogPart& mission : missions) {
+    std::string name = mission.log.filename().string();
     name = name.substr(0, name.find('.'));
+    if (!mission.part.is_whole()) name += fmt::format("-part{}", mission.part.number);
     const int number = ++named[name];
     if (number > 1) name += fmt::format("-{}", number);
     stores.push_back(folder / (name + ".gpkg"));

@@ -5,21 +5,24 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "mission_parts.hpp"
 
 namespace roomatlas::apps {
 
-/// True when an earlier run left a finished map of this log.
-[[nodiscard]] bool is_mapped_already(const Settings& settings, const Path& log,
+/// True when an earlier run left a finished map of this log, or of this part of it.
+[[nodiscard]] bool is_mapped_already(const Settings& settings, const LogPart& mission,
                                      const Path& store_file);
 
 /// @throws UsageError for a finished map, which stands alone
 void require_no_map(const Path& log);
 
 /// One mission of several in a store of its own, which an earlier run may have left.
-void map_and_assemble(const Settings& settings, const Path& log, const Path& store);
+/// @returns false for a part of a log that is too little to be mapped
+bool map_and_assemble(const Settings& settings, const LogPart& mission, const Path& store);
 
 /// Stores of several missions, named after their logs: NAME.gpkg, and NAME-2.gpkg where two logs
-/// have one name.
-[[nodiscard]] std::vector<Path> stores_for(const std::vector<Path>& logs, const Path& folder);
+/// have one name. Parts of a log are NAME-part1.gpkg and so on.
+[[nodiscard]] std::vector<Path> stores_for(const std::vector<LogPart>& missions,
+                                           const Path& folder);
 
 }  // namespace roomatlas::apps

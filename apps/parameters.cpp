@@ -58,6 +58,8 @@ void add_map(Parameters& all, MapOptions& options) {
              "find drives that odometry reports forwards and the readings show backwards");
   stage.flag("localize", options.localize.enabled,
              "match each laser sweep with the room so far; off: dead reckoning, as in the paper");
+  stage.flag("find-kidnappings", options.kidnapping.enabled,
+             "cut a laser's mission where the robot was carried away; off: it is one course");
   RecorderOptions& record = options.record;
   RoomMapOptions& map = record.map;
   stage.add(

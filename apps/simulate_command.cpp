@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "commands.hpp"
 #include "console.hpp"
@@ -144,6 +146,55 @@ FloorPlan furnished_for(const Task& task, FloorPlan world, std::uint64_t seed,
   return world;
 }
 
+/// Drives as the task says, and hands on what comes of it.
+void drive_in(const FloorPlan& world, const Settings& settings, const SimulateArguments& arguments,
+              Task task, const std::function<void(const SimulatedStep&)>& sink) {
+  if (arguments.tour) {
+    task.drive = tour(world, task.explore.world_from_start->position(),
+                      {settings.simulation.footprint, TourOptions{}.view_m});
+    task.drive =
+        driven_within(std::move(task.drive), settings.explore.max_time_s, settings.simulation);
+  }
+  if (task.drive.empty() && arguments.drive.empty()) {
+    report(explore(world, settings.simulation, task.explore, sink), world, settings.json);
+  } else {
+    roomatlas::simulate(world, task.drive, settings.simulation, sink);
+  }
+}
+
+void require_sound_carry(const SimulateArguments& arguments) {
+  if (arguments.carry_to.empty() != (arguments.carry_at_s <= 0.0)) {
+    throw UsageError("simulate: --carry-at and --carry-to go together");
+  }
+  if (!arguments.carry_to.empty() && !arguments.drive.empty()) {
+    throw UsageError("simulate: --carry-at is for a robot that explores or tours, not for --drive");
+  }
+}
+
+/// Two drives in one log: at a time the robot is carried to another place, and its odometry and
+/// clock go on from where they were.
+void drive_carried(const FloorPlan& world, Settings settings, const SimulateArguments& arguments,
+                   Task task, const std::function<void(const SimulatedStep&)>& sink) {
+  const double rest_s = settings.explore.max_time_s - arguments.carry_at_s;
+  settings.explore.max_time_s = arguments.carry_at_s;
+  task.explore.max_time_s = arguments.carry_at_s;
+  OdometryStep last;
+  drive_in(world, settings, arguments, task, [&](const SimulatedStep& step) {
+    last = step.odometry;
+    sink(step);
+  });
+  settings.simulation.seed += 1;
+  settings.simulation.start_timestamp_s = last.timestamp_s + 1.0 / settings.simulation.rate_hz;
+  settings.explore.max_time_s = std::max(1.0, rest_s);
+  task.explore.max_time_s = settings.explore.max_time_s;
+  task.explore.world_from_start = start_of(arguments.carry_to);
+  drive_in(world, settings, arguments, task, [&](SimulatedStep step) {
+    step.odometry.odom_from_robot = last.odom_from_robot * step.odometry.odom_from_robot;
+    step.reading.odom_from_robot = step.odometry.odom_from_robot;
+    sink(step);
+  });
+}
+
 void simulate(const Settings& settings, const SimulateArguments& arguments) {
   const int sources = (arguments.world.empty() ? 0 : 1) + (arguments.random_rooms ? 1 : 0) +
                       (arguments.random_world ? 1 : 0);
@@ -158,16 +209,11 @@ void simulate(const Settings& settings, const SimulateArguments& arguments) {
   if (arguments.tour && !arguments.drive.empty()) {
     throw UsageError("simulate: expected either --drive FILE or --tour");
   }
+  require_sound_carry(arguments);
   FloorPlan world = sound_world(arguments);
   Task task = task_in(world, settings, arguments);
   if (arguments.furnish) {
     world = furnished_for(task, std::move(world), *arguments.furnish, settings.simulation);
-  }
-  if (arguments.tour) {
-    task.drive = tour(world, task.explore.world_from_start->position(),
-                      {settings.simulation.footprint, TourOptions{}.view_m});
-    task.drive =
-        driven_within(std::move(task.drive), settings.explore.max_time_s, settings.simulation);
   }
   make_folder(arguments.out);
   const PlaceLock lock(arguments.out);
@@ -177,10 +223,10 @@ void simulate(const Settings& settings, const SimulateArguments& arguments) {
   }
   MissionFiles files(settings, arguments.out, log);
   const auto write = [&](const SimulatedStep& step) { files.write(step); };
-  if (task.drive.empty() && arguments.drive.empty()) {
-    report(explore(world, settings.simulation, task.explore, write), world, settings.json);
+  if (arguments.carry_to.empty()) {
+    drive_in(world, settings, arguments, std::move(task), write);
   } else {
-    roomatlas::simulate(world, task.drive, settings.simulation, write);
+    drive_carried(world, settings, arguments, std::move(task), write);
   }
   files.finish(world);
 }

@@ -8,6 +8,7 @@
 #include <ctime>
 #include <filesystem>
 
+#include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "stored_configuration.hpp"
 
@@ -37,6 +38,12 @@ Metadata metadata_of(const MissionInfo& info, const std::string& mission_sha256,
           {"mission_first_timestamp_s", text_of(info.first_timestamp_s.value_or(0.0))},
           {"robot_length_m", text_of(info.footprint.length_m)},
           {"robot_width_m", text_of(info.footprint.width_m)}};
+}
+
+std::string sha256_of_part(const std::filesystem::path& log, const MissionPart& part) {
+  const std::string sha256 = sha256_of_file(log);
+  if (part.is_whole()) return sha256;
+  return fmt::format("{}{}:{}-{}", sha256, part.suffix(), part.first, part.last);
 }
 
 double path_length_of(const Metadata& metadata) {

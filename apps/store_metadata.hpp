@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 
 #include "roomatlas/mission/mission.hpp"
+#include "roomatlas/mission/part_of_mission.hpp"
 #include "settings.hpp"
 
 namespace roomatlas::apps {
@@ -14,6 +16,8 @@ using Metadata = std::map<std::string, std::string>;
 /// What the store remembers of the run that mapped it.
 [[nodiscard]] Metadata metadata_of(const MissionInfo& info, const std::string& mission_sha256,
                                    const Settings& settings);
+/// The log's checksum, and which part of it where it is one: a mission's identity.
+[[nodiscard]] std::string sha256_of_part(const std::filesystem::path& log, const MissionPart& part);
 /// Reads them back; the defaults where a store lacks them.
 [[nodiscard]] double path_length_of(const Metadata& metadata);
 /// The mission's date as YYYY-MM-DD, from its first timestamp; empty where that is no Unix time of

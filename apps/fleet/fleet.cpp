@@ -40,7 +40,9 @@ int number_of_ranks() {
 Path missions_folder(const Path& out) { return out.parent_path() / "missions"; }
 
 FleetMissions missions_of(const FleetArguments& arguments) {
-  return {arguments.logs, stores_for(arguments.logs, missions_folder(arguments.out))};
+  std::vector<LogPart> whole;
+  for (const Path& log : arguments.logs) whole.push_back({log, {}});
+  return {arguments.logs, stores_for(whole, missions_folder(arguments.out))};
 }
 
 class FleetRank {
@@ -150,10 +152,9 @@ class FleetRank {
     std::vector<JoinedBuilding> buildings = missions.joined(settings_, progress_, workers);
     Settings alone = settings_;  // the others have nothing left to do
     alone.jobs = cores_.take_all(settings_.jobs);
-    for (const WrittenBuilding& written :
-         missions.write(alone, std::move(buildings), arguments_.out)) {
-      require_a_room(written.rooms, written.store);
-    }
+    const auto written = missions.write(alone, std::move(buildings), arguments_.out);
+    require_any_joined(written);
+    for (const WrittenBuilding& one : written) require_a_room(one.rooms, one.store);
   }
 
   /// Whatever goes wrong in this rank alone: the others go on without it.
@@ -208,7 +209,7 @@ void map_mission_of_fleet(const Settings& settings, const FleetArguments& argume
                           std::size_t mission) {
   const FleetMissions missions = missions_of(arguments);
   require_no_map(missions.logs.at(mission));
-  map_and_assemble(settings, missions.logs.at(mission), missions.stores.at(mission));
+  (void)map_and_assemble(settings, {missions.logs.at(mission), {}}, missions.stores.at(mission));
 }
 
 FleetOutcome run_fleet(const Settings& settings, const FleetArguments& arguments) {

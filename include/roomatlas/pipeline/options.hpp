@@ -12,6 +12,7 @@
 #include "roomatlas/locate/sonar_shape.hpp"
 #include "roomatlas/loops/closures.hpp"
 #include "roomatlas/loops/feed_back.hpp"
+#include "roomatlas/match/kidnapping.hpp"
 #include "roomatlas/match/room_localizer.hpp"
 #include "roomatlas/merge/merge.hpp"
 #include "roomatlas/merge/regular_walls.hpp"
@@ -28,6 +29,7 @@ struct MapOptions {
   DriveDirectionOptions directions;  ///< of drives: on the stream, and again for the whole of a
                                      ///< mission with sonars
   LocalizeOptions localize;
+  KidnappingOptions kidnapping;  ///< where a mission is cut before it is mapped
   RecorderOptions record;
 };
 
