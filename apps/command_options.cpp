@@ -116,8 +116,10 @@ void add_simulate(CLI::App* command, SimulateArguments& a) {
       ->type_name("X,Y,DEG")
       ->configurable(false);
   command
-      ->add_option("--carry-at", a.carry_at_s,
-                   "s; the robot is carried away then, and drives on from --carry-to")
+      ->add_option(
+          "--carry-at", a.carry_at_s,
+          "s; the robot is carried away then (of a tour: at the way-point before), and drives "
+          "on from --carry-to")
       ->check(within(1.0, 1e6))
       ->configurable(false);
   command

@@ -99,5 +99,25 @@ TEST_F(Carried, IsOneMissionWhereNobodyAsks) {
   EXPECT_FALSE(std::filesystem::exists(*folder_ / "uncut/missions"));
 }
 
+TEST_F(Carried, PartThatNothingHoldsStaysBeside) {
+  const std::string world = std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/eight_rooms.geojson";
+  const Outcome made = run("-q simulate " + world +
+                           " --sensor laser --tour --seed 3 --start 2,2,0 --carry-at 60 "
+                           "--carry-to 21,3.5,90 --max-time 110 -o " +
+                           (*folder_ / "far").string());
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const Outcome done = run("build " + (*folder_ / "far/mission.clf").string() + " -o " +
+                           (*folder_ / "apart").string());
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_THAT(done.err, HasSubstr("not joined"));
+  EXPECT_TRUE(std::filesystem::exists(*folder_ / "apart/plan.svg"));
+  std::size_t beside = 0;
+  for (const auto& part : std::filesystem::directory_iterator(*folder_ / "apart/beside")) {
+    EXPECT_TRUE(std::filesystem::exists(part.path() / "plan.svg"));
+    ++beside;
+  }
+  EXPECT_EQ(beside, 1U);
+}
+
 }  // namespace
 }  // namespace roomatlas::test
