@@ -95,6 +95,7 @@ TEST_F(Carried, LocateAnswersBeforeAndAfter) {
 TEST_F(Carried, IsOneMissionWhereNobodyAsks) {
   const Outcome done =
       run("build " + log() + " --no-find-kidnappings -o " + (*folder_ / "uncut").string());
+  EXPECT_EQ(done.exit_code, 0) << done.err;
   EXPECT_EQ(done.err.find("carried away"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(*folder_ / "uncut/missions"));
 }
