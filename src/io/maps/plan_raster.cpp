@@ -42,20 +42,38 @@ class Painter {
 
   /// The cells that the ring's edges run through.
   void trace(const Ring& ring, std::uint8_t value) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point2& from = ring[i];
-      const Point2 along = ring[(i + 1) % ring.size()] - from;
-      const int steps = static_cast<int>(std::ceil(along.norm() / (raster_.cell_m / 4.0))) + 1;
-      for (int step = 0; step <= steps; ++step) {
-        const Point2 at = from + along * (static_cast<double>(step) / steps);
-        const int x = cell(at.x(), 0);
-        const int y = cell(at.y(), 1);
-        if (raster_.cells.has(x, y)) raster_.cells(x, y) = value;
-      }
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      trace_line({ring[i], ring[(i + 1) % ring.size()]}, value);
+  }
+
+  /// Where a door opens into its rooms, but for two cells at each jamb. A wall whose ring passes
+  /// from jamb to jamb without breadth must not shut it.
+  void open_faces(const PlanDoor& door) {
+    const Point2 jambs = (door.jambs.b - door.jambs.a).normalized();
+    for (std::size_t i = 0; i < door.opening.size(); ++i) {
+      const Point2& from = door.opening[i];
+      const Point2& to = door.opening[(i + 1) % door.opening.size()];
+      const double length_m = (to - from).norm();
+      if (length_m <= 4.0 * raster_.cell_m) continue;
+      const Point2 along = (to - from) / length_m;
+      if (std::abs(along.dot(jambs)) < 0.7) continue;  // a jamb
+      const Point2 kept = 2.0 * raster_.cell_m * along;
+      trace_line({from + kept, to - kept}, PlanRaster::kFree);
     }
   }
 
  private:
+  void trace_line(const Segment2& line, std::uint8_t value) {
+    const Point2 along = line.b - line.a;
+    const int steps = static_cast<int>(std::ceil(along.norm() / (raster_.cell_m / 4.0))) + 1;
+    for (int step = 0; step <= steps; ++step) {
+      const Point2 at = line.a + along * (static_cast<double>(step) / steps);
+      const int x = cell(at.x(), 0);
+      const int y = cell(at.y(), 1);
+      if (raster_.cells.has(x, y)) raster_.cells(x, y) = value;
+    }
+  }
+
   [[nodiscard]] int cell(double at_m, int axis) const {
     return static_cast<int>(std::floor((at_m - raster_.origin_m[axis]) / raster_.cell_m));
   }
@@ -118,7 +136,10 @@ PlanRaster raster_of(const FloorPlan& plan, double cell_m, double margin_m) {
     painter.trace(wall.outer, PlanRaster::kOccupied);
     for (const Ring& hole : wall.holes) painter.trace(hole, PlanRaster::kOccupied);
   }
-  for (const PlanDoor& door : plan.doors) painter.fill({door.opening, {}}, PlanRaster::kFree);
+  for (const PlanDoor& door : plan.doors) {
+    painter.fill({door.opening, {}}, PlanRaster::kFree);
+    painter.open_faces(door);
+  }
   for (const Polygon& piece : outlines_of(plan.furniture)) {
     painter.fill(piece, PlanRaster::kOccupied);
     painter.trace(piece.outer, PlanRaster::kOccupied);

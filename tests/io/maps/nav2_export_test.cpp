@@ -55,6 +55,16 @@ Pgm pgm_of(const std::filesystem::path& file) {
   return pgm;
 }
 
+TEST(Nav2Map, WallsWithoutBreadthDoNotShutADoor) {
+  FloorPlan plan = thin_wall();
+  plan.walls.push_back({{{3.02, 0.53}, {3.021, 0.53}, {3.021, 1.43}, {3.02, 1.43}}, {}});
+  const TemporaryDirectory folder;
+  write_nav2_map(folder / ".", plan);
+  const Pgm map = pgm_of(folder / "map.pgm");
+  const int row = static_cast<int>((0.98 + 0.65) / 0.05);  // through the door's middle
+  for (int x = 15; x < 130; ++x) EXPECT_EQ(map.at(x, row), 254) << x;
+}
+
 TEST(Nav2Map, IsFreeInRoomsOccupiedInWallsAndUnknownOutside) {
   const TemporaryDirectory folder;
   write_nav2_map(folder / ".", thin_wall());
