@@ -20,6 +20,7 @@
 #include "roomatlas/io/plans/ogr_export.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/io/plans/room_tables.hpp"
+#include "roomatlas/io/plans/route_graph.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/io/trajectories/pose_graph_file.hpp"
@@ -235,6 +236,8 @@ const std::map<std::string, Exporter>& exporters() {
        }},
       {"nav2", [](const Exported& from, const Settings&,
                   const Path& out) { return write_nav2_map(out, from.plan); }},
+      {"nav2-route", text_file("route_graph.geojson",
+                               [](const Exported& from) { return nav2_route_geojson(from.plan); })},
       {"dxf",
        [](const Exported& from, const Settings&, const Path& out) -> Names {
          write_dxf(out / "plan.dxf", from.plan);

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/io/plans/route_graph.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "plans/geojson_geometry.hpp"
+#include "plans/route_cells.hpp"
+
+namespace roomatlas {
+namespace {
+
+using io::RouteCells;
+using io::Way;
+
+constexpr double kStretch = 1.1;  // of the spanner
+
+/// One room's part of the graph: who is joined with whom, and how far.
+class RoomWays {
+ public:
+  void join(std::size_t a, std::size_t b, double length_m) {
+    next_[a][b] = length_m;
+    next_[b][a] = length_m;
+  }
+  /// Along what is joined; infinity where it is not.
+  [[nodiscard]] double distance(std::size_t from, std::size_t to) const {
+    std::map<std::size_t, double> known = {{from, 0.0}};
+    std::set<std::pair<double, std::size_t>> open = {{0.0, from}};
+    while (!open.empty()) {
+      const auto [so_far_m, at] = *open.begin();
+      if (at == to) return so_far_m;
+      open.erase(open.begin());
+      const auto near = next_.find(at);
+      if (near == next_.end()) continue;
+      for (const auto& [node, length_m] : near->second) {
+        const auto found = known.find(node);
+        if (found != known.end() && found->second <= so_far_m + length_m) continue;
+        if (found != known.end()) open.erase({found->second, node});
+        known[node] = so_far_m + length_m;
+        open.emplace(so_far_m + length_m, node);
+      }
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+
+ private:
+  std::map<std::size_t, std::map<std::size_t, double>> next_;
+};
+
+class Builder {
+ public:
+  explicit Builder(const FloorPlan& plan) : plan_(plan), cells_(plan) {}
+
+  RouteGraph build() {
+    place_nodes();
+    for (const PlanRoom& room : plan_.rooms) join(room);
+    say_what_is_left();
+    return std::move(graph_);
+  }
+
+ private:
+  struct Candidate {
+    std::size_t from = 0;
+    std::size_t to = 0;
+    Way way;
+  };
+
+  static bool leads_to(const PlanDoor& door, const PlanRoom& room) {
+    return door.kind != DoorKind::window && (door.room_a == room.id || door.room_b == room.id);
+  }
+
+  void place_nodes() {
+    for (const PlanRoom& room : plan_.rooms) {
+      cells_.enter(room);
+      const auto at = cells_.nearest_open(room.label_point);
+      if (!at) continue;
+      room_nodes_[room.id] = graph_.nodes.size();
+      graph_.nodes.push_back({rounded(*at), room.id, {}});
+    }
+    for (const PlanDoor& door : plan_.doors) {
+      if (door.kind == DoorKind::window) continue;
+      const Point2 at = rounded((door.jambs.a + door.jambs.b) / 2.0);
+      door_nodes_[door.id] = graph_.nodes.size();
+      graph_.nodes.push_back({at, {}, door.id});
+    }
+  }
+
+  /// The room's middle and the doors that a robot can stand in.
+  std::vector<std::size_t> ends_of(const PlanRoom& room) const {
+    std::vector<std::size_t> ends;
+    if (const auto middle = room_nodes_.find(room.id); middle != room_nodes_.end()) {
+      ends.push_back(middle->second);
+    }
+    for (const PlanDoor& door : plan_.doors) {
+      if (!leads_to(door, room)) continue;
+      const std::size_t node = door_nodes_.at(door.id);
+      if (cells_.is_open(graph_.nodes[node].at)) ends.push_back(node);
+    }
+    return ends;
+  }
+
+  void join(const PlanRoom& room) {
+    cells_.enter(room);
+    const std::vector<std::size_t> ends = ends_of(room);
+    std::vector<Candidate> candidates;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      std::vector<Point2> others;
+      for (std::size_t j = i + 1; j < ends.size(); ++j) others.push_back(graph_.nodes[ends[j]].at);
+      if (others.empty()) break;
+      std::vector<Way> ways = cells_.ways(graph_.nodes[ends[i]].at, others);
+      for (std::size_t j = i + 1; j < ends.size(); ++j) {
+        Way& way = ways[j - i - 1];
+        if (!way.line.empty()) candidates.push_back({ends[i], ends[j], std::move(way)});
+      }
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const auto& a, const auto& b) { return a.way.length_m < b.way.length_m; });
+    RoomWays ways;
+    for (const Candidate& candidate : candidates) {
+      if (ways.distance(candidate.from, candidate.to) <= kStretch * candidate.way.length_m)
+        continue;
+      add(candidate, room, ways);
+    }
+  }
+
+  void add(const Candidate& candidate, const PlanRoom& room, RoomWays& ways) {
+    std::size_t before = candidate.from;
+    const Polyline& line = candidate.way.line;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const std::size_t node = i + 1 == line.size() ? candidate.to : bend(line[i]);
+      const double length_m = (graph_.nodes[node].at - graph_.nodes[before].at).norm();
+      if (edges_.insert(std::minmax(before, node)).second) {
+        graph_.edges.push_back({before, node, room.id, length_m, candidate.way.clearance_m});
+      }
+      ways.join(before, node, length_m);
+      before = node;
+    }
+  }
+
+  std::size_t bend(const Point2& at) {
+    const Point2 place = rounded(at);
+    const auto [entry, is_new] = bends_.try_emplace({place.x(), place.y()}, graph_.nodes.size());
+    if (is_new) graph_.nodes.push_back({place, {}, {}});
+    return entry->second;
+  }
+
+  /// Nodes without an edge are named instead of kept: a robot cannot be sent there.
+  void say_what_is_left() {
+    std::vector<bool> is_joined(graph_.nodes.size(), false);
+    for (const RouteEdge& edge : graph_.edges) is_joined[edge.from] = is_joined[edge.to] = true;
+    for (const PlanRoom& room : plan_.rooms) {
+      const auto node = room_nodes_.find(room.id);
+      if (node == room_nodes_.end() || !is_joined[node->second]) {
+        graph_.rooms_without_way.push_back(room.id);
+      }
+    }
+    std::vector<std::size_t> now(graph_.nodes.size());
+    std::vector<RouteNode> kept;
+    for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
+      now[i] = kept.size();
+      if (is_joined[i]) {
+        kept.push_back(graph_.nodes[i]);
+      } else if (graph_.nodes[i].door) {
+        graph_.doors_without_way.push_back(*graph_.nodes[i].door);
+      }
+    }
+    graph_.nodes = std::move(kept);
+    for (RouteEdge& edge : graph_.edges) {
+      edge.from = now[edge.from];
+      edge.to = now[edge.to];
+    }
+  }
+
+  static Point2 rounded(const Point2& at) { return {to_millimetre(at.x()), to_millimetre(at.y())}; }
+
+  const FloorPlan& plan_;
+  RouteCells cells_;
+  RouteGraph graph_;
+  std::map<RoomId, std::size_t> room_nodes_;
+  std::map<std::int64_t, std::size_t> door_nodes_;
+  std::map<std::pair<double, double>, std::size_t> bends_;
+  std::set<std::pair<std::size_t, std::size_t>> edges_;
+};
+
+}  // namespace
+
+RouteGraph route_graph_of(const FloorPlan& plan) { return Builder(plan).build(); }
+
+}  // namespace roomatlas
