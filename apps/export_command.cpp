@@ -19,6 +19,7 @@
 #include "roomatlas/io/pictures/svg_pictures.hpp"
 #include "roomatlas/io/plans/ogr_export.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
+#include "roomatlas/io/plans/rmf_building.hpp"
 #include "roomatlas/io/plans/room_tables.hpp"
 #include "roomatlas/io/plans/route_graph.hpp"
 #include "roomatlas/io/results/summary.hpp"
@@ -243,6 +244,8 @@ const std::map<std::string, Exporter>& exporters() {
          write_dxf(out / "plan.dxf", from.plan);
          return {"plan.dxf"};
        }},
+      {"rmf", text_file("building.yaml",
+                        [](const Exported& from) { return rmf_building_yaml(from.plan); })},
       {"ogr",
        [](const Exported& from, const Settings&, const Path& out) {
          if (from.ogr_driver.empty()) {

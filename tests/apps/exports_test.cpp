@@ -46,7 +46,8 @@ TEST_F(Exports, AllTogetherHoldTheFilesThatBuildWrites) {
   for (const char* name :
        {"plan.svg", "plan.pdf", "plan.png", "plan.local.geojson", "rooms.graphml", "rooms.dot",
         "graph.g2o", "trajectory_odometry.tum", "trajectory_corrected.tum", "map.pgm", "map.yaml",
-        "keepout_mask.pgm", "keepout_mask.yaml", "rooms.yaml", "rooms.csv", "summary.json", "route_graph.geojson"}) {
+        "keepout_mask.pgm", "keepout_mask.yaml", "rooms.yaml", "rooms.csv", "summary.json",
+        "route_graph.geojson", "building.yaml"}) {
     EXPECT_GT(content_of(out + name).size(), 0U) << name;
   }
 }
