@@ -9,6 +9,7 @@
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/io/trajectories/closures_file.hpp"
 #include "roomatlas/pipeline/assemble_store.hpp"
+#include "store_edits.hpp"
 #include "stored_configuration.hpp"
 
 namespace roomatlas::apps {
@@ -65,8 +66,10 @@ Assembly assembled(const Settings& settings, const Path& store_file) {
     used.assemble.closures.given = read_closures(used.add_closures);
   }
   GeoPackageStore store(store_file, GeoPackageStore::Mode::update);
+  used.assemble.edits = edits_for(used, store);
   try {
     Assembly assembly = assemble_store(store, used, used.as_toml, console_progress(used));
+    keep_edits(used.assemble.edits, store);
     store.finish();
     return assembly;
   } catch (const Interrupted& stop) {

@@ -93,8 +93,10 @@ void build_joined(const Settings& settings, const BuildArguments& arguments,
   const PlaceLock folder_lock(out);
   const std::vector<Path> named = stores_for(missions, out / "missions");
   std::vector<Path> stores;
+  Settings of_one = settings;
+  of_one.edits_file.clear();  // they speak of the building that all missions together make
   for (std::size_t i = 0; i < missions.size(); ++i) {
-    if (map_and_assemble(settings, missions[i], named[i])) stores.push_back(named[i]);
+    if (map_and_assemble(of_one, missions[i], named[i])) stores.push_back(named[i]);
   }
   const Path store = out / "building.gpkg";
   const PlaceLock store_lock = lock_new_store(store, arguments.inputs);

@@ -37,6 +37,7 @@ struct Arguments {
   int alternative = 1;  ///< of several answers
   std::vector<std::string> missions;
   double resolution_m = 0.0;
+  std::string edits;  ///< file of statements; empty: those that the store keeps
   std::string room;
   std::string name;
   Path out;
@@ -93,8 +94,8 @@ class Commands {
     positional(info, "LOG", a_.log, "mission log");
 
     CLI::App* build = command("build", "log or map -> floor plan: everything in order", [this] {
-      apps::build(settings_, {a_.judged, a_.resolution_m, a_.out, a_.truth.files(),
-                              a_.truth.trajectory, a_.exported, a_.is_strict});
+      apps::build(edited(), {a_.judged, a_.resolution_m, a_.out, a_.truth.files(),
+                             a_.truth.trajectory, a_.exported, a_.is_strict});
     });
     build
         ->add_option("LOG|MAP", a_.judged,
@@ -110,6 +111,7 @@ class Commands {
     output_folder(build, a_.out, "folder for the results");
     add_truth(build, a_.truth);
     add_export_options(build, a_.exported);
+    add_edits(build);
     build->add_flag("--strict", a_.is_strict, "exit code 5 where the map is doubtful")
         ->configurable(false);
 
@@ -123,8 +125,7 @@ class Commands {
     CLI::App* assemble =
         command("assemble", "offline stage: graph, correction, floor plan", [this] {
           const PlaceLock lock = lock_store(a_.store);
-          require_a_room(assemble_again(settings_, a_.store, a_.alternative, a_.missions),
-                         a_.store);
+          require_a_room(assemble_again(edited(), a_.store, a_.alternative, a_.missions), a_.store);
         });
     positional(assemble, "STORE", a_.store, "store to complete");
     assemble
@@ -139,6 +140,19 @@ class Commands {
             "of a building of several: draw what these alone saw (names or numbers, separated "
             "by commas)")
         ->delimiter(',')
+        ->configurable(false);
+    add_edits(assemble);
+  }
+
+  [[nodiscard]] Settings edited() const {
+    Settings settings = settings_;
+    settings.edits_file = a_.edits;
+    return settings;
+  }
+
+  void add_edits(CLI::App* sub) {
+    sub->add_option("--edits", a_.edits,
+                    "edits.json: corrections by hand, which the store then keeps")
         ->configurable(false);
   }
 

@@ -15,6 +15,7 @@
 #include "roomatlas/asr/joined_source.hpp"
 #include "roomatlas/core/counted.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
+#include "store_edits.hpp"
 #include "store_metadata.hpp"
 
 namespace roomatlas::apps {
@@ -60,9 +61,14 @@ std::size_t write_building(const Settings& settings, const JoinedBuilding& build
     for (const AsrId id : source.ids()) store.put(source.get(id, AsrDetail::readings));
     store.put_members(building.members);
     store.put_metadata(metadata_of(building, stores, settings));
-    store.put_former_rooms(stores[building.missions.front()]->plan().rooms);
+    const GeoPackageStore& base = *stores[building.missions.front()];
+    store.put_former_rooms(base.plan().rooms);
+    keep_edits(stored_edits(base), store);
+    Settings used = settings;
+    used.assemble.edits = edits_for(settings, store);
     const Assembly assembly =
-        assemble_joined(store, building, settings, settings.as_toml, console_progress(settings));
+        assemble_joined(store, building, used, settings.as_toml, console_progress(settings));
+    keep_edits(used.assemble.edits, store);
     store.finish();
     made.put_in_place();
     show(assembly.plan.issues);

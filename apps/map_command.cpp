@@ -17,6 +17,7 @@
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/match/scan_odometry.hpp"
 #include "roomatlas/pipeline/map_mission.hpp"
+#include "store_edits.hpp"
 #include "store_metadata.hpp"
 
 namespace roomatlas::apps {
@@ -56,9 +57,11 @@ struct Recorded {
 
 /// The whole mission into a store, which is finished and closed then.
 Recorded record(const Settings& settings, MissionSource& mission, const std::string& sha256,
-                const std::vector<PlanRoom>& carried, const Path& store_file) {
+                const std::vector<PlanRoom>& carried, const Metadata& edits,
+                const Path& store_file) {
   GeoPackageStore store(store_file, GeoPackageStore::Mode::create);
   if (!carried.empty()) store.put_former_rooms(carried);
+  if (!edits.empty()) store.put_metadata(edits);
   Recorded recorded;
   recorded.summary = map_mission(mission, store, settings.map, console_progress(settings));
   recorded.info = mission.info();
@@ -74,9 +77,10 @@ Recorded record_in_place(const Settings& settings, MissionSource& mission,
                          const std::string& sha256, const Path& store_file) {
   settle_new_store(store_file);
   const std::vector<PlanRoom> carried = rooms_to_carry_over(store_file, sha256);
+  const Metadata edits = edits_to_carry_over(store_file, sha256);
   const NewStore store(store_file);
   try {
-    Recorded recorded = record(settings, mission, sha256, carried, store.file());
+    Recorded recorded = record(settings, mission, sha256, carried, edits, store.file());
     store.put_in_place();
     return recorded;
   } catch (const Interrupted& stop) {

@@ -10,6 +10,7 @@
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/pipeline/assemble_map.hpp"
+#include "store_edits.hpp"
 #include "store_metadata.hpp"
 
 namespace roomatlas::apps {
@@ -18,6 +19,8 @@ std::size_t map_into_store(const Settings& settings, const Path& file, const Map
                            const Path& store_file) {
   const std::string sha256 = sha256_of_file(file);
   const std::vector<PlanRoom> carried = rooms_to_carry_over(store_file, sha256);
+  const Metadata edits = edits_to_carry_over(store_file, sha256);
+  Settings used = settings;
   const NewStore made(store_file);
   try {
     GeoPackageStore store(made.file(), GeoPackageStore::Mode::create);
@@ -27,8 +30,11 @@ std::size_t map_into_store(const Settings& settings, const Path& file, const Map
     Metadata metadata = metadata_of(info, sha256, settings);
     metadata.erase("mission_json");
     store.put_metadata({*metadata.find("mission_file")});
+    store.put_metadata(edits);
+    used.assemble.edits = edits_for(used, store);
     const Assembly assembly =
-        assemble_map(store, cells, settings, settings.as_toml, console_progress(settings));
+        assemble_map(store, cells, used, settings.as_toml, console_progress(settings));
+    keep_edits(used.assemble.edits, store);
     store.put_metadata(metadata);  // a store with the map's checksum is whole
     store.finish();
     made.put_in_place();

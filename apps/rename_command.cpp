@@ -7,9 +7,11 @@
 
 #include "commands.hpp"
 #include "output_places.hpp"
+#include "roomatlas/io/plans/edits_file.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/io/store/room_names.hpp"
 #include "roomatlas/io/text/utf8.hpp"
+#include "store_edits.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -53,16 +55,35 @@ void require_unused(const Path& store, const FloorPlan& plan, const PlanRoom& ch
   }
 }
 
+/// The statements with the name of a room instead of those that it had; as text, empty where none
+/// is left. A room that is called by its number again has no name.
+std::string with_name(std::vector<Edit> edits, const PlanRoom& room, const std::string& name) {
+  std::erase_if(edits, [&](const Edit& edit) {
+    if (edit.kind != EditKind::name_room || !edit.rooms.front().at) return false;
+    const Point2 at = *edit.rooms.front().at;
+    return std::any_of(room.parts.begin(), room.parts.end(),
+                       [&](const Polygon& part) { return contains(part, at); });
+  });
+  if (name != std::to_string(room.id)) {
+    Edit edit;
+    edit.rooms = {anchor_of(room)};
+    edit.name = name;
+    edits.push_back(edit);
+  }
+  return edits.empty() ? "" : edits_json(edits);
+}
+
 }  // namespace
 
 void rename(const Settings&, const Path& store_file, const std::string& room,
             const std::string& name) {
   check_name(name);
   const PlaceLock lock = lock_store(store_file);
-  const FloorPlan plan = GeoPackageStore(store_file, GeoPackageStore::Mode::read).plan();
+  const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
+  const FloorPlan plan = store.plan();
   const PlanRoom& chosen = find_room(store_file, plan, room);
   require_unused(store_file, plan, chosen, name);
-  rename_room(store_file, chosen.id, name);
+  rename_room(store_file, chosen.id, name, with_name(stored_edits(store), chosen, name));
   GeoPackageStore(store_file, GeoPackageStore::Mode::update).finish();
   spdlog::info("room {}: \"{}\" is now \"{}\"; `roomatlas export` draws it so", chosen.id,
                chosen.name, name);

@@ -20,6 +20,7 @@ struct Settings : Options {
   ExploreOptions explore;
   double png_dpi = 110.0;
   std::string add_closures;     ///< file of matches to be tried; empty: none
+  std::string edits_file;       ///< statements to be applied; empty: those that the store keeps
   double label_pixel_m = 0.05;  ///< of label pictures given as truth
   bool json = false;
   bool quiet = false;

@@ -41,6 +41,7 @@
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/maps/nav2_export.hpp"
 #include "roomatlas/io/pictures/svg_pictures.hpp"
+#include "roomatlas/io/plans/edits_file.hpp"
 #include "roomatlas/io/plans/georeference.hpp"
 #include "roomatlas/io/plans/ogr_export.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"

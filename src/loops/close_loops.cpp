@@ -106,6 +106,7 @@ class LoopCloser {
     });
     bool any = false;
     for (std::size_t k = 0; k < near.size(); ++k) {
+      if (is_rejected(near[k].first)) continue;
       if (verdict_on(matches[k], options_.min_agreeing) != ClosureVerdict::accepted) continue;
       state_.placed.add(near[k].first, matches[k]);
       any = true;
@@ -129,6 +130,7 @@ class LoopCloser {
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       state_.closures.push_back({asrs_[pairs[k].first].id, asrs_[pairs[k].second].id, matches[k],
                                  verdict_on(matches[k], options_.again_min_agreeing), false});
+      if (is_rejected(pairs[k])) state_.closures.back().verdict = ClosureVerdict::left_out;
     }
     try_given();
     if (is_last) leave_out_best();
@@ -282,6 +284,13 @@ class LoopCloser {
     if (between.position().norm() > reach_m + 2.0 * kLongestPieceM) return;
     pair.apart_m = path_distance_m(shapes_[first], shapes_[second], between);
     if (pair.apart_m <= reach_m) pairs.push_back(pair);
+  }
+
+  [[nodiscard]] bool is_rejected(const Pair& pair) const {
+    const std::pair<AsrId, AsrId> ids(asrs_[pair.first].id, asrs_[pair.second].id);
+    return std::any_of(options_.rejected.begin(), options_.rejected.end(), [&](const auto& one) {
+      return one == ids || one == std::pair(ids.second, ids.first);
+    });
   }
 
   [[nodiscard]] ClosureVerdict verdict_on(const MapMatch& match, int min_agreeing) const {

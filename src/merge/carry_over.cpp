@@ -126,15 +126,21 @@ CarriedOver carry_over(const std::vector<PlanRoom>& former, FloorPlan& plan,
     found.insert(room.id);
     if (is_named(room)) name_of[room.id] = room.name;
   }
+  std::set<std::string> given;  // by statements, which are newer
+  for (const PlanRoom& room : plan.rooms) {
+    if (is_named(room)) given.insert(room.name);
+  }
   renumber(plan, carried.number);
   for (PlanRoom& room : plan.rooms) {
-    if (const auto name = name_of.find(room.id); name != name_of.end()) room.name = name->second;
+    const auto name = name_of.find(room.id);
+    if (name == name_of.end() || is_named(room) || given.contains(name->second)) continue;
+    room.name = name->second;
   }
   for (auto& [asr, room] : room_of_asr) {
     if (carried.number.contains(room)) room = carried.number.at(room);
   }
   for (const PlanRoom& room : former) {
-    if (found.contains(room.id) || !is_named(room)) continue;
+    if (found.contains(room.id) || !is_named(room) || given.contains(room.name)) continue;
     carried.lost.push_back({Severity::warning, "", 0, "room " + std::to_string(room.id),
                             "\"" + room.name +
                                 "\" was not found again, and its name is lost: give it to the "

@@ -9,10 +9,12 @@
 #include <utility>
 
 #include "draw_up.hpp"
+#include "edited_closures.hpp"
 #include "roomatlas/asr/joined_source.hpp"
 #include "roomatlas/asr/load.hpp"
 #include "roomatlas/asr/with_paths.hpp"
 #include "roomatlas/draft/building_axes.hpp"
+#include "roomatlas/edit/edit_building.hpp"
 #include "roomatlas/rooms/outline_rooms.hpp"
 #include "roomatlas/trust/judge_map.hpp"
 #include "strategies.hpp"
@@ -134,6 +136,24 @@ void give_rooms(const AsrSource& source, const std::set<AsrId>& visits, const Pl
   }
 }
 
+/// Applies statements. Visits are given to the rooms that splitting made where their path lies.
+Issues edited(const AsrSource& source, const Placement& placement, const std::vector<Edit>& edits,
+              MappedBuilding& building) {
+  RoomId last = 0;
+  for (const PlacedOutline& outline : building.outlines) last = std::max(last, outline.room);
+  Issues issues = edit_building(edits, building);
+  MappedBuilding by_path = building;
+  const bool is_split = std::any_of(building.outlines.begin(), building.outlines.end(),
+                                    [&](const PlacedOutline& one) { return one.room > last; });
+  if (!is_split) return issues;
+  const std::vector<AsrId> ids = source.ids();
+  give_rooms(source, {ids.begin(), ids.end()}, placement, by_path);
+  for (const auto& [id, room] : by_path.room_of_asr) {
+    if (room > last) building.room_of_asr[id] = room;
+  }
+  return issues;
+}
+
 }  // namespace
 
 MissionKind mission_kind(const AsrSource& source, const AssembleOptions& options) {
@@ -169,12 +189,17 @@ Assembly assemble_corrected(MissionKind kind, const AsrSource& source, Corrected
   MappedBuilding building =
       building_of(kind, WithPaths(drawn, assembly.paths), assembly, footprint, options, progress);
   give_rooms(recorded, corrected.not_drawn, placement_of(assembly.correction), building);
+  const Issues edits = edited(WithPaths(recorded, assembly.paths),
+                              placement_of(assembly.correction), options.assemble.edits, building);
   assembly.room_of_asr = building.room_of_asr;
   assembly.doors = building.doors;
   set_rooms(assembly.graph, assembly.room_of_asr);
   report(progress, "merge", -1.0);
   draw_up(std::move(building), options.assemble, assembly);
-  for (const Issues& issues : {unused, lost_on_the_way(assembly.graph)}) {
+  const Issues closures =
+      edited_closure_issues(source, options.assemble.edits, assembly.closures,
+                            corrected.are_rooms_matched && corrected.are_edits_heard);
+  for (const Issues& issues : {unused, lost_on_the_way(assembly.graph), edits, closures}) {
     assembly.plan.issues.insert(assembly.plan.issues.end(), issues.begin(), issues.end());
   }
   report(progress, "judge", -1.0);

@@ -221,6 +221,7 @@ Assembly assemble_joined(AssemblyStore& store, const JoinedBuilding& building,
   const std::vector<Asr> asrs = load(store, AsrDetail::path);
   CorrectedMission corrected;
   corrected.are_rooms_matched = true;
+  corrected.are_edits_heard = false;
   corrected.graph = build_graph(asrs);
   for (const Closure& closure : building.closures) {
     if (closure.verdict == ClosureVerdict::accepted) add_edge(corrected.graph, edge_of(closure));

@@ -7,6 +7,7 @@
 #include "draw_up.hpp"
 #include "put_assembly.hpp"
 #include "roomatlas/draft/building_axes.hpp"
+#include "roomatlas/edit/edit_building.hpp"
 
 namespace roomatlas {
 namespace {
@@ -28,9 +29,11 @@ Assembly assemble_map(const MapCells& map, const Options& options, const Progres
   MappedBuilding building = moved(mapped_building_of(draft_building(evidence, draft, options.jobs),
                                                      evidence, options.map.record.map),
                                   map.building_from_map);
+  const Issues edits = edit_building(assemble.edits, building);
   assembly.doors = building.doors;
   report(progress, "merge", -1.0);
   draw_up(std::move(building), assemble, assembly);
+  assembly.plan.issues.insert(assembly.plan.issues.end(), edits.begin(), edits.end());
   return assembly;
 }
 

@@ -20,7 +20,15 @@ std::vector<AsrId> asrs_of(RoomId room, const std::map<AsrId, RoomId>& room_of_a
 void draw_up(MappedBuilding building, const AssembleOptions& options, Assembly& assembly) {
   const auto plan_of = [&](const auto& outlines, const auto& placed_doors, const auto& bodies) {
     FloorPlan plan = merge(outlines, placed_doors, options.merge, bodies);
-    for (PlanRoom& room : plan.rooms) room.asrs = asrs_of(room.id, building.room_of_asr);
+    for (PlanRoom& room : plan.rooms) {
+      room.asrs = asrs_of(room.id, building.room_of_asr);
+      if (const auto name = building.names.find(room.id); name != building.names.end()) {
+        room.name = name->second;
+      }
+      if (const auto kind = building.kinds.find(room.id); kind != building.kinds.end()) {
+        room.kind = kind->second;
+      }
+    }
     plan.furniture = building.furniture;
     return plan;
   };

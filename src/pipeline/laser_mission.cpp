@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A mission with a laser: rooms found again by their walls.
+#include "edited_closures.hpp"
 #include "roomatlas/asr/load.hpp"
 #include "roomatlas/asr/shared_source.hpp"
 #include "roomatlas/core/for_each_index.hpp"
@@ -42,7 +43,7 @@ CorrectedMission correct_laser_mission(const AsrSource& source, const Options& o
   CorrectedMission result;
   result.are_rooms_matched = true;
   result.graph = build_graph(asrs);
-  ClosureOptions closures = assemble.closures;
+  ClosureOptions closures = with_edited_closures(source, assemble.edits, assemble.closures);
   closures.take_second = assemble.answer == 2;
   ClosedLoops loops =
       close_loops(asrs, shapes, result.graph, assemble.correct, closures, progress, options.jobs);

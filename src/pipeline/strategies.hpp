@@ -25,7 +25,8 @@ struct CorrectedMission {
   Correction correction;
   std::vector<Closure> closures;  ///< that were tried; none where rooms were not matched
   bool are_rooms_matched = false;
-  Paths paths;  ///< of readings that were matched again; may be empty
+  bool are_edits_heard = true;              ///< false where matches stand as joining left them
+  Paths paths;                              ///< of readings that were matched again; may be empty
   std::optional<SecondLoops> second_loops;  ///< another way to close them; sonars have their own
   std::optional<SonarTrajectory> sonars;
   std::set<AsrId> not_drawn;                  ///< visits of sonars to what lasers saw

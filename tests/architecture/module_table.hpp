@@ -27,6 +27,7 @@ inline const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"rooms", {"core", "plan", "mission", "grid", "polyline", "asr", "graph"}},
     {"planar", {"core"}},
     {"draft", {"core", "plan", "mission", "grid", "polyline", "asr", "graph", "rooms", "planar"}},
+    {"edit", {"core", "plan", "rooms", "planar"}},
     {"changes", {"core", "plan", "mission", "grid", "polyline", "match", "asr", "draft", "planar"}},
     {"merge", {"core", "plan", "planar"}},
     {"locate", {"core", "grid", "match", "asr", "sonar", "loops"}},
@@ -39,10 +40,10 @@ inline const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"simulate", {"core", "plan", "mission", "grid", "polyline", "asr", "planar"}},
     {"pipeline",
      {"core", "mission", "odometry", "match", "asr", "graph", "sonar", "correct", "loops", "rooms",
-      "draft", "merge", "assembly", "evaluate", "trust", "locate", "join"}},
+      "draft", "edit", "merge", "assembly", "evaluate", "trust", "locate", "join"}},
     {"io",
      {"core", "plan", "mission", "grid", "odometry", "match", "asr", "graph", "solve", "correct",
-      "loops", "merge", "evaluate", "draw", "simulate", "assembly"}},
+      "loops", "edit", "merge", "evaluate", "draw", "simulate", "assembly"}},
 };
 
 /// The header of the whole library. It belongs to no module and may include any; for programs, not

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "roomatlas/asr/asr.hpp"
@@ -39,8 +40,9 @@ struct ClosureOptions {
   double mend_seed = 0.0025;   ///< and those put elsewhere alone by so much of them: to be tried
   double robust_sigmas = 2.0;  ///< closures off by more lose weight (Cauchy)
   int without_best = 0;        ///< the best this many accepted closures are left out
-  bool take_second = false;     ///< the second answer in the place of the first, where there is one
-  std::vector<GivenClosure> given;  ///< tried beside those that are found
+  bool take_second = false;    ///< the second answer in the place of the first, where there is one
+  std::vector<GivenClosure> given;                ///< tried beside those that are found
+  std::vector<std::pair<AsrId, AsrId>> rejected;  ///< visits whose match is left out, either way
 };
 
 /// What is needed of an ASR to match it with others.

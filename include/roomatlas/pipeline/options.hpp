@@ -7,6 +7,7 @@
 #include "roomatlas/asr/recorder.hpp"
 #include "roomatlas/correct/correct.hpp"
 #include "roomatlas/draft/draft_building.hpp"
+#include "roomatlas/edit/edit.hpp"
 #include "roomatlas/graph/recognise.hpp"
 #include "roomatlas/join/join_missions.hpp"
 #include "roomatlas/locate/sonar_shape.hpp"
@@ -60,8 +61,9 @@ struct AssembleOptions {
   RegularWallOptions regular;
   double sonar_corner_m = 0.8;  ///< `regular.blind_corner_m` where sonars were heard
   MergeOptions merge;
-  bool map_again = true;  ///< cut the rooms' outlines at doors that only later visits found
-  int max_rounds = 5;     ///< of recognising doorways and correcting
+  bool map_again = true;    ///< cut the rooms' outlines at doors that only later visits found
+  int max_rounds = 5;       ///< of recognising doorways and correcting
+  std::vector<Edit> edits;  ///< what somebody who knows the building says, see `with_places`
 };
 
 /// All options of all stages, each once.

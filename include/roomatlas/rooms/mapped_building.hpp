@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <string>
 #include <vector>
 
 #include "roomatlas/mission/mission.hpp"
@@ -17,6 +18,8 @@ struct MappedBuilding {
   std::vector<Door> doors;              ///< between two rooms, in the order of their first crossing
   std::vector<PlacedOutline> outlines;  ///< one a room where it is drafted; else one an ASR
   SensorKind sensor = SensorKind::laser;  ///< sonar where there were both
+  std::map<RoomId, std::string> names;    ///< that somebody gave, and kinds of rooms likewise
+  std::map<RoomId, RoomKind> kinds;
 
   // Of a drafted building alone:
   bool is_drafted = false;                       ///< outlines are walls, not what was seen free

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "roomatlas/edit/edit.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
+#include "store_metadata.hpp"
+
+namespace roomatlas::apps {
+
+/// The key of a store's metadata under which its statements are kept, as edits.json.
+inline constexpr const char* kEditsKey = "edits_json";
+
+/// The statements of `--edits`, with the places of rooms that are told by number; without one
+/// those that the store keeps.
+[[nodiscard]] std::vector<Edit> edits_for(const Settings& settings, const GeoPackageStore& store);
+
+[[nodiscard]] std::vector<Edit> stored_edits(const GeoPackageStore& store);
+
+/// Keeps statements for later assemblies, where there are any or were any.
+void keep_edits(const std::vector<Edit>& edits, GeoPackageStore& store);
+
+/// The metadata that a store keeps when the same log is mapped into its place: its statements.
+[[nodiscard]] Metadata edits_to_carry_over(const Path& store, const std::string& mission_sha256);
+
+}  // namespace roomatlas::apps
