@@ -47,6 +47,8 @@
   const roomOf = new Map(data.rooms.map((room) => [room.id, room]));
   let roomTable = null;
   const view = makeMap(data, selectRoom);
+  window.roomatlasMap = view.map;  // for scripts of others
+  window.roomatlasEdits = makeEditor(data, view).text;
   function selectRoom(id, isFromMap) {
     view.select(id, isFromMap);
     for (const [room, tr] of roomTable.rows) {

@@ -264,6 +264,8 @@ std::string report_data(const ReportSources& from) {
   data["date"] = from.date;
   data["tool_version"] = text("tool_version");
   data["configuration"] = text("configuration");
+  const std::string edits = text("edits_json");
+  data["edits"] = edits.empty() ? Json::array() : Json::parse(edits)["edits"];
   data["rooms"] = rooms_of(from.plan);
   data["doors"] = doors_of(from.plan);
   data["walls"] = json_of(from.plan.walls);
