@@ -65,8 +65,8 @@ Assembly assembled(const Settings& settings, const Path& store_file) {
   if (!used.add_closures.empty()) {
     used.assemble.closures.given = read_closures(used.add_closures);
   }
+  used.assemble.edits = edits_for(used, GeoPackageStore(store_file, GeoPackageStore::Mode::read));
   GeoPackageStore store(store_file, GeoPackageStore::Mode::update);
-  used.assemble.edits = edits_for(used, store);
   try {
     Assembly assembly = assemble_store(store, used, used.as_toml, console_progress(used));
     keep_edits(used.assemble.edits, store);

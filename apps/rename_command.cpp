@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "commands.hpp"
 #include "output_places.hpp"
@@ -79,11 +80,13 @@ void rename(const Settings&, const Path& store_file, const std::string& room,
             const std::string& name) {
   check_name(name);
   const PlaceLock lock = lock_store(store_file);
-  const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
-  const FloorPlan plan = store.plan();
+  auto store = std::make_unique<GeoPackageStore>(store_file, GeoPackageStore::Mode::read);
+  const FloorPlan plan = store->plan();
+  const std::vector<Edit> edits = stored_edits(*store);
+  store.reset();  // nobody may have it open while it is written
   const PlanRoom& chosen = find_room(store_file, plan, room);
   require_unused(store_file, plan, chosen, name);
-  rename_room(store_file, chosen.id, name, with_name(stored_edits(store), chosen, name));
+  rename_room(store_file, chosen.id, name, with_name(edits, chosen, name));
   GeoPackageStore(store_file, GeoPackageStore::Mode::update).finish();
   spdlog::info("room {}: \"{}\" is now \"{}\"; `roomatlas export` draws it so", chosen.id,
                chosen.name, name);
