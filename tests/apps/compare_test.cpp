@@ -40,7 +40,7 @@ class Compare : public ::testing::Test {
 
   static Outcome compared(const std::string& before, const std::string& after,
                           const std::string& flags = "") {
-    return run("-q compare " + before + " " + after + " " + flags + " -o " +
+    return run("compare " + before + " " + after + " " + flags + " -o " +
                (*folder_ / "out").string());
   }
 

@@ -109,7 +109,8 @@ TEST_F(RoomsGeojson, InMetresGiveRoomsDoorsAndWallsWithGaps) {
         const bool in_second = std::abs(at.x() - 8.1) < 0.15 && std::abs(at.y() - 1.4) < 0.4;
         const bool at_jamb = std::abs(std::abs(at.y() - 2.0) - 0.5) < 0.03 ||
                              std::abs(std::abs(at.y() - 1.4) - 0.4) < 0.03;
-        if (!at_jamb) EXPECT_EQ(is_in_wall(plan, at), !in_first && !in_second) << at.transpose();
+        if (at_jamb) continue;
+        EXPECT_EQ(is_in_wall(plan, at), !in_first && !in_second) << at.transpose();
       }
     }
   }
