@@ -30,7 +30,8 @@ CorrectedMission correct_sonar_mission(const AsrSource& source, const RobotFootp
   SonarTrajectoryOptions sonars = options.assemble.sonars;
   sonars.take_second = options.assemble.answer == 2;
   SonarTrajectory trajectory = correct_sonar_trajectory(
-      readings, directions, sonars, [&] { report(progress, "correct sonars", -1.0); }, options.jobs);
+      readings, directions, sonars, [&] { report(progress, "correct sonars", -1.0); },
+      options.jobs);
   RecordedAgain again =
       record_again(readings, trajectory.map_from_robot, footprint, options.map.record);
   report(progress, "correct", -1.0);

@@ -144,8 +144,9 @@ ToMetres metres_of(const Json& json, const Box2& box, const Path& file, Issues& 
   if (box.min.cwiseAbs().maxCoeff() > kFar_m) {
     metres.origin = box.min.array().floor();
     issues.push_back({Severity::warning, file.filename().string(), 0, "coordinates",
-                      "taken for metres, of which " + std::to_string(std::llround(metres.origin.x())) +
-                          " east and " + std::to_string(std::llround(metres.origin.y())) +
+                      "taken for metres, of which " +
+                          std::to_string(std::llround(metres.origin.x())) + " east and " +
+                          std::to_string(std::llround(metres.origin.y())) +
                           " north are taken off"});
   }
   return metres;

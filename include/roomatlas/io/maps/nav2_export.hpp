@@ -22,6 +22,6 @@ struct Nav2Options {
 /// Throws InputError when a file cannot be written, or the map would have more than 2^28 cells.
 /// @returns the files' names
 std::vector<std::string> write_nav2_map(const std::filesystem::path& folder, const FloorPlan& plan,
-                    const Nav2Options& options = {});
+                                        const Nav2Options& options = {});
 
 }  // namespace roomatlas

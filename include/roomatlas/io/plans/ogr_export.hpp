@@ -26,6 +26,7 @@ void write_dxf(const std::filesystem::path& file, const FloorPlan& plan);
 /// @param driver as `ogrinfo --formats` names it, such as "GML" or "ESRI Shapefile"
 /// @param out folder; files there are called `plan_DRIVER...`
 /// @returns the files' names
-std::vector<std::string> write_ogr(const std::filesystem::path& out, const std::string& driver, const FloorPlan& plan);
+std::vector<std::string> write_ogr(const std::filesystem::path& out, const std::string& driver,
+                                   const FloorPlan& plan);
 
 }  // namespace roomatlas
