@@ -129,14 +129,10 @@ void add_simulate(CLI::App* command, SimulateArguments& a) {
       ->expected(3)
       ->check(finite())
       ->configurable(false);
-  command
-      ->add_option("--furnish", a.furnish,
-                   "seed of furniture and open door leaves that are put into the rooms first")
+  command->add_option("--furnish", a.furnish, "seed of furniture and open doors that are put in")
       ->type_name("SEED")
       ->configurable(false);
-  command
-      ->add_option("--format", a.format,
-                   "of the mission: clf (CARMEN), or a recording with topics: bag, mcap, db3")
+  command->add_option("--format", a.format, "of the mission: CARMEN, or topics")
       ->check(CLI::IsMember({"clf", "bag", "mcap", "db3"}))
       ->configurable(false);
   output_folder(command, a.out, "folder for mission.clf, truth.tum and truth.geojson");
