@@ -121,6 +121,7 @@ void add_simulate(CLI::App* command, SimulateArguments& a) {
           "s; the robot is carried away then (of a tour: at the way-point before), and drives "
           "on from --carry-to")
       ->check(within(1.0, 1e6))
+      ->type_name("S")
       ->configurable(false);
   command
       ->add_option("--carry-to", a.carry_to,
@@ -128,6 +129,7 @@ void add_simulate(CLI::App* command, SimulateArguments& a) {
       ->delimiter(',')
       ->expected(3)
       ->check(finite())
+      ->type_name("X,Y,DEG")
       ->configurable(false);
   command->add_option("--furnish", a.furnish, "seed of furniture and open doors that are put in")
       ->type_name("SEED")
