@@ -41,7 +41,7 @@ TEST_F(StoredAssembly, ThePlanAsMeasuredStandsBesideTheOtherAndSharesItsNames) {
   assembly.measured_plan = measured;
   store_.put(assembly, "");
   store_.finish();
-  rename_room(file_, measured.rooms[0].id, "Kitchen");
+  rename_room(file_, measured.rooms[0].id, "Kitchen", "");
   measured.rooms[0].name = "Kitchen";
   const GeoPackageStore store(file_, Mode::read);
   expect_same(store.measured_plan(), measured);

@@ -9,8 +9,8 @@
 namespace roomatlas {
 
 /// Gives a room of the plan another name, and keeps with it the statements about the building that
-/// are then told (`edits_json`; empty: none), in one transaction. Nobody may have the store open for writing. Throws
-/// InputError when it is no store, or has no such room.
+/// are then told (`edits_json`; empty: none), in one transaction. Nobody may have the store open
+/// for writing. Throws InputError when it is no store, or has no such room.
 void rename_room(const std::filesystem::path& store, RoomId id, const std::string& name,
                  const std::string& edits);
 
