@@ -107,7 +107,7 @@ TEST_F(Edits, FromAClickOnThePageToThePlan) {
     const Outcome assembled = run("assemble " + copy + " --edits " + edits.string());
     EXPECT_EQ(assembled.exit_code, 0) << assembled.err;
     EXPECT_THAT(assembled.err, Not(HasSubstr("no longer fits")));
-    EXPECT_THAT(assembled.err, HasSubstr("3 rooms, 1 doors"));
+    EXPECT_THAT(assembled.err, HasSubstr("3 rooms, 1 door\n"));
   }
 }
 
