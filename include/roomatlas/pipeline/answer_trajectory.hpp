@@ -12,8 +12,7 @@ namespace roomatlas {
 /// metres. The whole mission is assembled for it, and nothing of that is kept.
 /// @param options `assemble.answer` says which, from 1
 /// @throws UsageError where the mission has no such answer
-[[nodiscard]] Trajectory answer_trajectory(const AsrSource& source,
-                                           const RobotFootprint& footprint, const Options& options,
-                                           const Progress& progress = {});
+[[nodiscard]] Trajectory answer_trajectory(const AsrSource& source, const RobotFootprint& footprint,
+                                           const Options& options, const Progress& progress = {});
 
 }  // namespace roomatlas

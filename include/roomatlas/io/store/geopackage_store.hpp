@@ -44,8 +44,8 @@ class GeoPackageStore : public AsrSink, public AssemblyStore {
   /// Says which missions the ASRs are of; replaces what was said.
   void put_members(const std::vector<MemberMission>& members);
 
-  /// Paths of readings that were matched again: `get` has these from then on where the store is open
-  /// to be read, and no other, so that assembling again begins where it began before.
+  /// Paths of readings that were matched again: `get` has these from then on where the store is
+  /// open to be read, and no other, so that assembling again begins where it began before.
   void put(const Assembly& assembly, const std::string& configuration) override;
   [[nodiscard]] bool has_assembly() const override;
   [[nodiscard]] Correction correction() const override;
