@@ -75,34 +75,10 @@ void add_truth(CLI::App* command, TruthArguments& arguments) {
   add_trajectory_flags(command, arguments.trajectory);
 }
 
-void add_simulate(CLI::App* command, SimulateArguments& a) {
-  command->add_option("WORLD", a.world, "plan (GeoJSON), nav2 map (YAML), or picture (PNG, PGM)")
-      ->type_name("FILE")
-      ->configurable(false);
-  command
-      ->add_option("--random-rooms", a.random_rooms,
-                   "instead of WORLD: a random building of N rooms, as a store of ASRs")
-      ->type_name("N")
-      ->configurable(false);
-  command
-      ->add_option("--random-world", a.random_world,
-                   "instead of WORLD: a building that this seed makes up")
-      ->type_name("SEED")
-      ->configurable(false);
-  command->add_option("--world-kind", a.world_kind, "of --random-world: offices, hall, wings ...")
-      ->type_name("KIND")
-      ->configurable(false);
-  command->add_option("--world-rooms", a.world_rooms, "of --random-world: about so many, 3 to 40")
-      ->type_name("N")
-      ->configurable(false);
-  command
-      ->add_option("--resolution", a.file.resolution_m, "m a pixel, of a world that is a picture")
-      ->check(within(0.001, 10.0))
-      ->type_name("M")
-      ->configurable(false);
-  command->add_option("--room-labels", a.file.room_labels, "picture with each pixel's room number")
-      ->type_name("FILE")
-      ->configurable(false);
+namespace {
+
+/// How the simulated robot drives, and where it is carried.
+void add_drive(CLI::App* command, SimulateArguments& a) {
   command->add_option("--drive", a.drive, "way-points; without them the robot explores by itself")
       ->type_name("FILE")
       ->configurable(false);
@@ -131,6 +107,39 @@ void add_simulate(CLI::App* command, SimulateArguments& a) {
       ->check(finite())
       ->type_name("X,Y,DEG")
       ->configurable(false);
+}
+
+}  // namespace
+
+void add_simulate(CLI::App* command, SimulateArguments& a) {
+  command->add_option("WORLD", a.world, "plan (GeoJSON), nav2 map (YAML), or picture (PNG, PGM)")
+      ->type_name("FILE")
+      ->configurable(false);
+  command
+      ->add_option("--random-rooms", a.random_rooms,
+                   "instead of WORLD: a random building of N rooms, as a store of ASRs")
+      ->type_name("N")
+      ->configurable(false);
+  command
+      ->add_option("--random-world", a.random_world,
+                   "instead of WORLD: a building that this seed makes up")
+      ->type_name("SEED")
+      ->configurable(false);
+  command->add_option("--world-kind", a.world_kind, "of --random-world: offices, hall, wings ...")
+      ->type_name("KIND")
+      ->configurable(false);
+  command->add_option("--world-rooms", a.world_rooms, "of --random-world: about so many, 3 to 40")
+      ->type_name("N")
+      ->configurable(false);
+  command
+      ->add_option("--resolution", a.file.resolution_m, "m a pixel, of a world that is a picture")
+      ->check(within(0.001, 10.0))
+      ->type_name("M")
+      ->configurable(false);
+  command->add_option("--room-labels", a.file.room_labels, "picture with each pixel's room number")
+      ->type_name("FILE")
+      ->configurable(false);
+  add_drive(command, a);
   command->add_option("--furnish", a.furnish, "seed of furniture and open doors that are put in")
       ->type_name("SEED")
       ->configurable(false);
