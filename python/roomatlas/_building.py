@@ -111,7 +111,8 @@ class Building:
 
     def _page(self) -> str:
         svg = self.plan.svg()
-        return svg[svg.index("<svg"):]
+        page = svg[svg.index("<svg"):]
+        return page.replace("<svg", '<svg style="max-width:100%;height:auto"', 1)  # fits its cell
 
     def __repr__(self) -> str:
         return f"<roomatlas.Building {self.plan.title!r}: {self.plan.counts}>"

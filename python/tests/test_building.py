@@ -85,6 +85,7 @@ def test_a_notebook_shows_the_plan(building):
     assert page.tag.endswith("svg")
     html = building._repr_html_()
     assert html.count("<svg") == 1 and "<?xml" not in html
+    assert xml.fromstring(html[html.index("<svg"):]).get("viewBox")
     assert "2 rooms" in html and "2 rooms, 1 door>" in repr(building)
 
 
