@@ -102,6 +102,11 @@ void renumber(FloorPlan& plan, const std::map<RoomId, RoomId>& number) {
       std::swap(door.room_a, door.room_b);
     }
   }
+  for (PlanEdge& edge : plan.edges) {
+    if (const auto now = number.find(edge.room); now != number.end()) edge.room = now->second;
+  }
+  std::stable_sort(plan.edges.begin(), plan.edges.end(),
+                   [](const PlanEdge& a, const PlanEdge& b) { return a.room < b.room; });
   for (PlanRoom& room : plan.rooms) {
     const auto now = number.find(room.id);
     if (now == number.end()) continue;

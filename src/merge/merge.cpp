@@ -111,6 +111,18 @@ std::vector<PlanDoor> doors_of(const std::vector<Door>& doors, const MillimetreG
   return placed;
 }
 
+/// Doors are of no room that is not in the plan.
+void forget_missing_rooms(FloorPlan& plan) {
+  const auto forget = [&](std::optional<RoomId>& side) {
+    if (side && !has_room(plan, *side)) side.reset();
+  };
+  for (PlanDoor& door : plan.doors) {
+    forget(door.room_a);
+    forget(door.room_b);
+    if (!door.room_a) std::swap(door.room_a, door.room_b);
+  }
+}
+
 /// Shapes whose planar map is the plan: door openings, outlines, and the outlines with walls
 /// around.
 struct PlanShapes {
@@ -226,6 +238,7 @@ FloorPlan merge(const std::vector<PlacedOutline>& placed_outlines, const std::ve
       plan.rooms.push_back(room_of(outlines.rooms[r], std::move(bodies[r])));
     }
   }
+  forget_missing_rooms(plan);
   return plan;
 }
 

@@ -35,6 +35,9 @@ void draw_up(MappedBuilding building, const AssembleOptions& options, Assembly& 
   const std::vector<Polygon> no_bodies;
   if (building.is_drafted) {
     assembly.plan = plan_of(building.outlines, building.doors, building.wall_bodies);
+    std::erase_if(building.edges, [&](const PlanEdge& edge) {
+      return !has_room(assembly.plan, edge.room);  // it has no place of its own
+    });
     assembly.plan.edges = std::move(building.edges);
     assembly.measured_plan = plan_of(building.measured_outlines, building.doors, no_bodies);
     return;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/plan/floor_plan.hpp"
 
+#include <algorithm>
+
 namespace roomatlas {
 
 const char* to_string(RoomKind kind) {
@@ -53,6 +55,11 @@ std::vector<Polygon> outlines_of(const std::vector<PlanFurniture>& furniture) {
   std::vector<Polygon> outlines;
   for (const PlanFurniture& piece : furniture) outlines.push_back(piece.outline);
   return outlines;
+}
+
+bool has_room(const FloorPlan& plan, RoomId id) {
+  return std::any_of(plan.rooms.begin(), plan.rooms.end(),
+                     [&](const PlanRoom& room) { return room.id == id; });
 }
 
 }  // namespace roomatlas

@@ -31,6 +31,8 @@ TEST(CarryOver, GivesNumbersAndNamesToTheRoomsThatOverlapMost) {
   FloorPlan plan;
   plan.rooms = {room(1, "1", 4.2, 8.1), room(2, "2", 0.1, 4.1)};
   plan.doors = {door(1, 2)};
+  plan.edges = {{1, {{4.2, 0}, {8.1, 0}}, WallEvidence::measured, std::nullopt},
+                {2, {{0.1, 0}, {4.1, 0}}, WallEvidence::measured, std::nullopt}};
   std::map<AsrId, RoomId> room_of_asr = {{10, 1}, {11, 2}};
   EXPECT_THAT(carry_over(former, plan, room_of_asr).lost, IsEmpty());
   ASSERT_EQ(plan.rooms.size(), 2U);
@@ -40,6 +42,10 @@ TEST(CarryOver, GivesNumbersAndNamesToTheRoomsThatOverlapMost) {
   EXPECT_EQ(plan.rooms[1].name, "Lab 315");
   EXPECT_EQ(plan.doors[0].room_a, 1);
   EXPECT_EQ(plan.doors[0].room_b, 5);
+  ASSERT_EQ(plan.edges.size(), 2U);
+  EXPECT_EQ(plan.edges[0].room, 1);
+  EXPECT_DOUBLE_EQ(plan.edges[0].line.a.x(), 0.1);
+  EXPECT_EQ(plan.edges[1].room, 5);
   EXPECT_EQ(room_of_asr, (std::map<AsrId, RoomId>{{10, 5}, {11, 1}}));
 }
 

@@ -83,4 +83,6 @@ struct FloorPlan {
   Issues issues;
 };
 
+[[nodiscard]] bool has_room(const FloorPlan& plan, RoomId id);
+
 }  // namespace roomatlas
