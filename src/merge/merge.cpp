@@ -103,6 +103,7 @@ std::vector<PlanDoor> doors_of(const std::vector<Door>& doors, const MillimetreG
     result.jambs = {grid.to_metres(jambs_mm.a), grid.to_metres(jambs_mm.b)};
     result.width_m = (result.jambs.b - result.jambs.a).norm();
     result.opening = grid.to_metres(opening_mm);
+    result.kind = door.kind;
     result.leaf = door.leaf;
     set_rooms(result, outlines, first, second);
     openings_mm.push_back({opening_mm, {}});
