@@ -9,13 +9,12 @@
 #include "former_store.hpp"
 #include "log_report.hpp"
 #include "new_store.hpp"
+#include "open_log.hpp"
 #include "output_places.hpp"
 #include "roomatlas/core/counted.hpp"
 #include "roomatlas/io/files/files.hpp"
-#include "roomatlas/io/logs/open_mission.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
-#include "roomatlas/match/scan_odometry.hpp"
 #include "roomatlas/pipeline/map_mission.hpp"
 #include "store_edits.hpp"
 #include "store_metadata.hpp"
@@ -38,16 +37,6 @@ class PeekedMission : public MissionSource {
   MissionSource& mission_;
   std::optional<MissionEvent> first_;
 };
-
-/// The log's mission; one of a recording without odometry by scan matching alone.
-std::unique_ptr<MissionSource> open_log(const Path& log, const MissionOptions& options) {
-  auto mission = open_mission_to_map(log, options);
-  const MissionInfo& info = mission->info();
-  if (!info.recording || info.odometry != "none") return mission;
-  ScanOdometryOptions matching;
-  matching.turns_are_told = !info.recording->gyro_topic.empty();
-  return scan_odometry(std::move(mission), matching);
-}
 
 /// What a mapped mission leaves to tell.
 struct Recorded {

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "former_store.hpp"
+#include "open_log.hpp"
 #include "output_places.hpp"
 #include "roomatlas/correct/place.hpp"
 #include "roomatlas/io/files/files.hpp"
@@ -16,7 +17,6 @@
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/io/trajectories/tum.hpp"
-#include "roomatlas/match/scan_odometry.hpp"
 #include "roomatlas/pipeline/assemble_map.hpp"
 #include "roomatlas/pipeline/assemble_store.hpp"
 #include "roomatlas/pipeline/evaluate_store.hpp"
@@ -48,19 +48,9 @@ Settings settings_of(const std::string& parameters) {
       fmt::join(read.unknown, ", ")));
 }
 
-/// The log's mission; one of a recording without odometry by scan matching alone.
-std::unique_ptr<MissionSource> open_log(const Path& log, const MissionOptions& options) {
-  auto mission = open_mission_to_map(log, options);
-  const MissionInfo& info = mission->info();
-  if (!info.recording || info.odometry != "none") return mission;
-  ScanOdometryOptions matching;
-  matching.turns_are_told = !info.recording->gyro_topic.empty();
-  return scan_odometry(std::move(mission), matching);
-}
-
 void map_log(const Path& log, GeoPackageStore& store, const std::string& sha256,
              const Settings& settings, const Progress& progress) {
-  const auto mission = open_log(log, settings.mission);
+  const auto mission = apps::open_log(log, settings.mission);
   const MapSummary summary = map_mission(*mission, store, settings.map, progress);
   apps::Metadata metadata = apps::metadata_of(mission->info(), sha256, settings);
   if (summary.habits) metadata["odometry_json"] = to_json(*summary.habits);
