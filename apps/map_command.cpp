@@ -13,6 +13,7 @@
 #include "output_places.hpp"
 #include "roomatlas/core/counted.hpp"
 #include "roomatlas/io/files/files.hpp"
+#include "roomatlas/io/logs/open_mission.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/pipeline/map_mission.hpp"
