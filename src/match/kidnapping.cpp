@@ -42,7 +42,8 @@ struct KidnappingFinder::State {
       for (std::size_t j = i + 1; j < last; ++j) {
         const Pose2 step = inverse(sweeps[i].odom_from_robot) * sweeps[j].odom_from_robot;
         const Agreement fits = agreement_of(sweeps[i].seen, sweeps[j].seen, step);
-        if (!is_enough(fits) || fits.share() < options.course_share) return false;
+        if (fits.points < options.least_points || !is_enough(fits)) return false;
+        if (fits.share() < options.course_share) return false;
       }
     }
     return true;

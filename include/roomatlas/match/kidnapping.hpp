@@ -26,6 +26,8 @@ struct KidnappingOptions {
   double course_share = 0.75;   ///< of two sweeps on one side agrees at least: a course
   double broken_share = 0.7;    ///< of both sides agrees at most, wherever in reach; recorded
                                 ///< courses have 0.80 at least
+  int least_points = 120;  ///< of both sweeps together: of fewer, noise and odometry's lag make so
+                           ///< many disagree that courses are cut
   double comparable_share = 0.4;  ///< of the points can be compared, or nothing is said
   double reach_m = 0.5;           ///< odometry may have slipped by so much ...
   double reach_m_per_s = 0.5;     ///< ... and so much for each second between
