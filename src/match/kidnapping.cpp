@@ -58,7 +58,8 @@ struct KidnappingFinder::State {
     std::vector<PlacedSweep> side;
     const Pose2 side_from_odom = inverse(sweeps[nearest].odom_from_robot);
     for (int i = 0; i < options.sweeps; ++i) {
-      const Sweep& sweep = sweeps[static_cast<std::size_t>(static_cast<int>(nearest) + i * step)];
+      const int at = static_cast<int>(nearest) + i * step;
+      const Sweep& sweep = sweeps[static_cast<std::size_t>(at)];
       side.push_back({&sweep.seen, side_from_odom * sweep.odom_from_robot});
     }
     return side;

@@ -53,6 +53,7 @@ const char* to_string(FurnitureKind kind) {
 
 std::vector<Polygon> outlines_of(const std::vector<PlanFurniture>& furniture) {
   std::vector<Polygon> outlines;
+  outlines.reserve(furniture.size());
   for (const PlanFurniture& piece : furniture) outlines.push_back(piece.outline);
   return outlines;
 }

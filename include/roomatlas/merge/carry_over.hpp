@@ -17,17 +17,17 @@ struct CarriedOver {
   Issues lost;                      ///< a warning for each named room that was not found again
 };
 
-/// Gives rooms other numbers; doors and edges follow, and rooms are then in the order of their numbers.
-/// Rooms without a number in `number` keep theirs.
+/// Gives rooms other numbers; doors and edges follow, and rooms are then in the order of their
+/// numbers. Rooms without a number in `number` keep theirs.
 void renumber(FloorPlan& plan, const std::map<RoomId, RoomId>& number);
 
 /// Gives the rooms of a plan the numbers, and the names that somebody gave, of those rooms of the
 /// former plan whose polygons they overlap most; largest overlap first, each room once, and only
 /// where a quarter of the smaller room is shared. Other rooms keep their numbers where these are
 /// free, else they get numbers above all that were used. Rooms are then in the order of their
-/// numbers, and doors, edges and `room_of_asr` follow. A room of the plan that is named keeps that name,
-/// and no other gets it. Both plans must be in one frame.
-/// What is lost is in the plan's issues too.
+/// numbers, and doors, edges and `room_of_asr` follow. A room of the plan that is named keeps that
+/// name, and no other gets it. Both plans must be in one frame. What is lost is in the plan's
+/// issues too.
 CarriedOver carry_over(const std::vector<PlanRoom>& former, FloorPlan& plan,
                        std::map<AsrId, RoomId>& room_of_asr);
 
