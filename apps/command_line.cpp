@@ -185,6 +185,7 @@ class Commands {
     output_folder(exported, a_.out, "folder for the files");
     add_export_options(exported, a_.exported);
     add_ogr_option(exported, a_.exported);
+    add_address_option(exported, a_.exported);
     add_measured_walls(exported, a_.exported);
 
     CLI::App* evaluate =

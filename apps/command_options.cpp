@@ -58,6 +58,15 @@ void add_ogr_option(CLI::App* command, ExportOptions& options) {
       ->configurable(false);
 }
 
+void add_address_option(CLI::App* command, ExportOptions& options) {
+  command
+      ->add_option("--address", options.address,
+                   "postal address of the building for -f imdf, parted by semicolons; the country "
+                   "as ISO 3166 has it")
+      ->type_name("STREET;CITY;COUNTRY[;POSTCODE]")
+      ->configurable(false);
+}
+
 void add_truth(CLI::App* command, TruthArguments& arguments) {
   command
       ->add_option(

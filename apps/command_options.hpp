@@ -30,6 +30,7 @@ CLI::Option* output_folder(CLI::App* command, Path& value, const char* meaning);
 void add_export_options(CLI::App* command, ExportOptions& options);
 void add_measured_walls(CLI::App* command, ExportOptions& options);
 void add_ogr_option(CLI::App* command, ExportOptions& options);
+void add_address_option(CLI::App* command, ExportOptions& options);
 void add_truth(CLI::App* command, TruthArguments& arguments);
 void add_simulate(CLI::App* command, SimulateArguments& arguments);
 void add_comparison_files(CLI::App* command, ComparisonFiles& files);

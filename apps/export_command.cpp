@@ -17,6 +17,7 @@
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/maps/nav2_export.hpp"
 #include "roomatlas/io/pictures/svg_pictures.hpp"
+#include "roomatlas/io/plans/imdf.hpp"
 #include "roomatlas/io/plans/ogr_export.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/io/plans/rmf_building.hpp"
@@ -55,6 +56,7 @@ struct Exported {
   std::optional<GeoReference> on_earth;
   std::optional<double> north_deg;
   std::string ogr_driver;
+  PostalAddress address;
   std::string plan_svg;          ///< where some format is a drawing ...
   std::string before_after_svg;  ///< ... and, of a mission
 
@@ -93,6 +95,7 @@ Exported read(const Settings& settings, const Path& store_file, bool measured_wa
                     {},
                     store.closures(),
                     store.judgement(),
+                    {},
                     {},
                     {},
                     {},
@@ -174,6 +177,23 @@ void write_pose_graph(const Path& file, const Exported& from) {
   write_g2o(file, graph, poses, {});
 }
 
+/// Says what an archive has instead of what it was not told.
+void write_imdf(const Path& file, const Exported& from) {
+  if (!from.on_earth) {
+    show({{Severity::warning, file.string(), 0, "",
+           "where the building is was not said: it lies at latitude 0, longitude 0 with its y axis "
+           "to the north; give --georef LAT,LON,HEADING"}});
+  }
+  if (from.address.country.empty()) {
+    show({{Severity::warning, file.string(), 0, "",
+           "the venue's address was not said: it is \"unknown\" in the country ZZ; give --address "
+           "\"STREET;CITY;COUNTRY\""}});
+  }
+  write_file(file, imdf_archive(from.plan,
+                                {building_of(from.metadata), from.on_earth.value_or(GeoReference{}),
+                                 from.address, date_of(from.metadata)}));
+}
+
 using Names = std::vector<std::string>;
 /// Writes the files of a format. @returns their names in the folder
 using Exporter = std::function<Names(const Exported&, const Settings&, const Path& out)>;
@@ -244,6 +264,11 @@ const std::map<std::string, Exporter>& exporters() {
          write_dxf(out / "plan.dxf", from.plan);
          return {"plan.dxf"};
        }},
+      {"imdf",
+       [](const Exported& from, const Settings&, const Path& out) -> Names {
+         write_imdf(out / "plan.imdf.zip", from);
+         return {"plan.imdf.zip"};
+       }},
       {"rmf", text_file("building.yaml",
                         [](const Exported& from) { return rmf_building_yaml(from.plan); })},
       {"ogr",
@@ -289,6 +314,7 @@ Names export_all(const Settings& settings, const Path& store_file, const Names& 
   from.on_earth = options.reference();
   from.north_deg = options.north_deg();
   from.ogr_driver = options.ogr_driver;
+  from.address = options.postal_address();
   make_folder(out);
   const Progress progress = console_progress(settings);
   const auto is_going_on = [&](std::size_t done) {

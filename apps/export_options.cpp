@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "roomatlas/core/issue.hpp"
 
@@ -29,6 +31,25 @@ std::optional<GeoReference> ExportOptions::reference() const {
   require_within("longitude", reference.longitude_deg, 180.0);
   require_within("heading", reference.heading_deg, 360.0);
   return reference;
+}
+
+PostalAddress ExportOptions::postal_address() const {
+  std::vector<std::string> fields;
+  std::istringstream stream(address);
+  for (std::string field; std::getline(stream, field, ';');) fields.push_back(field);
+  fields.resize(std::max<std::size_t>(fields.size(), 4));
+  const std::string& country = fields[2];
+  const bool is_code =
+      country.size() == 2 &&
+      std::all_of(country.begin(), country.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
+  if (!address.empty() && (fields.size() > 4 || !is_code)) {
+    throw UsageError(fmt::format(
+        "--address: \"{}\" is no address: expected STREET;CITY;COUNTRY or "
+        "STREET;CITY;COUNTRY;POSTCODE with a country of two capital letters (ISO 3166), such as "
+        "\"Am Ring 5;Freiburg;DE;79110\"",
+        address));
+  }
+  return {fields[0], fields[1], country, fields[3]};
 }
 
 std::optional<double> ExportOptions::north_deg() const {

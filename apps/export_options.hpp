@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "roomatlas/io/plans/georeference.hpp"
+#include "roomatlas/io/plans/imdf.hpp"
 
 namespace roomatlas::apps {
 
@@ -14,10 +15,13 @@ struct ExportOptions {
   std::vector<double> georef;   ///< latitude, longitude, heading of the y axis in deg; or empty
   std::optional<double> north;  ///< where north is on the plan, clockwise from up in deg
   std::string ogr_driver;       ///< of the format `ogr`
+  std::string address;          ///< STREET;CITY;COUNTRY;POSTCODE, of the format `imdf`; or empty
   bool measured_walls = false;  ///< walls as measured instead of regular ones
 
   /// Throws UsageError when it is not on the earth.
   [[nodiscard]] std::optional<GeoReference> reference() const;
+  /// What is not given is empty. Throws UsageError when it is no address.
+  [[nodiscard]] PostalAddress postal_address() const;
   /// As given, else as the place on earth has it, in deg clockwise from up the plan.
   [[nodiscard]] std::optional<double> north_deg() const;
 };

@@ -41,7 +41,8 @@ Metadata metadata_of(const JoinedBuilding& building, const Stores& stores,
   Metadata joined = {{"tool_version", ROOMATLAS_VERSION},
                      {"configuration", settings.as_toml},
                      {"mission_file", title_of(building.members)},
-                     {"mission_path_length_m", fmt::format("{}", path_m)}};
+                     {"mission_path_length_m", fmt::format("{}", path_m)},
+                     {"building", building_of(metadata)}};
   for (const char* key : {"robot_length_m", "robot_width_m", "mission_first_timestamp_s"}) {
     if (metadata.contains(key)) joined[key] = metadata[key];
   }

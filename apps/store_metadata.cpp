@@ -58,6 +58,14 @@ std::string date_of(const Metadata& metadata) {
   return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(timestamp_s)));
 }
 
+std::string building_of(const Metadata& metadata) {
+  for (const char* key : {"building", "mission_sha256", "mission_file"}) {
+    const auto entry = metadata.find(key);
+    if (entry != metadata.end()) return entry->second;
+  }
+  return "";
+}
+
 bool is_mapped_from(const Metadata& metadata, const std::string& mission_sha256,
                     const Settings& settings) {
   const auto value = [&](const std::string& key) {

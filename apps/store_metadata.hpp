@@ -24,6 +24,10 @@ using Metadata = std::map<std::string, std::string>;
 /// the years 1990 to 2100.
 [[nodiscard]] std::string date_of(const Metadata& metadata);
 
+/// What tells the building from others, on which identifiers of its rooms hang: the identity of
+/// the mission whose frame is the building's. Kept when missions are joined to it.
+[[nodiscard]] std::string building_of(const Metadata& metadata);
+
 /// True when the store was finished from the same log by the same version, with the same
 /// parameters as far as mapping uses them: then it need not be mapped again.
 [[nodiscard]] bool is_mapped_from(const Metadata& metadata, const std::string& mission_sha256,

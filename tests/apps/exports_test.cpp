@@ -2,10 +2,13 @@
 // The files that `export` writes, as other programs see them.
 #include <gmock/gmock.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 #include <sstream>
 
+#include "io/plans/imdf_rules.hpp"
 #include "random_store.hpp"
 
 namespace roomatlas::test {
@@ -47,7 +50,7 @@ TEST_F(Exports, AllTogetherHoldTheFilesThatBuildWrites) {
        {"plan.svg", "plan.pdf", "plan.png", "plan.local.geojson", "rooms.graphml", "rooms.dot",
         "graph.g2o", "trajectory_odometry.tum", "trajectory_corrected.tum", "map.pgm", "map.yaml",
         "keepout_mask.pgm", "keepout_mask.yaml", "rooms.yaml", "rooms.csv", "summary.json",
-        "route_graph.geojson", "building.yaml"}) {
+        "route_graph.geojson", "building.yaml", "plan.imdf.zip"}) {
     EXPECT_GT(content_of(out + name).size(), 0U) << name;
   }
 }
@@ -186,6 +189,55 @@ TEST_F(Exports, AFormatOfOgrHoldsTheRoomsOfThePlan) {
   EXPECT_THAT(info.out,
               HasSubstr("Feature Count: " + std::to_string(rooms(exported("-f geojson")).size())));
   EXPECT_THAT(info.out, HasSubstr("area_m2: Real"));
+}
+
+TEST_F(Exports, GdalReadsEachLayerOfTheImdfArchiveWithItsFeatures) {
+  ROOMATLAS_NEEDS("ogrinfo");
+  const std::string out =
+      exported("-f imdf,geojson --georef 48.0130,7.8335,30 --address 'Am Ring 5;Freiburg;DE'");
+  const std::map<std::string, std::string> files = unzipped(content_of(out + "plan.imdf.zip"));
+  for (const auto& [name, content] : files) {
+    if (name == "manifest.json") continue;
+    const Outcome info = run_other("ogrinfo -so -al /vsizip/" + out + "plan.imdf.zip/" + name);
+    EXPECT_EQ(info.exit_code, 0) << info.err;
+    EXPECT_THAT(info.out + info.err, Not(HasSubstr("ERROR")));
+    EXPECT_THAT(info.out, HasSubstr("Feature Count: " +
+                                    std::to_string(Json::parse(content)["features"].size())));
+    EXPECT_THAT(info.out, HasSubstr("id: String"));
+  }
+  EXPECT_THAT(files.at("address.geojson"), HasSubstr("Freiburg"));
+  const Outcome units = run_other("ogrinfo -so -al /vsizip/" + out + "plan.imdf.zip/unit.geojson");
+  EXPECT_THAT(units.out, HasSubstr("WGS 84"));
+  EXPECT_THAT(broken_imdf_rules(imdf_files(content_of(out + "plan.imdf.zip"))),
+              ::testing::IsEmpty());
+  for (const Json& room : rooms(out)) {
+    EXPECT_THAT(files.at("unit.geojson"),
+                HasSubstr("\"name\":{\"en\":" + room["name"].dump() + "}"));
+  }
+}
+
+TEST_F(Exports, AnImdfArchiveWithoutAPlaceOrAnAddressSaysWhatItHasInstead) {
+  const std::string out = (folder_ / "out").string();
+  const Outcome told = run("export " + store_ + " -f imdf -o " + out);
+  EXPECT_EQ(told.exit_code, 0);
+  EXPECT_THAT(told.err, HasSubstr("--georef LAT,LON,HEADING"));
+  EXPECT_THAT(told.err, HasSubstr("--address"));
+  const Outcome wrong = run("export " + store_ + " -f imdf --address 'Am Ring 5' -o " + out);
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("STREET;CITY;COUNTRY"));
+}
+
+TEST_F(Exports, ARoomHasTheSameIdentifierInImdfAfterItIsRenamed) {
+  const auto ids = [&] {
+    std::set<std::string> found;
+    const ImdfFiles files = imdf_files(content_of(exported("-f imdf") + "plan.imdf.zip"));
+    for (const Json& unit : imdf_features(files, "unit")) found.insert(unit["id"]);
+    return found;
+  };
+  const std::set<std::string> before = ids();
+  ASSERT_EQ(run("-q rename " + store_ + " 3 Office").exit_code, 0);
+  ASSERT_EQ(run("-q assemble " + store_).exit_code, 0);
+  EXPECT_EQ(ids(), before);
 }
 
 TEST_F(Exports, AnUnknownFormatOfOgrIsAUsageError) {

@@ -43,7 +43,7 @@ inline const std::map<std::string, std::set<std::string>> kMayInclude = {
       "draft", "edit", "merge", "assembly", "evaluate", "trust", "locate", "join"}},
     {"io",
      {"core", "plan", "mission", "grid", "odometry", "match", "asr", "graph", "solve", "correct",
-      "loops", "edit", "merge", "evaluate", "draw", "simulate", "assembly"}},
+      "loops", "planar", "edit", "merge", "evaluate", "draw", "simulate", "assembly"}},
 };
 
 /// The header of the whole library. It belongs to no module and may include any; for programs, not

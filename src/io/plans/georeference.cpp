@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "earth_geometry.hpp"
 #include "geojson_geometry.hpp"
 #include "plan_schema.hpp"
 #include "text/json.hpp"
@@ -18,32 +19,15 @@ std::string compact(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-double rounded(double value_deg) { return std::round(value_deg * 1e8) / 1e8 + 0.0; }
-
-Json position(const GeoReference& reference, const Point2& building) {
-  const GeoPosition at = position_on_earth(reference, building);
-  return Json::array({rounded(at.longitude_deg), rounded(at.latitude_deg)});
-}
-
-/// Coordinates of any depth, from building metres to longitude and latitude.
-Json on_earth(const GeoReference& reference, const Json& coordinates) {
-  if (!coordinates.empty() && coordinates[0].is_number()) {
-    return position(reference, {coordinates[0].get<double>(), coordinates[1].get<double>()});
-  }
-  Json result = Json::array();
-  for (const Json& inner : coordinates) result.push_back(on_earth(reference, inner));
-  return result;
-}
-
 class Features {
  public:
   explicit Features(const GeoReference& reference) : reference_(reference) {}
 
   void add(Json properties, Json geometry) {
     if (geometry["coordinates"].empty()) return;
-    geometry["coordinates"] = on_earth(reference_, geometry["coordinates"]);
-    const Json feature = {
-        {"type", "Feature"}, {"properties", std::move(properties)}, {"geometry", geometry}};
+    const Json feature = {{"type", "Feature"},
+                          {"properties", std::move(properties)},
+                          {"geometry", on_earth(reference_, std::move(geometry))}};
     text_ += (text_.empty() ? "\n" : ",\n") + compact(feature);
   }
   [[nodiscard]] const std::string& text() const { return text_; }
@@ -114,7 +98,7 @@ std::string to_geojson(const FloorPlan& plan, const GeoReference& reference) {
   }
   const Json header = {{"schema", "plan on earth"},
                        {"title", plan.title},
-                       {"origin", position(reference, {0.0, 0.0})},
+                       {"origin", position_json(reference, {0.0, 0.0})},
                        {"heading_deg", reference.heading_deg}};
   return "{\"type\":\"FeatureCollection\",\n\"roomatlas\":" + compact(header) +
          ",\n\"features\":[" + features.text() + "\n]}\n";
