@@ -186,6 +186,7 @@ class Commands {
     add_export_options(exported, a_.exported);
     add_ogr_option(exported, a_.exported);
     add_address_option(exported, a_.exported);
+    add_storey_height(exported, a_.exported);
     add_measured_walls(exported, a_.exported);
 
     CLI::App* evaluate =

@@ -67,6 +67,16 @@ void add_address_option(CLI::App* command, ExportOptions& options) {
       ->configurable(false);
 }
 
+void add_storey_height(CLI::App* command, ExportOptions& options) {
+  command
+      ->add_option("--storey-height", options.storey_height_m,
+                   "m, of rooms and walls in -f ifc: nothing measures it")
+      ->check(within(2.0, 20.0))
+      ->capture_default_str()
+      ->type_name("M")
+      ->configurable(false);
+}
+
 void add_truth(CLI::App* command, TruthArguments& arguments) {
   command
       ->add_option(

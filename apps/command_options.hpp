@@ -31,6 +31,7 @@ void add_export_options(CLI::App* command, ExportOptions& options);
 void add_measured_walls(CLI::App* command, ExportOptions& options);
 void add_ogr_option(CLI::App* command, ExportOptions& options);
 void add_address_option(CLI::App* command, ExportOptions& options);
+void add_storey_height(CLI::App* command, ExportOptions& options);
 void add_truth(CLI::App* command, TruthArguments& arguments);
 void add_simulate(CLI::App* command, SimulateArguments& arguments);
 void add_comparison_files(CLI::App* command, ComparisonFiles& files);

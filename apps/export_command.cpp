@@ -17,6 +17,7 @@
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/maps/nav2_export.hpp"
 #include "roomatlas/io/pictures/svg_pictures.hpp"
+#include "roomatlas/io/plans/ifc.hpp"
 #include "roomatlas/io/plans/imdf.hpp"
 #include "roomatlas/io/plans/ogr_export.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
@@ -57,6 +58,7 @@ struct Exported {
   std::optional<double> north_deg;
   std::string ogr_driver;
   PostalAddress address;
+  double storey_height_m = 0.0;
   std::string plan_svg;          ///< where some format is a drawing ...
   std::string before_after_svg;  ///< ... and, of a mission
 
@@ -95,6 +97,7 @@ Exported read(const Settings& settings, const Path& store_file, bool measured_wa
                     {},
                     store.closures(),
                     store.judgement(),
+                    {},
                     {},
                     {},
                     {},
@@ -264,6 +267,12 @@ const std::map<std::string, Exporter>& exporters() {
          write_dxf(out / "plan.dxf", from.plan);
          return {"plan.dxf"};
        }},
+      {"ifc", text_file("plan.ifc",
+                        [](const Exported& from) {
+                          return ifc_step(from.plan,
+                                          {building_of(from.metadata), from.on_earth,
+                                           date_of(from.metadata), from.storey_height_m});
+                        })},
       {"imdf",
        [](const Exported& from, const Settings&, const Path& out) -> Names {
          write_imdf(out / "plan.imdf.zip", from);
@@ -315,6 +324,7 @@ Names export_all(const Settings& settings, const Path& store_file, const Names& 
   from.north_deg = options.north_deg();
   from.ogr_driver = options.ogr_driver;
   from.address = options.postal_address();
+  from.storey_height_m = options.storey_height_m;
   make_folder(out);
   const Progress progress = console_progress(settings);
   const auto is_going_on = [&](std::size_t done) {

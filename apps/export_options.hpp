@@ -12,11 +12,12 @@ namespace roomatlas::apps {
 
 /// What `export` and `build` are told besides the parameters.
 struct ExportOptions {
-  std::vector<double> georef;   ///< latitude, longitude, heading of the y axis in deg; or empty
-  std::optional<double> north;  ///< where north is on the plan, clockwise from up in deg
-  std::string ogr_driver;       ///< of the format `ogr`
-  std::string address;          ///< STREET;CITY;COUNTRY;POSTCODE, of the format `imdf`; or empty
-  bool measured_walls = false;  ///< walls as measured instead of regular ones
+  std::vector<double> georef;    ///< latitude, longitude, heading of the y axis in deg; or empty
+  std::optional<double> north;   ///< where north is on the plan, clockwise from up in deg
+  std::string ogr_driver;        ///< of the format `ogr`
+  std::string address;           ///< STREET;CITY;COUNTRY;POSTCODE, of the format `imdf`; or empty
+  double storey_height_m = 2.5;  ///< of the format `ifc`; no robot measures it
+  bool measured_walls = false;   ///< walls as measured instead of regular ones
 
   /// Throws UsageError when it is not on the earth.
   [[nodiscard]] std::optional<GeoReference> reference() const;

@@ -2,6 +2,7 @@
 // The files that `export` writes, as other programs see them.
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -9,7 +10,9 @@
 #include <sstream>
 
 #include "io/plans/imdf_rules.hpp"
+#include "io/plans/step_entities.hpp"
 #include "random_store.hpp"
+#include "roomatlas/io/plans/plan_geojson.hpp"
 
 namespace roomatlas::test {
 namespace {
@@ -46,11 +49,26 @@ class Exports : public ::testing::Test {
 
 TEST_F(Exports, AllTogetherHoldTheFilesThatBuildWrites) {
   const std::string out = exported("");
-  for (const char* name :
-       {"plan.svg", "plan.pdf", "plan.png", "plan.local.geojson", "rooms.graphml", "rooms.dot",
-        "graph.g2o", "trajectory_odometry.tum", "trajectory_corrected.tum", "map.pgm", "map.yaml",
-        "keepout_mask.pgm", "keepout_mask.yaml", "rooms.yaml", "rooms.csv", "summary.json",
-        "route_graph.geojson", "building.yaml", "plan.imdf.zip"}) {
+  for (const char* name : {"plan.svg",
+                           "plan.pdf",
+                           "plan.png",
+                           "plan.local.geojson",
+                           "rooms.graphml",
+                           "rooms.dot",
+                           "graph.g2o",
+                           "trajectory_odometry.tum",
+                           "trajectory_corrected.tum",
+                           "map.pgm",
+                           "map.yaml",
+                           "keepout_mask.pgm",
+                           "keepout_mask.yaml",
+                           "rooms.yaml",
+                           "rooms.csv",
+                           "summary.json",
+                           "route_graph.geojson",
+                           "building.yaml",
+                           "plan.imdf.zip",
+                           "plan.ifc"}) {
     EXPECT_GT(content_of(out + name).size(), 0U) << name;
   }
 }
@@ -225,6 +243,70 @@ TEST_F(Exports, AnImdfArchiveWithoutAPlaceOrAnAddressSaysWhatItHasInstead) {
   const Outcome wrong = run("export " + store_ + " -f imdf --address 'Am Ring 5' -o " + out);
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_THAT(wrong.err, HasSubstr("STREET;CITY;COUNTRY"));
+}
+
+/// What IfcPlusPlus found: entities by kind, solids as "kind id volume highest", complaints.
+struct ForeignModel {
+  std::map<std::string, int> count;
+  std::map<std::string, double> volume_m3;  ///< of all solids of a kind
+  std::map<std::string, int> solids;
+  double highest_m = 0.0;
+  int complaints = 0;
+};
+
+ForeignModel model_of(const std::string& listing) {
+  ForeignModel model;
+  std::istringstream lines(listing);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string first, kind, id;
+    words >> first;
+    if (first == "solid") {
+      double volume_m3 = 0.0;
+      double highest_m = 0.0;
+      words >> kind >> id >> volume_m3 >> highest_m;
+      model.volume_m3[kind] += volume_m3;
+      model.highest_m = std::max(model.highest_m, highest_m);
+      ++model.solids[kind];
+    } else if (first == "complaint") {
+      ++model.complaints;
+    } else {
+      words >> model.count[first];
+    }
+  }
+  return model;
+}
+
+TEST_F(Exports, IfcIsReadByIfcPlusPlusWithWallsThatDoorsAreCutOutOf) {
+  const std::string out = exported("-f ifc,geojson --storey-height 3");
+  EXPECT_THAT(broken_ifc_rules(content_of(out + "plan.ifc")), ::testing::IsEmpty());
+#ifdef ROOMATLAS_READ_IFC
+  const Outcome read = run_other(std::string(ROOMATLAS_READ_IFC) + " " + out + "plan.ifc");
+  ASSERT_EQ(read.exit_code, 0) << read.err;
+  ForeignModel model = model_of(read.out);
+  EXPECT_EQ(model.complaints, 0) << read.out;
+  const Json listed = rooms(out);
+  EXPECT_EQ(model.solids["IfcSpace"], static_cast<int>(listed.size()));
+  double area_m2 = 0.0;
+  for (const Json& room : listed) area_m2 += room["area_m2"].get<double>();
+  EXPECT_NEAR(model.volume_m3["IfcSpace"], 3.0 * area_m2, 0.01 * area_m2);
+  EXPECT_DOUBLE_EQ(model.highest_m, 3.0);
+  EXPECT_EQ(model.count["IfcRelVoidsElement"], model.count["IfcOpeningElement"]);
+  EXPECT_GT(model.count["IfcDoor"], 0);
+  EXPECT_GE(model.count["IfcRelFillsElement"], model.count["IfcDoor"]);
+  // Walls of a plan with doors as gaps, and above each door what is between its head and the
+  // ceiling.
+  double walls_m3 = 0.0;
+  const FloorPlan plan = read_plan(out + "plan.local.geojson");
+  for (const Polygon& wall : plan.walls) walls_m3 += 3.0 * area(wall);
+  for (const PlanDoor& door : plan.doors) {
+    const double hole_m = door.kind == DoorKind::window ? 1.2 : 2.1;
+    walls_m3 += (3.0 - hole_m) * std::abs(signed_area(door.opening));
+  }
+  EXPECT_NEAR(model.volume_m3["IfcWall"], walls_m3, 0.01 * walls_m3);
+#else
+  GTEST_SKIP() << "IfcPlusPlus (libifcplusplus-dev) was not there when this was built";
+#endif
 }
 
 TEST_F(Exports, ARoomHasTheSameIdentifierInImdfAfterItIsRenamed) {
