@@ -3,6 +3,8 @@
 #include "style.hpp"
 #include "svg.hpp"
 
+#include "roomatlas/plan/door_keys.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -113,16 +115,33 @@ void add_symbol(pugi::xml_node node, const PlanDoor& door, const Sheet& sheet) {
   if (const auto swing = swing_of(door, sheet)) add_swing(node, *swing, weights);
 }
 
+std::string name_of(const std::optional<RoomId>& id, const FloorPlan& plan) {
+  const auto room = std::find_if(plan.rooms.begin(), plan.rooms.end(),
+                                 [&](const PlanRoom& one) { return id && one.id == *id; });
+  return room == plan.rooms.end() ? "outside" : room->name;
+}
+
+/// "between Lab and 4", "between Lab and outside".
+std::string between_rooms(const PlanDoor& door, const FloorPlan& plan) {
+  const bool has_first = door.room_a.has_value();
+  return "between " + name_of(has_first ? door.room_a : door.room_b, plan) + " and " +
+         name_of(has_first ? door.room_b : door.room_a, plan);
+}
+
 }  // namespace
 
 void add_doors(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
   pugi::xml_node group = add_layer(svg, "doors");
-  for (const PlanDoor& door : plan.doors) {
+  const std::vector<std::string> keys = door_keys(plan);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const PlanDoor& door = plan.doors[i];
     if (!door.jambs.a.allFinite() || !door.jambs.b.allFinite()) continue;
-    pugi::xml_node node = add_group(group, ("door-" + std::to_string(door.id)).c_str(),
-                                    {{"class", to_string(door.kind)}});
-    node.append_child("title").text() =
-        (std::string(to_string(door.kind)) + ", " + fixed(door.width_m, 2) + " m").c_str();
+    pugi::xml_node node = add_group(group, ("door-" + keys[i]).c_str(),
+                                    {{"class", to_string(door.kind)},
+                                     {"data-door", std::to_string(door.id)},
+                                     {"data-width-m", fixed(door.width_m, 3)}});
+    add_title(node, std::string(to_string(door.kind)) + " " + between_rooms(door, plan) + ", " +
+                        fixed(door.width_m, 2) + " m");
     add_symbol(node, door, sheet);
   }
 }

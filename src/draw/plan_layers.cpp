@@ -12,10 +12,6 @@ namespace {
 
 constexpr double kNodeRadius_mm = 0.8;  // of a room in the graph
 
-void add_tooltip(pugi::xml_node node, const std::string& text) {
-  node.append_child("title").text() = text.c_str();
-}
-
 const PlanRoom* find_room(const FloorPlan& plan, RoomId id) {
   const auto it = std::find_if(plan.rooms.begin(), plan.rooms.end(),
                                [&](const PlanRoom& room) { return room.id == id; });
@@ -46,10 +42,12 @@ void add_rooms(pugi::xml_node svg, const FloorPlan& plan, const std::set<RoomId>
     pugi::xml_node path = add(group, "path",
                               {{"id", "room-" + std::to_string(room.id)},
                                {"class", to_string(room.kind)},
+                               {"data-room", std::to_string(room.id)},
+                               {"data-area-m2", fixed(room.area_m2, 3)},
                                {"fill", tint(room.kind)},
                                {"d", path_of(sheet.to_paper(room.parts))}});
     if (doubtful.contains(room.id)) path.append_attribute("fill-opacity") = kDoubtfulOpacity;
-    add_tooltip(path, room.name + ", " + to_string(room.kind) + ", " + area_text(room.area_m2));
+    add_title(path, room.name + ", " + to_string(room.kind) + ", " + area_text(room.area_m2));
   }
 }
 
@@ -71,7 +69,8 @@ void add_room_graph(pugi::xml_node svg, const FloorPlan& plan,
   for (const PlanRoom& room : plan.rooms) {
     const Point2 at = sheet.to_paper(room.label_point);
     add(group, "circle",
-        {{"cx", number(at.x())},
+        {{"data-room", std::to_string(room.id)},
+         {"cx", number(at.x())},
          {"cy", number(at.y())},
          {"r", number(kNodeRadius_mm)},
          {"fill", kGraphStroke}});

@@ -99,6 +99,10 @@ pugi::xml_node add_layer(pugi::xml_node parent, const char* id, bool is_shown,
   return layer;
 }
 
+void add_title(pugi::xml_node node, const std::string& text) {
+  node.append_child("title").text() = text.c_str();
+}
+
 pugi::xml_node add_line(pugi::xml_node parent, const Point2& a, const Point2& b,
                         const Attributes& attributes) {
   pugi::xml_node line = add(

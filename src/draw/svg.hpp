@@ -32,6 +32,8 @@ pugi::xml_node add_group(pugi::xml_node parent, const char* id, const Attributes
 /// @param is_shown otherwise the layer is there, but not displayed
 pugi::xml_node add_layer(pugi::xml_node parent, const char* id, bool is_shown = true,
                          const Attributes& attributes = {});
+/// What a pointer that rests on the node is told, and a screen reader says.
+void add_title(pugi::xml_node node, const std::string& text);
 pugi::xml_node add_line(pugi::xml_node parent, const Point2& a, const Point2& b,
                         const Attributes& attributes = {});
 pugi::xml_node add_rectangle(pugi::xml_node parent, const Box2& box, const Attributes& attributes);

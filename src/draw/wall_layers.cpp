@@ -36,11 +36,15 @@ void add_furniture(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet
                                     {"stroke", kFurnitureStroke},
                                     {"stroke-width", number(weights.hatch)},
                                     {"stroke-linejoin", "round"}});
-  for (const PlanFurniture& piece : plan.furniture) {
+  for (std::size_t i = 0; i < plan.furniture.size(); ++i) {
+    const PlanFurniture& piece = plan.furniture[i];
     const bool is_free = piece.kind == FurnitureKind::free_standing;
     const Polygon outline = sheet.to_paper({piece.outline}).front();
-    add(group, "path",
-        {{"class", is_free ? "free-standing" : "against-wall"}, {"d", path_of({outline})}});
+    add_title(add(group, "path",
+                  {{"id", "furniture-" + std::to_string(i + 1)},
+                   {"class", is_free ? "free-standing" : "against-wall"},
+                   {"d", path_of({outline})}}),
+              is_free ? "furniture, free-standing" : "furniture against a wall");
     const auto lines =
         hatched(outline, is_free ? kFreeStanding_rad : kAgainstWall_rad, kHatchPitch_mm);
     if (lines.empty()) continue;
@@ -56,8 +60,12 @@ void add_walls(pugi::xml_node svg, const FloorPlan& plan, const Sheet& sheet) {
   const std::string cut_mm = number(line_weights(sheet.scale).cut);
   pugi::xml_node layer =
       add_layer(svg, "walls", true, {{"fill", kWallFill}, {"fill-rule", "evenodd"}});
-  for (const Polygon& wall : plan.walls) {
-    add(layer, "path", {{"class", "wall"}, {"d", path_of(sheet.to_paper({wall}))}});
+  for (std::size_t i = 0; i < plan.walls.size(); ++i) {
+    add_title(add(layer, "path",
+                  {{"id", "wall-" + std::to_string(i + 1)},
+                   {"class", "wall"},
+                   {"d", path_of(sheet.to_paper({plan.walls[i]}))}}),
+              "wall");
   }
   const std::vector<Ring> thin = thin_walls(wall_faces(plan.walls), kPartition_m);
   if (!thin.empty()) {

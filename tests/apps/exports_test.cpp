@@ -138,6 +138,29 @@ TEST_F(Exports, GraphsAreAcceptedAndHaveEveryRoom) {
   EXPECT_EQ(std::stoul(count.out), rooms(out).size());
 }
 
+TEST_F(Exports, XpathFindsRoomsAndDoorsOfTheDrawingByIdAndTitle) {
+  ROOMATLAS_NEEDS("xmllint");
+  const std::string out = exported("-f svg,geojson");
+  const auto found = [&](const std::string& path) {
+    return run_other("xmllint --xpath \"" + path + "\" " + out + "plan.svg").out;
+  };
+  EXPECT_THAT(found("string(//*[@id='room-3']/*[local-name()='title'])"),
+              HasSubstr("Lab <3> & Kitchen, "));
+  for (const Json& room : rooms(out)) {
+    const std::string id = std::to_string(room["id"].get<int>());
+    EXPECT_EQ(std::stoi(found("count(//*[@id='room-" + id + "'])")), 1);
+    EXPECT_NEAR(std::stod(found("string(//*[@id='room-" + id + "']/@data-area-m2)")),
+                room["area_m2"].get<double>(), 1e-3);
+  }
+  const FloorPlan plan = read_plan(out + "plan.local.geojson");
+  EXPECT_EQ(std::stoul(found("count(//*[@id='doors']/*[starts-with(@id,'door-')]"
+                             "/*[local-name()='title'])")),
+            plan.doors.size());
+  // Each id once: as many as there are different ones.
+  EXPECT_EQ(found("count(//*[@id])"), found("count(//*[@id and not(@id = preceding::*/@id) and "
+                                            "not(@id = ancestor::*/@id)])"));
+}
+
 TEST_F(Exports, ThePoseGraphIsReadByTheSolverAndIsNearItsBest) {
   const std::string out = exported("-f g2o");
   const Outcome solved =
