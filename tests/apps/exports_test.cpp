@@ -219,6 +219,32 @@ TEST_F(Exports, DxfHasItsLayersInMetres) {
   EXPECT_THAT(content_of(dxf), HasSubstr(R"(Lab\~<3>\~&\~Kitchen)"));  // blanks of MTEXT
 }
 
+// ezdxf's audit checks what a CAD program would stumble over.
+TEST_F(Exports, EzdxfFindsNoFaultInTheDxfAndABlockInEachDoor) {
+  const std::string python = "/usr/bin/python3";  // whose packages are the system's
+  if (run_other(python + " -c 'import ezdxf'").exit_code != 0) {
+    const char* ci = std::getenv("CI");
+    if (ci != nullptr && std::string(ci) == "true") FAIL() << "python3-ezdxf is missing";
+    GTEST_SKIP() << "python3-ezdxf is missing";
+  }
+  const Outcome made = run("-q export " + store_ + " -f dxf -o " + (folder_ / "out").string());
+  if (made.exit_code == 2) GTEST_SKIP() << made.err;
+  const std::string script =
+      folder_
+          .write("audit.py",
+                 "import ezdxf, sys\n"
+                 "drawing = ezdxf.readfile(sys.argv[1])\n"
+                 "audit = drawing.audit()\n"
+                 "inserts = drawing.modelspace().query('INSERT')\n"
+                 "known = all(i.dxf.name in drawing.blocks for i in inserts)\n"
+                 "print(len(audit.errors), len(audit.fixes), len(inserts), known)\n")
+          .string();
+  const Outcome told =
+      run_other(python + " " + script + " " + (folder_ / "out" / "plan.dxf").string());
+  const FloorPlan plan = read_plan(exported("-f geojson") + "plan.local.geojson");
+  EXPECT_EQ(told.out, "0 0 " + std::to_string(plan.doors.size()) + " True\n") << told.err;
+}
+
 TEST_F(Exports, AFormatOfOgrHoldsTheRoomsOfThePlan) {
   ROOMATLAS_NEEDS("ogrinfo");
   const Outcome made =

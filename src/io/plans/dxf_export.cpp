@@ -7,7 +7,9 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <map>
 
+#include "dxf_doors.hpp"
 #include "ogr_geometry.hpp"
 #include "ogr_memory.hpp"
 #include "roomatlas/core/issue.hpp"
@@ -45,6 +47,17 @@ class Drawing {
   explicit Drawing(OGRLayer& layer) : layer_(layer) {}
 
   void add_ring(const char* on, const Ring& ring) { add(on, closed_line(ring), ""); }
+  /// An INSERT of its block, which must be there.
+  void add_symbol(const char* on, const io::DoorSymbol& symbol) {
+    OGRFeature feature(layer_.GetLayerDefn());
+    feature.SetField("Layer", on);
+    feature.SetField("BlockName", symbol.block.name.c_str());
+    feature.SetField("BlockAngle", symbol.turn_deg);
+    feature.SetField("BlockScale", ("(3:" + std::to_string(symbol.scale_x) + "," +
+                                    std::to_string(symbol.scale_y) + ",1)")
+                                       .c_str());
+    ogr::add(layer_, feature, OGRPoint(symbol.at.x(), symbol.at.y()));
+  }
   void add_line(const char* on, const Polyline& line) { add(on, to_ogr(line), ""); }
   void add_polygons(const char* on, const std::vector<Polygon>& polygons) {
     for (const Polygon& polygon : polygons) {
@@ -101,33 +114,11 @@ const char* layer_of(WallEvidence evidence) {
   return "A-WALL-MEAS";
 }
 
-/// From the leaf's free end to the other jamb, about the hinge.
-Polyline arc_of(const PlanDoor& door) {
-  constexpr int kSteps = 16;
-  const Point2& hinge = door.leaf->a;
-  const bool at_a = (door.jambs.a - hinge).norm() <= (door.jambs.b - hinge).norm();
-  const Point2 from = door.leaf->b - hinge;
-  const Point2 to = (at_a ? door.jambs.b : door.jambs.a) - hinge;
-  const double turn_rad = std::atan2(cross(from, to), from.dot(to));
-  const double start_rad = std::atan2(from.y(), from.x());
-  Polyline arc;
-  for (int i = 0; i <= kSteps; ++i) {
-    const double share = static_cast<double>(i) / kSteps;
-    const double radius = from.norm() + share * (to.norm() - from.norm());
-    arc.push_back(hinge + radius * direction(start_rad + share * turn_rad));
-  }
-  return arc;
-}
-
 void draw(Drawing& drawing, const PlanDoor& door) {
   const bool is_window = door.kind == DoorKind::window;
   const char* const on = is_window ? "A-GLAZ" : "A-DOOR";
   if (!door.opening.empty()) drawing.add_ring(on, door.opening);
-  if (is_window) drawing.add_line(on, {door.jambs.a, door.jambs.b});
-  if (door.leaf) {
-    drawing.add_line(on, {door.leaf->a, door.leaf->b});
-    drawing.add_line(on, arc_of(door));
-  }
+  if (const auto symbol = io::door_symbol(door)) drawing.add_symbol(on, *symbol);
   drawing.add_text(is_window ? "A-GLAZ-IDEN" : "A-DOOR-IDEN", (door.jambs.a + door.jambs.b) / 2.0,
                    two_decimals(door.width_m), kWidth_m);
 }
@@ -188,6 +179,24 @@ void draw(Drawing& drawing, const FloorPlan& plan) {
   draw_dimensions(drawing, plan);
 }
 
+/// Each block that a door of the plan stands as, once. On layer 0 they take that of the INSERT.
+void add_blocks(OGRLayer& layer, const FloorPlan& plan) {
+  std::map<std::string, io::DoorBlock> blocks;
+  for (const PlanDoor& door : plan.doors) {
+    if (const auto symbol = io::door_symbol(door)) {
+      blocks.emplace(symbol->block.name, symbol->block);
+    }
+  }
+  for (const auto& [name, block] : blocks) {
+    for (const Polyline& line : block.lines) {
+      OGRFeature feature(layer.GetLayerDefn());
+      feature.SetField("Layer", "0");
+      feature.SetField("Block", name.c_str());
+      ogr::add(layer, feature, to_ogr(line));
+    }
+  }
+}
+
 }  // namespace
 
 void write_dxf(const std::filesystem::path& file, const FloorPlan& plan) {
@@ -198,8 +207,11 @@ void write_dxf(const std::filesystem::path& file, const FloorPlan& plan) {
   {
     const Dataset dataset = create(*driver, results.path(file.filename().string()),
                                    {"HEADER=" + templates.path("header.dxf")});
+    OGRLayer* blocks = dataset->CreateLayer("blocks");
     OGRLayer* layer = dataset->CreateLayer("entities");
-    if (layer == nullptr) throw InputError(file.string() + ": " + last_error());
+    if (blocks == nullptr || layer == nullptr)
+      throw InputError(file.string() + ": " + last_error());
+    add_blocks(*blocks, plan);
     Drawing drawing(*layer);
     draw(drawing, plan);
   }

@@ -2,21 +2,26 @@
 // The drafted plan as DXF, read back from the pairs of lines that the format consists of.
 #include "draw/flat_fixture.hpp"
 #include "io/store/store_samples.hpp"
+#include "plans/dxf_doors.hpp"
 #include "roomatlas/io/plans/ogr_export.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace roomatlas {
 namespace {
 
+using testing::ElementsAre;
+
 struct Entity {
   std::string type;
   std::string layer;
   std::string text;
+  std::string block;
   Polyline points;
 };
 
@@ -29,9 +34,10 @@ std::vector<Entity> entities_of(const std::string& dxf) {
     const int number = std::stoi(code);
     while (!value.empty() && (value.back() == '\r' || value.back() == ' ')) value.pop_back();
     if (number == 0 && value == "ENDSEC") break;
-    if (number == 0) entities.push_back({value, "", "", {}});
+    if (number == 0) entities.push_back({value, "", "", "", {}});
     if (entities.empty()) continue;
     if (number == 8) entities.back().layer = value;
+    if (number == 2) entities.back().block = value;
     if (number == 1) entities.back().text = value;
     if (number == 10) entities.back().points.emplace_back(std::stod(value), 0.0);
     if (number == 20) entities.back().points.back().y() = std::stod(value);
@@ -60,7 +66,7 @@ class DxfOfAPlan : public testing::Test {
 TEST_F(DxfOfAPlan, HasALayerForEachKindOfThing) {
   const std::map<std::string, std::size_t> expected = {
       {"A-WALL", 4}, {"A-WALL-MEAS", 9}, {"A-WALL-INFR", 2}, {"A-WALL-UNEX", 1},
-      {"A-DOOR", 5}, {"A-GLAZ", 2},      {"A-DOOR-IDEN", 3}, {"A-GLAZ-IDEN", 1},
+      {"A-DOOR", 6}, {"A-GLAZ", 2},      {"A-DOOR-IDEN", 3}, {"A-GLAZ-IDEN", 1},
       {"A-FURN", 1}, {"A-FURN-FREE", 1}, {"A-AREA", 3},      {"A-AREA-IDEN", 6}};
   for (const auto& [layer, count] : expected) EXPECT_EQ(on(layer).size(), count) << layer;
 }
@@ -73,18 +79,45 @@ TEST_F(DxfOfAPlan, AnInferredEdgeRunsWhereThePlanHasIt) {
   EXPECT_LT((inferred[0].points[1] - Point2(0.3, 0.3)).norm(), 1e-6);
 }
 
-TEST_F(DxfOfAPlan, TheArcGoesFromTheLeafToTheOtherJamb) {
-  std::size_t arcs = 0;
-  for (const Entity& entity : on("A-DOOR")) {
-    if (entity.points.size() < 10) continue;
-    ++arcs;
-    EXPECT_LT((entity.points.front() - Point2(1.15, 4.3)).norm(), 1e-6);
-    EXPECT_LT((entity.points.back() - Point2(1.9, 3.42)).norm(), 1e-6);
-    for (const Point2& point : entity.points) {
-      EXPECT_NEAR((point - Point2(1, 3.42)).norm(), 0.9, 0.01);
+TEST_F(DxfOfAPlan, DoorsAreInsertsOfBlocksByWhatIsKnownOfThem) {
+  std::multiset<std::string> blocks;
+  for (const char* layer : {"A-DOOR", "A-GLAZ"}) {
+    for (const Entity& entity : on(layer)) {
+      if (entity.type == "INSERT") blocks.insert(entity.block);
     }
   }
-  EXPECT_EQ(arcs, 1U);
+  EXPECT_THAT(blocks, ElementsAre("DOOR", "DOOR-80", "PASSAGE", "WINDOW"));
+}
+
+/// A point of a block where its INSERT puts it.
+Point2 placed(const io::DoorSymbol& symbol, const Point2& at) {
+  const double turn_rad = radians(symbol.turn_deg);
+  const Point2 scaled(symbol.scale_x * at.x(), symbol.scale_y * at.y());
+  return symbol.at + Point2(std::cos(turn_rad) * scaled.x() - std::sin(turn_rad) * scaled.y(),
+                            std::sin(turn_rad) * scaled.x() + std::cos(turn_rad) * scaled.y());
+}
+
+TEST(DoorSymbols, TheArcGoesFromTheLeafToTheOtherJambHoweverTheDoorIsSaid) {
+  const PlanDoor door = test::flat().doors[0];
+  for (const bool is_swapped : {false, true}) {
+    for (const double side : {1.0, -1.0}) {
+      PlanDoor said = door;
+      if (is_swapped) std::swap(said.jambs.a, said.jambs.b);
+      said.leaf->b.y() = 3.42 + side * (door.leaf->b.y() - 3.42);
+      const auto symbol = io::door_symbol(said);
+      ASSERT_TRUE(symbol);
+      const Polyline& leaf = symbol->block.lines[0];
+      const Polyline& arc = symbol->block.lines[1];
+      constexpr double kWholeDegrees_m = 0.015;  // half a degree, and a leaf as long as it is wide
+      EXPECT_LT((placed(*symbol, leaf.front()) - said.leaf->a).norm(), 1e-9);
+      EXPECT_LT((placed(*symbol, leaf.back()) - said.leaf->b).norm(), kWholeDegrees_m);
+      EXPECT_LT((placed(*symbol, arc.front()) - said.leaf->b).norm(), kWholeDegrees_m);
+      EXPECT_LT((placed(*symbol, arc.back()) - Point2(1.9, 3.42)).norm(), 1e-9);
+      for (const Point2& point : arc) {
+        EXPECT_NEAR((placed(*symbol, point) - said.leaf->a).norm(), 0.9, 1e-9);
+      }
+    }
+  }
 }
 
 TEST_F(DxfOfAPlan, DimensionsAreLinesAndTextsThatAddUp) {
