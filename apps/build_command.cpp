@@ -36,8 +36,10 @@ void write_summary(const Path& store_file, const std::optional<Evaluation>& eval
 
 /// What remains once a store is assembled: drawings, summary, report.
 /// @param formats of the exports
+/// @param gone_on where the missions were mapped on from
 void write_results(const Settings& settings, const Path& store, const BuildArguments& arguments,
-                   const std::vector<std::string>& formats) {
+                   const std::vector<std::string>& formats,
+                   const std::vector<GoneOn>& gone_on = {}) {
   const Path& out = arguments.out;
   std::vector<std::string> files = export_all(settings, store, formats, arguments.exported, out);
   const Evaluation evaluation =
@@ -46,7 +48,7 @@ void write_results(const Settings& settings, const Path& store, const BuildArgum
   write_report(settings, store, evaluation, out / "report.html");
   files.insert(files.end(), {"summary.json", "report.html", "building.gpkg"});
   report_building(settings, GeoPackageStore(store, GeoPackageStore::Mode::read),
-                  {evaluation, !arguments.truth.empty(), out, files});
+                  {evaluation, !arguments.truth.empty(), out, files, gone_on});
 }
 
 /// The highest folder on the way to `folder` that does not exist yet; empty where all do.
@@ -95,8 +97,12 @@ void build_joined(const Settings& settings, const BuildArguments& arguments,
   std::vector<Path> stores;
   Settings of_one = settings;
   of_one.edits_file.clear();  // they speak of the building that all missions together make
+  std::vector<GoneOn> gone_on;
   for (std::size_t i = 0; i < missions.size(); ++i) {
-    if (map_and_assemble(of_one, missions[i], named[i])) stores.push_back(named[i]);
+    const auto mapped = map_and_assemble(of_one, missions[i], named[i]);
+    if (!mapped) continue;
+    stores.push_back(named[i]);
+    if (mapped->gone_on) gone_on.push_back(*mapped->gone_on);
   }
   const Path store = out / "building.gpkg";
   const PlaceLock store_lock = lock_new_store(store, arguments.inputs);
@@ -120,7 +126,8 @@ void build_joined(const Settings& settings, const BuildArguments& arguments,
       make_folder(drawn.out);
     }
     write_results(settings, written.store, drawn,
-                  {"svg", "pdf", "png", "geojson", "tum", "dot", "graphml", "csv", "nav2"});
+                  {"svg", "pdf", "png", "geojson", "tum", "dot", "graphml", "csv", "nav2"},
+                  gone_on);
     require_a_room(written.rooms, written.store);
   }
   if (arguments.strict) require_trust(store);
@@ -145,13 +152,15 @@ void build_from_log(const Settings& settings, const BuildArguments& arguments) {
   const PlaceLock folder_lock(out);
   const Path store = out / "building.gpkg";
   const PlaceLock store_lock = lock_new_store(store, {log});
-  if (is_mapped_already(settings, {log, {}}, store)) {
+  std::vector<GoneOn> gone_on;
+  if (!settings.force && is_mapped_already(settings, {log, {}}, store)) {
     spdlog::info("{} holds this mission already; assembling it again", store.string());
     GeoPackageStore(store, GeoPackageStore::Mode::update)
         .put_metadata({{"configuration", settings.as_toml}});  // maps alike: all else may differ
   } else {
     try {
-      map(settings, log, store);
+      const Mapped mapped = map(settings, log, store);
+      if (mapped.gone_on) gone_on.push_back(*mapped.gone_on);
     } catch (const NotEnoughError&) {
       if (!new_folder.empty()) std::filesystem::remove_all(new_folder);  // nothing came of it
       throw;
@@ -159,7 +168,8 @@ void build_from_log(const Settings& settings, const BuildArguments& arguments) {
   }
   const std::size_t rooms = assemble(settings, store);
   write_results(settings, store, arguments,
-                {"svg", "pdf", "png", "geojson", "tum", "dot", "graphml", "g2o", "csv", "nav2"});
+                {"svg", "pdf", "png", "geojson", "tum", "dot", "graphml", "g2o", "csv", "nav2"},
+                gone_on);
   require_a_room(rooms, store);
   if (arguments.strict) require_trust(store);
 }

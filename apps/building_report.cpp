@@ -133,6 +133,16 @@ Json json_of(const PlanDoor& door) {
           {"rooms", {id_of(door.room_a), id_of(door.room_b)}}};
 }
 
+Json json_of(const GoneOn& gone_on) {
+  return {{"mission", gone_on.mission},
+          {"after_room", gone_on.after_room},
+          {"reading", gone_on.reading}};
+}
+
+void print(const Json& json) {
+  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
 void print_json(const GeoPackageStore& store, const FloorPlan& plan,
                 const std::optional<Judgement>& judgement, const MadeOf& made) {
   Json json = Json::parse(to_json(made.evaluation, judgement, store.metadata()["answers_json"]));
@@ -147,7 +157,9 @@ void print_json(const GeoPackageStore& store, const FloorPlan& plan,
   for (const PlanDoor& door : plan.doors) json["doors"].push_back(json_of(door));
   json["trust"] = trust_in(plan, judgement);
   json["files"] = made.files;
-  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+  json["gone_on"] = Json::array();
+  for (const GoneOn& gone_on : made.gone_on) json["gone_on"].push_back(json_of(gone_on));
+  print(json);
 }
 
 }  // namespace
@@ -170,10 +182,14 @@ void report_building(const Settings& settings, const GeoPackageStore& store, con
   print_files(made);
 }
 
+void tell_mapped(const Mapped& mapped, const std::filesystem::path& store) {
+  print(Json{{"store", store.string()},
+             {"gone_on", mapped.gone_on ? json_of(*mapped.gone_on) : Json(nullptr)}});
+}
+
 void tell_files(const Settings& settings, const std::filesystem::path& folder, const Names& files) {
   if (settings.json) {
-    const Json json = {{"files", files}};
-    fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+    print(Json{{"files", files}});
     return;
   }
   fmt::print("{} in {}:\n", counted(files.size(), "file"), folder.string());

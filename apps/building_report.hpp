@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "commands.hpp"
 #include "roomatlas/evaluate/evaluation.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "settings.hpp"
@@ -17,11 +18,15 @@ struct MadeOf {
   bool truth_was_given = false;  ///< on the command line: what it says is wanted in full
   std::filesystem::path folder;
   std::vector<std::string> files;  ///< names in the folder
+  std::vector<GoneOn> gone_on;     ///< missions in which another run had been stopped
 };
 
 /// The end of `build`: rooms with areas and kinds, doors, accuracy, whether it can be trusted and
 /// which file to open first; as text for people, or as one JSON object. On stdout.
 void report_building(const Settings& settings, const GeoPackageStore& store, const MadeOf& made);
+
+/// What `map` made, as one JSON object on stdout.
+void tell_mapped(const Mapped& mapped, const std::filesystem::path& store);
 
 /// The files that were written: as text, or as one JSON object. On stdout.
 void tell_files(const Settings& settings, const std::filesystem::path& folder,

@@ -32,6 +32,7 @@ namespace {
 struct Arguments {
   Path log;
   bool is_strict = false;
+  bool is_forced = false;
   Path store;
   AsrId asr = 0;
   int alternative = 1;  ///< of several answers
@@ -112,15 +113,17 @@ class Commands {
     add_truth(build, a_.truth);
     add_export_options(build, a_.exported);
     add_edits(build);
+    add_force(build);
     build->add_flag("--strict", a_.is_strict, "exit code 5 where the map is doubtful")
         ->configurable(false);
 
     CLI::App* map = command("map", "online stage: log -> rooms in a store", [this] {
       const PlaceLock lock = lock_new_store(a_.out, {a_.log});
-      apps::map(settings_, a_.log, a_.out);
+      map_and_tell(forced(), a_.log, a_.out);
     });
     positional(map, "LOG", a_.log, "mission log, plain or gzip");
     output(map, a_.out, "store to write, such as building.gpkg");
+    add_force(map);
 
     CLI::App* assemble =
         command("assemble", "offline stage: graph, correction, floor plan", [this] {
@@ -145,9 +148,20 @@ class Commands {
   }
 
   [[nodiscard]] Settings edited() const {
-    Settings settings = settings_;
+    Settings settings = forced();
     settings.edits_file = a_.edits;
     return settings;
+  }
+  [[nodiscard]] Settings forced() const {
+    Settings settings = settings_;
+    settings.force = a_.is_forced;
+    return settings;
+  }
+
+  void add_force(CLI::App* sub) {
+    sub->add_flag("--force", a_.is_forced,
+                  "map from the log's begin, in the place of whatever store is there")
+        ->configurable(false);
   }
 
   void add_edits(CLI::App* sub) {

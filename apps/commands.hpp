@@ -67,14 +67,29 @@ struct LocateArguments {
   Path out;  ///< TUM; empty: not wanted
 };
 
+/// Where a run went on that another had been stopped in.
+struct GoneOn {
+  std::string mission;          ///< the log's name, and which part of it
+  std::int64_t after_room = 0;  ///< the last one that was whole
+  std::int64_t reading = 0;     ///< of the log, from 1, that had been mapped by then
+};
+
+/// What became of a mission that was to be mapped.
+struct Mapped {
+  std::optional<GoneOn> gone_on;  ///< nothing where it was mapped from its begin
+};
+
 // Each command reads, makes one call of the library, writes and reports. They throw what the
 // library throws; `main` turns that into an exit code.
 
 void info(const Settings& settings, const Path& log);
 void build(const Settings& settings, const BuildArguments& arguments);
+/// Goes on where a run of the same was stopped, unless `settings.force`.
 /// @param part of the log that is mapped
-void map(const Settings& settings, const Path& log, const Path& store,
-         const MissionPart& part = {});
+Mapped map(const Settings& settings, const Path& log, const Path& store,
+           const MissionPart& part = {});
+/// The same, and says on stdout what was mapped where JSON is asked for.
+void map_and_tell(const Settings& settings, const Path& log, const Path& store);
 /// Writes what would be mapped as another log.
 void convert(const Settings& settings, const Path& log, const Path& out);
 /// Completes the store. @returns how many rooms the plan has

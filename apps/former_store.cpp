@@ -33,4 +33,16 @@ std::vector<PlanRoom> rooms_to_carry_over(const std::filesystem::path& store_fil
   return {};
 }
 
+void require_known_version(const Settings& settings, const std::filesystem::path& store) {
+  if (settings.force || !std::filesystem::exists(store)) return;
+  try {
+    const GeoPackageStore known(store, GeoPackageStore::Mode::read);
+  } catch (const OtherVersion& error) {
+    throw OtherVersion(std::string(error.what()) +
+                       ". With --force it is replaced, and names of rooms and corrections by hand "
+                       "that it has are lost; or give another name with -o");
+  } catch (const InputError&) {  // whoever carries names over tells of one that cannot be read
+  }
+}
+
 }  // namespace roomatlas::apps

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "roomatlas/plan/floor_plan.hpp"
+#include "settings.hpp"
 
 namespace roomatlas::apps {
 
@@ -14,5 +15,10 @@ namespace roomatlas::apps {
 /// warning names the rooms whose names are lost.
 [[nodiscard]] std::vector<PlanRoom> rooms_to_carry_over(const std::filesystem::path& store,
                                                         const std::string& mission_sha256);
+
+/// @throws OtherVersion for a store that another release wrote, unless `settings.force`: what
+/// people
+///   put into it (names, corrections) would be lost
+void require_known_version(const Settings& settings, const std::filesystem::path& store);
 
 }  // namespace roomatlas::apps

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 
+#include "building_report.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "former_store.hpp"
+#include "going_on.hpp"
 #include "log_report.hpp"
 #include "new_store.hpp"
 #include "open_log.hpp"
@@ -45,15 +47,28 @@ struct Recorded {
   MissionInfo info;
 };
 
+/// What the store that is replaced hands on.
+struct CarriedOver {
+  std::vector<PlanRoom> rooms;
+  Metadata edits;
+};
+
 /// The whole mission into a store, which is finished and closed then.
+/// @param from where a run was stopped whose rooms are in the store
 Recorded record(const Settings& settings, MissionSource& mission, const std::string& sha256,
-                const std::vector<PlanRoom>& carried, const Metadata& edits,
-                const Path& store_file) {
-  GeoPackageStore store(store_file, GeoPackageStore::Mode::create);
-  if (!carried.empty()) store.put_former_rooms(carried);
-  if (!edits.empty()) store.put_metadata(edits);
+                const CarriedOver& carried, const Path& store_file,
+                const std::optional<MapCheckpoint>& from) {
+  GeoPackageStore store(store_file,
+                        from ? GeoPackageStore::Mode::update : GeoPackageStore::Mode::create);
+  if (from) {
+    store.go_back_to_checkpoint();
+  } else {
+    store.put_origin(origin_of(sha256, settings));
+  }
+  if (!carried.rooms.empty()) store.put_former_rooms(carried.rooms);
+  if (!carried.edits.empty()) store.put_metadata(carried.edits);
   Recorded recorded;
-  recorded.summary = map_mission(mission, store, settings.map, console_progress(settings));
+  recorded.summary = map_mission(mission, store, settings.map, from, console_progress(settings));
   recorded.info = mission.info();
   Metadata metadata = metadata_of(recorded.info, sha256, settings);
   if (recorded.summary.habits) metadata["odometry_json"] = to_json(*recorded.summary.habits);
@@ -64,24 +79,46 @@ Recorded record(const Settings& settings, MissionSource& mission, const std::str
 
 /// The same in the place of what is there, which stays as it is unless all goes well.
 Recorded record_in_place(const Settings& settings, MissionSource& mission,
-                         const std::string& sha256, const Path& store_file) {
-  settle_new_store(store_file);
-  const std::vector<PlanRoom> carried = rooms_to_carry_over(store_file, sha256);
-  const Metadata edits = edits_to_carry_over(store_file, sha256);
-  const NewStore store(store_file);
+                         const std::string& sha256, const Path& store_file,
+                         const std::optional<UnfinishedStore>& unfinished) {
+  const CarriedOver carried{rooms_to_carry_over(store_file, sha256),
+                            edits_to_carry_over(store_file, sha256)};
+  const NewStore store = unfinished ? NewStore(store_file, unfinished->file) : NewStore(store_file);
+  const auto from =
+      unfinished ? std::optional<MapCheckpoint>(unfinished->checkpoint) : std::nullopt;
   try {
-    Recorded recorded = record(settings, mission, sha256, carried, edits, store.file());
+    Recorded recorded = record(settings, mission, sha256, carried, store.file(), from);
     store.put_in_place();
     return recorded;
   } catch (const Interrupted& stop) {
     const Path kept = store.keep_unfinished();
     throw Interrupted(fmt::format(
-        "{}: the rooms so far are in {}{}; run the same command to start again", stop.what(),
+        "{}: the rooms so far are in {}{}; run the same command to go on", stop.what(),
         kept.string(), kept == store_file ? "" : ", and " + store_file.string() + " is as it was"));
+  } catch (const NotEnoughError&) {
+    store.remove();
+    throw;
   } catch (...) {
     store.give_up();
     throw;
   }
+}
+
+/// Completes a store that a run had filled with the whole mission when it was stopped.
+/// @returns false where there is none, or it was assembled since
+bool finish_mapped(const Settings& settings, const std::string& sha256, const Path& store_file) {
+  if (settings.force || !std::filesystem::exists(store_file)) return false;
+  try {
+    const GeoPackageStore found(store_file, GeoPackageStore::Mode::read);
+    if (found.has_assembly() || !is_mapped_from(found.metadata(), sha256, settings)) return false;
+  } catch (const InputError&) {
+    return false;  // a foreign store is mapped anew
+  }
+  GeoPackageStore store(store_file, GeoPackageStore::Mode::update);
+  store.put_metadata({{"configuration", settings.as_toml}});  // maps alike: all else may differ
+  store.finish();
+  spdlog::info("{} holds this mission already", store_file.string());
+  return true;
 }
 
 /// Whether a mission's directions of drive are decided again when it is assembled.
@@ -93,10 +130,14 @@ bool is_corrected_as_a_whole(const MissionInfo& info, const Settings& settings) 
 
 }  // namespace
 
-void map(const Settings& settings, const Path& log, const Path& store_file,
-         const MissionPart& part) {
+Mapped map(const Settings& settings, const Path& log, const Path& store_file,
+           const MissionPart& part) {
   require_output_store(store_file, {log});
+  require_known_version(settings, store_file);
+  settle_new_store(store_file);
   const auto opened = open_log(log, settings.mission);
+  const std::string sha256 = sha256_of_part(log, part);
+  if (finish_mapped(settings, sha256, store_file)) return {};
   PartOfMission cut(*opened, part);
   const MissionSource* mission = opened.get();  // of the whole log: what it lacks is told of it
   PeekedMission peeked(cut);
@@ -112,8 +153,14 @@ void map(const Settings& settings, const Path& log, const Path& store_file,
     (void)map_mission(peeked, nowhere, settings.map);  // says what is missing
   }
 
-  const auto [summary, info] =
-      record_in_place(settings, peeked, sha256_of_part(log, part), store_file);
+  const auto unfinished =
+      settings.force ? std::nullopt : find_unfinished(settings, sha256, store_file);
+  Mapped mapped;
+  if (unfinished) {
+    mapped.gone_on = gone_on_with(*unfinished, log, part);
+    spdlog::info("{}: {}", unfinished->file.string(), to_string(*mapped.gone_on));
+  }
+  const auto [summary, info] = record_in_place(settings, peeked, sha256, store_file, unfinished);
   if (info.recording) spdlog::info("{}: {}", log.filename().string(), info.recording->choice);
   show(info.issues, info.issues_not_listed);
   // of a mission that is corrected as a whole, `assemble` tells the count that holds
@@ -124,6 +171,12 @@ void map(const Settings& settings, const Path& log, const Path& store_file,
   spdlog::info("{}: {}, {:.0f} m -> {} in {}", log.filename().string() + part.suffix(),
                counted(info.readings, "reading"), info.path_length_m, counted(summary.asrs, "ASR"),
                store_file.string());
+  return mapped;
+}
+
+void map_and_tell(const Settings& settings, const Path& log, const Path& store_file) {
+  const Mapped mapped = map(settings, log, store_file);
+  if (settings.json) tell_mapped(mapped, store_file);
 }
 
 void info(const Settings& settings, const Path& log) {

@@ -30,22 +30,23 @@ void require_no_map(const Path& log) {
   throw UsageError(log.string() + ": a finished map stands alone: joined are missions");
 }
 
-bool map_and_assemble(const Settings& settings, const LogPart& mission, const Path& store) {
+std::optional<Mapped> map_and_assemble(const Settings& settings, const LogPart& mission,
+                                       const Path& store) {
   const PlaceLock lock = lock_new_store(store, {mission.log});
-  if (is_mapped_already(settings, mission, store) &&
+  if (!settings.force && is_mapped_already(settings, mission, store) &&
       GeoPackageStore(store, GeoPackageStore::Mode::read).has_assembly()) {
     spdlog::info("{} holds this mission already", store.string());
-    return true;
+    return Mapped{};
   }
   try {
-    map(settings, mission.log, store, mission.part);
+    Mapped mapped = map(settings, mission.log, store, mission.part);
     (void)assemble(settings, store);
+    return mapped;
   } catch (const NotEnoughError& error) {
     if (mission.part.is_whole()) throw;
     spdlog::warn("{}{}: left out: {}", mission.log.string(), mission.part.suffix(), error.what());
-    return false;
+    return std::nullopt;
   }
-  return true;
 }
 
 std::vector<Path> stores_for(const std::vector<LogPart>& missions, const Path& folder) {

@@ -2,6 +2,7 @@
 // The stores of single missions from which a building is joined.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "commands.hpp"
@@ -17,8 +18,9 @@ namespace roomatlas::apps {
 void require_no_map(const Path& log);
 
 /// One mission of several in a store of its own, which an earlier run may have left.
-/// @returns false for a part of a log that is too little to be mapped
-bool map_and_assemble(const Settings& settings, const LogPart& mission, const Path& store);
+/// @returns nothing for a part of a log that is too little to be mapped
+std::optional<Mapped> map_and_assemble(const Settings& settings, const LogPart& mission,
+                                       const Path& store);
 
 /// Stores of several missions, named after their logs: NAME.gpkg, and NAME-2.gpkg where two logs
 /// have one name. Parts of a log are NAME-part1.gpkg and so on.

@@ -12,8 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path beside(const fs::path& place) { return place.string() + ".new"; }
-
 /// What SQLite keeps beside a file; it would be taken for the next store's.
 void remove_side_files(const fs::path& store) {
   for (const char* ending : {"-wal", "-shm", "-journal"}) {
@@ -39,34 +37,34 @@ void replace(const fs::path& place, const fs::path& by) {
 struct Stage {
   bool is_mapped = false;  ///< the whole mission is in it
   bool is_assembled = false;
+  bool is_unfinished = false;  ///< some rooms of it, behind which a run can go on
 };
 
 /// None for a file that is missing or no store of this version.
 std::optional<Stage> stage_of(const fs::path& file) {
   try {
     const GeoPackageStore store(file, GeoPackageStore::Mode::read);
-    return Stage{store.metadata().contains("mission_sha256"), store.has_assembly()};
+    return Stage{store.metadata().contains("mission_sha256"), store.has_assembly(),
+                 store.unfinished().has_value()};
   } catch (const InputError&) {
     return std::nullopt;
   }
 }
 
-bool is_mapped(const fs::path& file) {
-  const auto stage = stage_of(file);
-  return stage && stage->is_mapped;
-}
-
 }  // namespace
 
+fs::path place_beside(const fs::path& place) { return place.string() + ".new"; }
+
 NewStore::NewStore(const fs::path& place)
-    : place_(place), file_(fs::exists(place) ? beside(place) : place) {
+    : place_(place), file_(fs::exists(place) ? place_beside(place) : place) {
   if (fs::is_directory(place)) {
     throw InputError(place.string() + ": is a directory, expected a file name for the store");
   }
 }
 
 void NewStore::put_in_place() const {
-  if (file_ != place_) replace(place_, file_);
+  if (file_ != place_) return replace(place_, file_);
+  remove_store(place_beside(place_));  // of an interrupted run, with which this one did not go on
 }
 
 fs::path NewStore::keep_unfinished() const {
@@ -78,13 +76,13 @@ fs::path NewStore::keep_unfinished() const {
 }
 
 void NewStore::give_up() const {
-  if (is_mapped(file_)) {
-    spdlog::warn("{}: the whole mission is mapped in it; the next run goes on from there",
-                 file_.string());
-    return;
-  }
-  remove_store(file_);
+  const auto stage = stage_of(file_);
+  if (!stage || (!stage->is_mapped && !stage->is_unfinished)) return remove();
+  spdlog::warn("{}: {} mapped in it; the next run goes on from there", file_.string(),
+               stage->is_mapped ? "the whole mission is" : "the rooms so far are");
 }
+
+void NewStore::remove() const { remove_store(file_); }
 
 void remove_leftovers(const fs::path& store) {
   remove_store(store.string() + ".tmp");
@@ -98,9 +96,10 @@ void remove_leftovers(const fs::path& store) {
 }
 
 void settle_new_store(const fs::path& place) {
-  const fs::path made = beside(place);
-  if (!is_mapped(made)) {
-    remove_store(made);
+  const fs::path made = place_beside(place);
+  const auto stage = stage_of(made);
+  if (!stage || !stage->is_mapped) {
+    if (!stage || !stage->is_unfinished) remove_store(made);
     return;
   }
   GeoPackageStore(made, GeoPackageStore::Mode::update).finish();

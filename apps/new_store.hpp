@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <utility>
 
 namespace roomatlas::apps {
 
@@ -11,6 +12,9 @@ class NewStore {
  public:
   /// @throws InputError when the place is a directory
   explicit NewStore(const std::filesystem::path& place);
+  /// An unfinished one that is there already, at its place or beside it.
+  NewStore(std::filesystem::path place, std::filesystem::path unfinished)
+      : place_(std::move(place)), file_(std::move(unfinished)) {}
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
@@ -19,16 +23,21 @@ class NewStore {
   /// After an interruption: takes the place of an unfinished store, and stays beside any other
   /// file. @returns where it is
   [[nodiscard]] std::filesystem::path keep_unfinished() const;
-  /// After an error: removed, unless the whole mission is in it; a warning says so then.
+  /// After an error: removed, unless a run can go on with it; a warning says so then.
   void give_up() const;
+  /// Removed: nothing can come of it.
+  void remove() const;
 
  private:
   std::filesystem::path place_;
   std::filesystem::path file_;
 };
 
+/// Where a store is made that takes this place once it is finished.
+[[nodiscard]] std::filesystem::path place_beside(const std::filesystem::path& place);
+
 /// Puts the store in its place that a run had finished beside it when it was stopped, and removes
-/// one that was not finished.
+/// one with which none can go on.
 void settle_new_store(const std::filesystem::path& place);
 
 /// Removes the temporary files of a run that was killed; what it had committed to the store is in

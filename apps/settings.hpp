@@ -22,6 +22,7 @@ struct Settings : Options {
   std::string add_closures;     ///< file of matches to be tried; empty: none
   std::string edits_file;       ///< statements to be applied; empty: those that the store keeps
   double label_pixel_m = 0.05;  ///< of label pictures given as truth
+  bool force = false;           ///< maps anew, in the place of whatever store is there
   bool json = false;
   bool quiet = false;
   bool verbose = false;

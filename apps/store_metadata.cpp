@@ -27,17 +27,22 @@ std::string text_of(double value) { return fmt::format("{}", value); }
 
 }  // namespace
 
-Metadata metadata_of(const MissionInfo& info, const std::string& mission_sha256,
-                     const Settings& settings) {
+Metadata origin_of(const std::string& mission_sha256, const Settings& settings) {
   return {{"tool_version", ROOMATLAS_VERSION},
           {"configuration", settings.as_toml},
-          {"mission_file", std::filesystem::path(info.file).filename().string()},
-          {"mission_sha256", mission_sha256},
-          {"mission_json", to_json(info)},
-          {"mission_path_length_m", text_of(info.path_length_m)},
-          {"mission_first_timestamp_s", text_of(info.first_timestamp_s.value_or(0.0))},
-          {"robot_length_m", text_of(info.footprint.length_m)},
-          {"robot_width_m", text_of(info.footprint.width_m)}};
+          {"mission_sha256", mission_sha256}};
+}
+
+Metadata metadata_of(const MissionInfo& info, const std::string& mission_sha256,
+                     const Settings& settings) {
+  Metadata metadata = {{"mission_file", std::filesystem::path(info.file).filename().string()},
+                       {"mission_json", to_json(info)},
+                       {"mission_path_length_m", text_of(info.path_length_m)},
+                       {"mission_first_timestamp_s", text_of(info.first_timestamp_s.value_or(0.0))},
+                       {"robot_length_m", text_of(info.footprint.length_m)},
+                       {"robot_width_m", text_of(info.footprint.width_m)}};
+  metadata.merge(origin_of(mission_sha256, settings));
+  return metadata;
 }
 
 std::string sha256_of_part(const std::filesystem::path& log, const MissionPart& part) {

@@ -16,6 +16,8 @@ using Metadata = std::map<std::string, std::string>;
 /// What the store remembers of the run that mapped it.
 [[nodiscard]] Metadata metadata_of(const MissionInfo& info, const std::string& mission_sha256,
                                    const Settings& settings);
+/// What decides it, known before the log is read: `is_mapped_from` compares it.
+[[nodiscard]] Metadata origin_of(const std::string& mission_sha256, const Settings& settings);
 /// The log's checksum, and which part of it where it is one: a mission's identity.
 [[nodiscard]] std::string sha256_of_part(const std::filesystem::path& log, const MissionPart& part);
 /// Reads them back; the defaults where a store lacks them.

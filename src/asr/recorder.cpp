@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "live_grid.hpp"
+
 namespace roomatlas {
 namespace {
 
@@ -57,7 +59,7 @@ class AsrRecorder::State {
         footprint_(footprint),
         sink_(sink),
         localizer_(std::move(localizer)),
-        live_(options.map.cell_m) {}
+        live_(options_.map, footprint_) {}
 
   void add(const RangeReading& reading, const Pose2& reckoned_from_robot) {
     if (++since_left_ == kHandOverAfter) hand_over();
@@ -80,6 +82,13 @@ class AsrRecorder::State {
     hand_over();
   }
 
+  void resume(const RoomEntered& room, const std::vector<RangeReading>& readings) {
+    next_id_ = room.asr;
+    if (localizer_) localizer_->resume(room.learnt);
+    enter(room, readings);
+  }
+  [[nodiscard]] const RoomEntered& entered() const { return entered_; }
+
   [[nodiscard]] bool has_just_left() const {
     return asrs_written() > 0 && since_left_ < kSettledAfter;
   }
@@ -89,8 +98,6 @@ class AsrRecorder::State {
   }
 
  private:
-  using Sweeps = std::vector<std::pair<RangeReading, Pose2>>;  ///< with the room's pose of each
-
   /// Adds a reading to the room: path, readings and the live grid.
   void append(const RangeReading& reading, const Pose2& asr_from_robot) {
     const double step_m =
@@ -99,29 +106,7 @@ class AsrRecorder::State {
     along_m_.push_back(path_.empty() ? 0.0 : along_m_.back() + step_m);
     path_.push_back({reading.timestamp_s, asr_from_robot, reading.odom_from_robot});
     readings_.push_back(reading);
-    draw(reading, asr_from_robot);
-  }
-
-  /// Takes a sweep for the live grid, if the robot has moved since the last.
-  void draw(const RangeReading& reading, const Pose2& asr_from_robot) {
-    if (last_drawn_ && !moved_enough(*last_drawn_, asr_from_robot, options_.map)) return;
-    last_drawn_ = asr_from_robot;
-    undrawn_.emplace_back(reading, asr_from_robot);
-  }
-
-  /// The live grid with all that was taken for it.
-  const HimmGrid& live() {
-    if (begun_.valid()) live_ = begun_.get();
-    draw_all(std::exchange(undrawn_, {}), live_);
-    return live_;
-  }
-
-  void draw_all(const Sweeps& sweeps, HimmGrid& grid) const {
-    for (const auto& [reading, asr_from_robot] : sweeps) {
-      std::int64_t ignored = 0;
-      grid.add_sweep(rays_of(reading, asr_from_robot, ray_options(options_.map), ignored));
-      grid.mark_robot(asr_from_robot, footprint_);
-    }
+    live_.add(reading, asr_from_robot);
   }
 
   /// The pose on the path at an index, heading along the motion; nothing where the robot only
@@ -148,7 +133,7 @@ class AsrRecorder::State {
     const auto index = static_cast<std::size_t>(lagged - along_m_.begin());
     const std::optional<Pose2> motion = motion_at(index);
     const std::optional<Doorway> doorway =
-        motion ? find_doorway(live(), *motion, options_.doorway) : std::nullopt;
+        motion ? find_doorway(live_.grid(), *motion, options_.doorway) : std::nullopt;
     if (doorway && (!candidate_ || doorway->width_m < candidate_->doorway.width_m)) {
       candidate_ = DoorwayOnPath{*doorway, index, along_m_[index]};
     }
@@ -173,7 +158,6 @@ class AsrRecorder::State {
     while (split < path_.size() && !is_beyond(split)) ++split;
     if (split == 0 || split == path_.size()) return;
     leave({found.doorway, PassageKind::doorway, false, std::nullopt, 0.0}, split);
-    since_doorway_m_ = 0.0;
   }
 
   /// Cuts the room where doorways have been looked for already, so that none is lost at the cut;
@@ -200,41 +184,50 @@ class AsrRecorder::State {
   /// Closes the ASR with the samples before `split`, and opens the next with the rest.
   void leave(Exit exit, std::size_t split) {
     const auto at = static_cast<std::ptrdiff_t>(split);
-    const std::vector<PathSample> rest_path(path_.begin() + at, path_.end());
-    const std::vector<RangeReading> rest_readings(readings_.begin() + at, readings_.end());
     const double left_m = along_m_[split - 1];
     const auto seed = std::lower_bound(along_m_.begin(), along_m_.begin() + at, left_m - kSeedM);
     const std::ptrdiff_t seed_at = seed - along_m_.begin();
-    const std::vector<PathSample> seed_path(path_.begin() + seed_at, path_.begin() + at);
-    const std::vector<RangeReading> seed_readings(readings_.begin() + seed_at,
-                                                  readings_.begin() + at);
+    const std::vector<RangeReading> readings(readings_.begin() + seed_at, readings_.end());
+    RoomEntered room;
+    room.asr = next_id_ + 1;
+    const Pose2 new_from_old = inverse(exit.frame_from_pivot);
+    for (auto sample = path_.begin() + seed_at; sample != path_.end(); ++sample) {
+      std::vector<Pose2>& poses = sample < path_.begin() + at ? room.seed : room.path;
+      poses.push_back(new_from_old * sample->asr_from_robot);
+    }
+    room.reckoned_from_robot = last_->reckoned_from_robot;
+    if (since_doorway_m_) room.since_doorway_m = *since_doorway_m_ + left_m;
+    if (exit.kind == PassageKind::doorway) room.since_doorway_m = 0.0;
+
     path_.resize(split);
     readings_.resize(split);
     exit.timestamp_s = path_.back().timestamp_s;
-    exit.neighbor = next_id_ + 1;
-    const Pose2 old_from_new = exit.frame_from_pivot;
-    const Pose2 odom_from_new = close(exit) * old_from_new;
+    exit.neighbor = room.asr;
+    room.entry = entry_from(exit, next_id_);
+    room.odom_from_asr = close(exit) * exit.frame_from_pivot;
+    if (localizer_) room.learnt = localizer_->learnt();
+    enter(room, readings);
+  }
 
-    odom_from_asr_ = odom_from_new;
-    entry_ = entry_from(exit, next_id_ - 1);
-    if (since_doorway_m_) *since_doorway_m_ += left_m;
-    const Pose2 new_from_old = inverse(old_from_new);
-    last_->asr_from_robot = new_from_old * last_->asr_from_robot;
-    for (std::size_t i = 0; i < seed_path.size(); ++i) {
-      const Pose2 new_from_robot = new_from_old * seed_path[i].asr_from_robot;
-      if (localizer_) localizer_->add(seed_readings[i], new_from_robot);
-      draw(seed_readings[i], new_from_robot);
+  /// Begins a room with what is known of it already.
+  /// @param readings of the seed and the path
+  void enter(const RoomEntered& room, const std::vector<RangeReading>& readings) {
+    entered_ = room;
+    since_left_ = 0;
+    odom_from_asr_ = room.odom_from_asr;
+    entry_ = room.entry;
+    since_doorway_m_ = room.since_doorway_m;
+    last_ = {room.path.back(), room.reckoned_from_robot};
+    auto reading = readings.begin();
+    for (const Pose2& asr_from_robot : room.seed) {
+      if (localizer_) localizer_->add(*reading, asr_from_robot);
+      live_.add(*reading++, asr_from_robot);
     }
-    for (std::size_t i = 0; i < rest_path.size(); ++i) {
-      if (localizer_) localizer_->add(rest_readings[i], new_from_old * rest_path[i].asr_from_robot);
-      append(rest_readings[i], new_from_old * rest_path[i].asr_from_robot);
+    for (const Pose2& asr_from_robot : room.path) {
+      if (localizer_) localizer_->add(*reading, asr_from_robot);
+      append(*reading++, asr_from_robot);
     }
-    // a new room begins with many sweeps: they are drawn until the next reading arrives
-    begun_ = std::async(std::launch::async, [this, sweeps = std::exchange(undrawn_, {})] {
-      HimmGrid grid(options_.map.cell_m);
-      draw_all(sweeps, grid);
-      return grid;
-    });
+    live_.begin();  // with many sweeps: they are drawn until the next reading arrives
   }
 
   /// Begins to map the room, hands the one before over and forgets both. Returns where odometry has
@@ -256,18 +249,14 @@ class AsrRecorder::State {
     const Pose2 odom_from_asr =
         asr.path.back().odom_from_robot * inverse(asr.path.back().asr_from_robot);
     hand_over();
-    since_left_ = 0;
     closing_ = std::async(std::launch::async, [this, asr = std::move(asr)]() mutable {
       map(asr);
       return std::move(asr);
     });
 
     along_m_.clear();
-    live_ = HimmGrid(options_.map.cell_m);
-    begun_ = {};
-    undrawn_.clear();
+    live_.clear();
     if (localizer_) localizer_->clear();
-    last_drawn_.reset();
     candidate_.reset();
     searched_to_m_ = 0.0;
     return odom_from_asr;
@@ -300,17 +289,15 @@ class AsrRecorder::State {
     Pose2 reckoned_from_robot;
   };
 
-  AsrId next_id_ = 1;  ///< of the ASR to be handed over next
+  AsrId next_id_ = 1;    ///< of the ASR that is mapped
+  RoomEntered entered_;  ///< as it was entered
   std::optional<LastReading> last_;
   Pose2 odom_from_asr_;
   std::optional<Exit> entry_;
   std::vector<PathSample> path_;
   std::vector<RangeReading> readings_;
   std::vector<double> along_m_;  ///< length of the path up to each sample
-  HimmGrid live_;                ///< the room as seen so far, not yet cut at doors
-  std::future<HimmGrid> begun_;  ///< what `live_` begins with, while it is drawn
-  Sweeps undrawn_;               ///< not in `live_` yet
-  std::optional<Pose2> last_drawn_;
+  LiveGrid live_;
   double searched_to_m_ = 0.0;  ///< doorways were looked for up to here
   std::optional<DoorwayOnPath> candidate_;
   std::optional<double> since_doorway_m_;  ///< from the last doorway to this ASR's first sample
@@ -327,6 +314,10 @@ void AsrRecorder::add(const RangeReading& reading, const Pose2& reckoned_from_ro
   state_->add(reading, reckoned_from_robot);
 }
 void AsrRecorder::finish() { state_->finish(); }
+void AsrRecorder::resume(const RoomEntered& room, const std::vector<RangeReading>& readings) {
+  state_->resume(room, readings);
+}
+const RoomEntered& AsrRecorder::entered() const { return state_->entered(); }
 bool AsrRecorder::has_just_left() const { return state_->has_just_left(); }
 std::int64_t AsrRecorder::asrs_written() const { return state_->asrs_written(); }
 std::optional<OdometryHabits> AsrRecorder::habits() const { return state_->habits(); }

@@ -56,7 +56,7 @@ bool RoomLocalizer::is_length_seen(const ScanAlignment& aligned) const {
 }
 
 void RoomLocalizer::clear() {
-  learner_.interrupt();
+  learnt_.habits.interrupt();
   map_ = LocalMap(options_.cell_m);
   waiting_.clear();
   recent_.clear();
@@ -65,9 +65,9 @@ void RoomLocalizer::clear() {
 }
 
 std::optional<OdometryHabits> RoomLocalizer::habits() const {
-  if (learner_.stretches() == 0) return std::nullopt;
-  OdometryHabits habits = learner_.habits();
-  habits.lag_s = lag_.lag_s();
+  if (learnt_.habits.stretches() == 0) return std::nullopt;
+  OdometryHabits habits = learnt_.habits.habits();
+  habits.lag_s = learnt_.lag.lag_s();
   return habits;
 }
 
@@ -136,7 +136,7 @@ Pose2 RoomLocalizer::locate(const RangeReading& reading, const Pose2& predicted_
   has_few_ = recent_.are_needed(*reading.sensor);
   Scan scan = scan_of(reading, options_.scan);
   const Pose2 before = predicted_asr_from_robot * inverse(step);
-  Pose2 pose = before * without_habits(step, learner_.habits());
+  Pose2 pose = before * without_habits(step, learnt_.habits.habits());
   if (has_few_) recent_.add_normals(scan, pose);
   if (!map_.empty()) {
     const ScanAlignment aligned = match(thinned(scan.points, options_.max_points), pose, step);
@@ -144,11 +144,11 @@ Pose2 RoomLocalizer::locate(const RangeReading& reading, const Pose2& predicted_
         aligned.matched > options_.min_matched_share * aligned.points) {
       pose = aligned.map_from_points;
       const Pose2 matched = inverse(before) * pose;
-      learner_.add(step, matched, is_length_seen(aligned));
-      lag_.add(reading.timestamp_s, reading.odom_from_robot.theta_rad, matched.theta_rad);
+      learnt_.habits.add(step, matched, is_length_seen(aligned));
+      learnt_.lag.add(reading.timestamp_s, reading.odom_from_robot.theta_rad, matched.theta_rad);
     } else {
-      learner_.interrupt();
-      lag_.interrupt();
+      learnt_.habits.interrupt();
+      learnt_.lag.interrupt();
     }
   }
   if (has_few_) recent_.add(scan, pose);

@@ -53,4 +53,16 @@ std::optional<DeadReckoned> LateOdometry::next(double lag_s) {
   return next;
 }
 
+std::optional<RangeReading> LateOdometry::skip() {
+  if (given_ == readings_.size()) return std::nullopt;
+  last_ = readings_[given_++];
+  forget();
+  return last_->reading;
+}
+
+void LateOdometry::resume(const State& state) {
+  last_.value().reckoned_from_robot = state.last_reckoned_from_robot;
+  is_shifted_ = state.is_shifted;
+}
+
 }  // namespace roomatlas

@@ -37,14 +37,18 @@ class Child {
   /// Waits until stderr holds the text; false when the program ended before.
   [[nodiscard]] bool has_said(const std::string& text) {
     while (err().find(text) == std::string::npos) {
-      if (waitpid(pid_, &status_, WNOHANG) == pid_) pid_ = 0;
-      if (pid_ == 0) return false;
+      if (has_ended()) return false;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     return true;
   }
-  /// Sends all of them before the program goes on.
-  void send(std::initializer_list<int> signals) const {
+  [[nodiscard]] bool has_ended() {
+    if (pid_ > 0 && waitpid(pid_, &status_, WNOHANG) == pid_) pid_ = 0;
+    return pid_ == 0;
+  }
+  /// Sends all of them before the program goes on, if it has not ended.
+  void send(std::initializer_list<int> signals) {
+    if (has_ended()) return;
     kill(pid_, SIGSTOP);
     int status = 0;
     waitpid(pid_, &status, WUNTRACED);

@@ -94,7 +94,7 @@ TEST_F(MapAgain, InterruptedLeavesTheFinishedMapAndTheRoomsSoFarBesideIt) {
   EXPECT_EQ(child.wait(), 0);
   EXPECT_EQ(child.exit_code(), 130);
   EXPECT_THAT(child.err(), HasSubstr("the rooms so far are in " + new_store_ + ", and " + store_ +
-                                     " is as it was; run the same command to start again"));
+                                     " is as it was; run the same command to go on"));
   EXPECT_TRUE(is_as_before());
   EXPECT_EQ(run("-q assemble " + new_store_).exit_code, 0);
 }

@@ -22,6 +22,20 @@ struct RecorderOptions {
   bool keep_readings = true;       ///< store the readings, so that rooms can be mapped again
 };
 
+/// A room that the robot has just entered, and all else that the recorder remembers then: what the
+/// rooms after it hang on.
+struct RoomEntered {
+  AsrId asr = 1;  ///< of the room
+  Pose2 odom_from_asr;
+  std::optional<Exit> entry;
+  std::vector<Pose2> seed;  ///< where the robot was in the room's frame at the last readings before
+                            ///< it, with which its live grid and the localizer's map begin ...
+  std::vector<Pose2> path;  ///< ... and then at its own: it is noticed late that a room was left
+  Pose2 reckoned_from_robot;              ///< at the last of them
+  std::optional<double> since_doorway_m;  ///< path from the last doorway to the room's begin
+  LearntOdometry learnt;
+};
+
 /// The online stage: a stream of readings becomes a stream of ASRs (paper III). The one object
 /// that remembers: it holds the room being mapped and, for some readings, the one before, which a
 /// thread of its own maps meanwhile; nothing of the rooms before, so that cost and memory do not
@@ -41,6 +55,13 @@ class AsrRecorder {
   void add(const RangeReading& reading, const Pose2& reckoned_from_robot);
   /// Hands over the room being mapped. Call once, at the mission's end or interruption.
   void finish();
+
+  /// The room that is being mapped, as it was entered; as it is by default before one was left.
+  [[nodiscard]] const RoomEntered& entered() const;
+  /// Before the first reading: goes on behind `readings` as the recorder did that entered this room
+  /// with them.
+  /// @param readings of the room's seed and path, in the mission's order
+  void resume(const RoomEntered& room, const std::vector<RangeReading>& readings);
 
   /// True for some readings after a room was left: the next room's first sweeps are drawn beside
   /// them, and each costs more than most.

@@ -50,6 +50,16 @@ struct LocalizeOptions {
 /// True for a sensor whose single sweeps can be matched.
 [[nodiscard]] bool can_be_matched(const RangeReading& reading);
 
+/// What is learnt of odometry while the robot is found in one room after the other.
+struct LearntOdometry {
+  HabitLearner habits;
+  LagLearner lag;
+};
+template <MaybeConst<LearntOdometry> Value, typename Visit>
+void fields_of(Value& learnt, Visit& visit) {
+  visit(learnt.habits, learnt.lag);
+}
+
 /// Finds the robot inside the room being mapped.
 class Localizer {
  public:
@@ -67,6 +77,9 @@ class Localizer {
   [[nodiscard]] virtual bool localizes(const RangeReading& reading) const = 0;
   /// What it learnt of odometry by the way; none where it did not match.
   [[nodiscard]] virtual std::optional<OdometryHabits> habits() const { return std::nullopt; }
+  /// All that it keeps when it forgets a room; with it another goes on as this one would.
+  [[nodiscard]] virtual LearntOdometry learnt() const { return {}; }
+  virtual void resume(const LearntOdometry& /*learnt*/) {}
 };
 
 /// Finds the robot in the room's own map, sweep by sweep, so that odometry's drift does not smear
@@ -87,6 +100,8 @@ class RoomLocalizer : public Localizer {
     return can_be_matched(reading);
   }
   [[nodiscard]] std::optional<OdometryHabits> habits() const override;
+  [[nodiscard]] LearntOdometry learnt() const override { return learnt_; }
+  void resume(const LearntOdometry& learnt) override { learnt_ = learnt; }
 
  private:
   /// Whether the robot has moved since the last sweep was added.
@@ -110,8 +125,7 @@ class RoomLocalizer : public Localizer {
   LocalMap map_;
   RecentSweeps recent_;   ///< of a laser with few beams
   bool has_few_ = false;  ///< the sweep at hand is one of few beams
-  HabitLearner learner_;
-  LagLearner lag_;
+  LearntOdometry learnt_;
   std::vector<std::pair<RangeReading, Pose2>> waiting_;  ///< to be drawn, the newest first: a new
                                                          ///< room begins with many at once
   std::optional<Pose2> last_added_;

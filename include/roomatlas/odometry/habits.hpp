@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "roomatlas/core/packed.hpp"
 #include "roomatlas/core/pose2.hpp"
 
 namespace roomatlas {
@@ -61,6 +62,22 @@ class HabitLearner {
   };
   void learn_heading();
   void learn_length();
+
+  template <MaybeConst<Stretch> Value, typename Visit>
+  friend void fields_of(Value& stretch, Visit& visit) {
+    visit(stretch.odometry, stretch.matched, stretch.forwards_m, stretch.turned_rad,
+          stretch.is_length_seen);
+  }
+  template <MaybeConst<Foretold> Value, typename Visit>
+  friend void fields_of(Value& foretold, Visit& visit) {
+    visit(foretold.without, foretold.with);
+  }
+  template <MaybeConst<HabitLearner> Value, typename Visit>
+  friend void fields_of(Value& learner, Visit& visit) {
+    visit(learner.stretch_, learner.stretches_, learner.heading_information_, learner.heading_sum_,
+          learner.bias_and_gain_, learner.length_information_, learner.length_sum_,
+          learner.more_length_, learner.headings_, learner.lengths_);
+  }
 
   Stretch stretch_;
   int stretches_ = 0;

@@ -4,6 +4,8 @@
 #include <array>
 #include <deque>
 
+#include "roomatlas/core/packed.hpp"
+
 namespace roomatlas {
 
 /// Learns by how much odometry's poses are older than the ranges beside them, from turns: the shift
@@ -33,6 +35,16 @@ class LagLearner {
   /// Both ends interpolated between samples that are known to enclose them.
   [[nodiscard]] double turn_between(double Sample::*heading, double from_s, double to_s) const;
   void learn_at(double timestamp_s);
+
+  template <MaybeConst<Sample> Value, typename Visit>
+  friend void fields_of(Value& sample, Visit& visit) {
+    visit(sample.timestamp_s, sample.odometry_rad, sample.matched_rad);
+  }
+  template <MaybeConst<LagLearner> Value, typename Visit>
+  friend void fields_of(Value& learner, Visit& visit) {
+    visit(learner.recent_, learner.learnt_to_s_, learner.gaps_s_, learner.gaps_);
+    for (auto& loss : learner.loss_) visit(loss);
+  }
 
   std::deque<Sample> recent_;
   double learnt_to_s_ = 0.0;

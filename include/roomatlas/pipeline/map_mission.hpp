@@ -4,10 +4,11 @@
 #include <cstdint>
 #include <optional>
 
-#include "roomatlas/asr/store.hpp"
+#include "roomatlas/asr/checkpoint_sink.hpp"
 #include "roomatlas/core/progress.hpp"
 #include "roomatlas/mission/mission.hpp"
 #include "roomatlas/odometry/habits.hpp"
+#include "roomatlas/pipeline/map_checkpoint.hpp"
 #include "roomatlas/pipeline/options.hpp"
 
 namespace roomatlas {
@@ -27,5 +28,16 @@ struct MapSummary {
 ///   mapped has been handed over)
 [[nodiscard]] MapSummary map_mission(MissionSource& mission, AsrSink& sink,
                                      const MapOptions& options, const Progress& progress = {});
+
+/// The same into a sink that keeps where to go on: with each ASR a checkpoint
+/// (`map_checkpoint_of`).
+/// @param from of a run of the same mission with the same options that was stopped, whose ASRs and
+///   true poses up to there are in the sink, and no others. What comes is that run's, bit by bit.
+///   The mission is read from its beginning, which costs little beside mapping it. InputError where
+///   it ends before the checkpoint.
+[[nodiscard]] MapSummary map_mission(MissionSource& mission, CheckpointSink& sink,
+                                     const MapOptions& options,
+                                     const std::optional<MapCheckpoint>& from,
+                                     const Progress& progress = {});
 
 }  // namespace roomatlas

@@ -4,7 +4,7 @@
 #include "former_rooms.hpp"
 #include "geopackage_tables.hpp"
 #include "layer_styles.hpp"
-#include "roomatlas/core/issue.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -112,9 +112,9 @@ void check_schema(Database& database, const std::filesystem::path& file) {
   }
   const std::string found = found_version(database);
   if (found == expected) return;
-  throw InputError(file.string() + ": schema version " + found + " found, " + expected +
-                   " expected: map the log again with this release, or use the release that "
-                   "wrote the file");
+  throw OtherVersion(file.string() + ": schema version " + found + " found, " + expected +
+                     " expected: map the log again with this release, or use the release that "
+                     "wrote the file");
 }
 
 std::string last_change_of(std::optional<double> first_timestamp_s) {

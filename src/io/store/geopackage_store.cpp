@@ -181,6 +181,7 @@ void GeoPackageStore::finish() {
   state_->transaction([&](Database& db) {
     state_->write_pending_truth(db);
     stamp_date(db);
+    forget_checkpoint(db);
   });
   state_->pending_truth.clear();
   const fs::path copy = beside(state_->file, ".tmp");

@@ -222,6 +222,7 @@ void GeoPackageStore::put(const Assembly& assembly, const std::string& configura
     if (assembly.measured_plan) write_shapes(db, kMeasured, *assembly.measured_plan);
     write_closures(db, assembly.closures);
     write_former_rooms(db, {});
+    forget_checkpoint(db);
   });
 }
 

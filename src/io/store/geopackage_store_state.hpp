@@ -79,12 +79,20 @@ struct GeoPackageStore::State {
   // Parts of a transaction:
   void write_pending_truth(Database& db);
   void write_asr(Database& db, const Asr& asr);
+  /// Puts it in the place of the one with its number.
+  void replace_asr(Database& db, const Asr& asr);
   /// Puts other ASRs in the place of all that are there.
   void replace_asrs(Database& db, const std::vector<Asr>& asrs);
 };
 
+/// Part of a transaction: removes an ASR, if it is there.
+void delete_asr(Database& db, AsrId id);
+
 /// Part of a transaction: keys that are there get new values.
 void write_metadata(Database& db, const std::map<std::string, std::string>& values);
+
+/// Part of a transaction: the store is no unfinished one any more.
+void forget_checkpoint(Database& db);
 
 /// The rows of one ASR in `exits` and `path_samples` have the keys first to last.
 struct RowKeys {

@@ -25,14 +25,6 @@ Bytes walls_wkb(const std::vector<WallPolyline>& walls) {
   return wkb_of_lines(lines);
 }
 
-void delete_asr(Database& db, AsrId id) {
-  const RowKeys keys = row_keys(id);
-  db.run("DELETE FROM exits WHERE id BETWEEN ? AND ?", keys.first, keys.last);
-  db.run("DELETE FROM path_samples WHERE id BETWEEN ? AND ?", keys.first, keys.last);
-  db.run("DELETE FROM readings WHERE asr = ?", id);
-  db.run("DELETE FROM asr WHERE id = ?", id);
-}
-
 void insert_asr(Database& db, const Asr& asr) {
   const AsrCounters& n = asr.counters;
   db.run("INSERT INTO asr VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
@@ -71,6 +63,14 @@ void insert_readings(Database& db, SensorTable& sensors, const Asr& asr) {
 
 }  // namespace
 
+void delete_asr(Database& db, AsrId id) {
+  const RowKeys keys = row_keys(id);
+  db.run("DELETE FROM exits WHERE id BETWEEN ? AND ?", keys.first, keys.last);
+  db.run("DELETE FROM path_samples WHERE id BETWEEN ? AND ?", keys.first, keys.last);
+  db.run("DELETE FROM readings WHERE asr = ?", id);
+  db.run("DELETE FROM asr WHERE id = ?", id);
+}
+
 void GeoPackageStore::State::write_pending_truth(Database& db) {
   for (const TruePose& truth : pending_truth) {
     db.run("INSERT INTO truth VALUES (NULL, ?, ?, ?, ?)", truth.timestamp_s,
@@ -92,11 +92,15 @@ void GeoPackageStore::State::replace_asrs(Database& db, const std::vector<Asr>& 
   for (const Asr& asr : asrs) write_asr(db, asr);
 }
 
-void GeoPackageStore::put(const Asr& asr) {
+void GeoPackageStore::State::replace_asr(Database& db, const Asr& asr) {
   if (asr.id < 1 || asr.id > kLargestAsrId) throw std::invalid_argument("ASR ids start at 1");
+  delete_asr(db, asr.id);
+  write_asr(db, asr);
+}
+
+void GeoPackageStore::put(const Asr& asr) {
   state_->transaction([&](Database& db) {
-    delete_asr(db, asr.id);
-    state_->write_asr(db, asr);
+    state_->replace_asr(db, asr);
     state_->write_pending_truth(db);
   });
   state_->pending_truth.clear();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "roomatlas/asr/store.hpp"
+#include "roomatlas/asr/checkpoint_sink.hpp"
 #include "roomatlas/assembly/assembly_store.hpp"
+#include "roomatlas/core/issue.hpp"
 #include "roomatlas/loops/closures.hpp"
 #include "roomatlas/plan/floor_plan.hpp"
 
@@ -14,21 +15,42 @@
 
 namespace roomatlas {
 
+/// A store that another release wrote, and that this one cannot read.
+struct OtherVersion : InputError {
+  using InputError::InputError;
+};
+
 /// The store: one GeoPackage per mission (docs/formats.md). While the online stage writes, each
 /// ASR is one transaction in WAL mode; `finish` leaves `journal_mode=DELETE` and rewrites the file
 /// with VACUUM INTO, so that its bytes depend on its content alone.
-class GeoPackageStore : public AsrSink, public AssemblyStore {
+class GeoPackageStore : public CheckpointSink, public AssemblyStore {
  public:
   enum class Mode { create, update, read, read_as_mapped };
 
   /// `create` replaces what is there; `read_as_mapped` gives paths as an assembly begins with them,
   /// see `put(const Assembly&, ...)`. All but `create` throw InputError when the file is
-  /// missing, no store of ours, or of another schema version (naming both versions).
+  /// missing, no store of ours, or of another schema version (OtherVersion, naming both).
   GeoPackageStore(const std::filesystem::path& file, Mode mode);
   ~GeoPackageStore() override;
 
   void put(const Asr& asr) override;
   void put(const TruePose& truth) override;
+  void put(const Asr& asr, const std::string& checkpoint) override;
+
+  /// Where the online stage was when it was stopped.
+  struct Unfinished {
+    AsrId last_asr = 0;      ///< that was whole
+    std::string checkpoint;  ///< as it was put with it
+    std::map<std::string, std::string> origin;
+  };
+  /// Nothing in a store that is finished or was assembled, or in which no room is whole. Throws
+  /// InputError where the checkpoint's sum is wrong.
+  [[nodiscard]] std::optional<Unfinished> unfinished() const;
+  /// Says what the store will be made from and with; kept until it is finished or assembled.
+  void put_origin(const std::map<std::string, std::string>& origin);
+  /// Removes what came after the checkpoint, such as rooms of a run that was interrupted, and what
+  /// the next run puts again: metadata and former rooms.
+  void go_back_to_checkpoint();
 
   [[nodiscard]] std::vector<AsrId> ids() const override;
   [[nodiscard]] Asr get(AsrId id, AsrDetail detail) const override;
