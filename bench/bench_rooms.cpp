@@ -63,8 +63,8 @@ void print_table(const std::string& title, const std::vector<Row>& rows, bool ea
 }
 
 MapCells map_cells(const LabelledMap& map) {
-  MapCells cells{map.evidence.frame, Raster<MapCell>(map.true_room.box), {}};
-  for_each_cell(cells.cells.box, [&](const Cell& cell) {
+  MapCells cells{map.evidence.frame, Raster<MapCell>(map.true_room.domain), {}};
+  for_each_cell(cells.cells.domain, [&](const Cell& cell) {
     if (map.evidence.free.at(cell)) cells.cells[cell] = MapCell::free;
     if (map.evidence.obstacle.at(cell)) cells.cells[cell] = MapCell::occupied;
   });
@@ -73,14 +73,14 @@ MapCells map_cells(const LabelledMap& map) {
 
 /// Each cell's drafted room.
 Raster<std::int32_t> room_of_cell(const std::vector<DraftedRoom>& rooms, const CellFrame& frame,
-                                  const CellBox& box) {
-  Raster<std::int32_t> room_of(box, 0);
+                                  const CellDomain& domain) {
+  Raster<std::int32_t> room_of(domain, 0);
   for (const DraftedRoom& room : rooms) {
     const Box2 reach = bounds(room.outline.outer);
     const Cell low = frame.cell_of(reach.min);
     const Cell high = frame.cell_of(reach.max);
     for_each_cell({low, {high.x + 1, high.y + 1}}, [&](const Cell& cell) {
-      if (!box.contains(cell) || !contains(room.outline, frame.center_of(cell))) return;
+      if (!domain.contains(cell) || !contains(room.outline, frame.center_of(cell))) return;
       room_of[cell] = static_cast<std::int32_t>(room.id);
     });
   }
@@ -97,7 +97,7 @@ void evaluate_drafts(const std::filesystem::path& folder, const std::vector<std:
       const DraftedBuilding drafted = draft_building(evidence_of_map(cells), {});
       const double seconds = cpu_s() - begin;
       const Raster<std::int32_t> found =
-          room_of_cell(drafted.rooms, map.evidence.frame, map.true_room.box);
+          room_of_cell(drafted.rooms, map.evidence.frame, map.true_room.domain);
       rows.push_back({name, room_score(found, map.true_room, map.evidence.frame.cell_m), seconds});
     }
     print_table(furnished ? "drafted, furnished" : "drafted, clean", rows, true);
@@ -127,10 +127,10 @@ RoomScore score_with(const LabelledMap& map, const DoorWeights& weights) {
   RegionGraph graph(cut.pieces, cut.floor.frame, cut.openings);
   const JoinOptions join = join_options(options, false);
   join_to_rooms(graph, weights, join);
-  Raster<std::int32_t> found(map.true_room.box, 0);
-  for_each_cell(cut.pieces.piece_of_cell.box, [&](const Cell& cell) {
+  Raster<std::int32_t> found(map.true_room.domain, 0);
+  for_each_cell(cut.pieces.piece_of_cell.domain, [&](const Cell& cell) {
     const std::int32_t region = graph.region_of(cut.pieces.piece_of_cell[cell]);
-    if (region == 0 || !found.box.contains(cell)) return;
+    if (region == 0 || !found.domain.contains(cell)) return;
     if (graph.region(region).area_m2 >= join.min_room_m2) found[cell] = region;
   });
   return room_score(found, map.true_room, map.evidence.frame.cell_m);

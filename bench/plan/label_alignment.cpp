@@ -29,7 +29,7 @@ class HitDistance {
                                  {seen.max.x + margin, seen.max.y + margin}});
     std::vector<double> xs;
     std::vector<double> ys;
-    for_each_cell(nothing_hit.box, [&](const Cell& cell) {
+    for_each_cell(nothing_hit.domain, [&](const Cell& cell) {
       const CellCounts count = counts.at(cell);
       const bool is_hit = count.hits >= kMinHits && count.reflected_share() >= kMinShare;
       nothing_hit.set(cell, !is_hit);
@@ -45,7 +45,7 @@ class HitDistance {
   /// At most kFarM. Beyond the map nothing is known, and the nearest hit is far.
   [[nodiscard]] double at_m(const Point2& point) const {
     const Cell cell = frame_.cell_of(point);
-    if (!cells_.box.contains(cell)) return kFarM;
+    if (!cells_.domain.contains(cell)) return kFarM;
     return std::min(kFarM, frame_.cell_m * static_cast<double>(cells_.get(cell)));
   }
   [[nodiscard]] const Point2& middle_m() const { return middle_m_; }

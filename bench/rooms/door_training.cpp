@@ -51,7 +51,7 @@ TrainingMap training_map(const LabelledMap& map, const CutBuilding& cut) {
   result.cells_of_room.assign(static_cast<std::size_t>(cut.pieces.count) + 1,
                               std::vector<double>(static_cast<std::size_t>(rooms) + 1, 0.0));
   const Raster<std::int32_t>& piece_of_cell = cut.pieces.piece_of_cell;
-  for_each_cell(piece_of_cell.box, [&](const Cell& cell) {
+  for_each_cell(piece_of_cell.domain, [&](const Cell& cell) {
     const auto piece = static_cast<std::size_t>(piece_of_cell[cell]);
     ++result.cells_of_room[piece][static_cast<std::size_t>(map.true_room.get(cell))];
   });

@@ -49,7 +49,7 @@ LabelledMap read_labelled_map(const std::filesystem::path& folder, const std::st
   blank.furnished = furnished;
   LabelledMap map =
       empty_like(blank, kPixelM, {{0, 0}, {grey.values.width(), grey.values.height()}});
-  for_each_cell(map.true_room.box, [&](const Cell& cell) {
+  for_each_cell(map.true_room.domain, [&](const Cell& cell) {
     const int value = grey.values(cell.x, cell.y);
     map.evidence.free.set(cell, value >= kFreeGrey);
     map.evidence.obstacle.set(cell, value >= 0 && value < kObstacleGrey);
@@ -60,7 +60,7 @@ LabelledMap read_labelled_map(const std::filesystem::path& folder, const std::st
 
 LabelledMap turned(const LabelledMap& map, double angle_rad) {
   const double cell_m = map.evidence.frame.cell_m;
-  const CellBox& from = map.true_room.box;
+  const CellBox& from = map.true_room.domain.bounds();
   const Pose2 old_from_new{0.0, 0.0, -angle_rad};
   Box2 reach;
   for (const double x : {from.min.x * cell_m, from.max.x * cell_m}) {
@@ -70,7 +70,7 @@ LabelledMap turned(const LabelledMap& map, double angle_rad) {
   }
   LabelledMap result = empty_like(
       map, cell_m, {map.evidence.frame.cell_of(reach.min), map.evidence.frame.cell_of(reach.max)});
-  for_each_cell(result.true_room.box, [&](const Cell& cell) {
+  for_each_cell(result.true_room.domain, [&](const Cell& cell) {
     const Cell old = map.evidence.frame.cell_of(old_from_new * map.evidence.frame.center_of(cell));
     result.evidence.free.set(cell, map.evidence.free.at(old));
     result.evidence.obstacle.set(cell, map.evidence.obstacle.at(old));
@@ -80,12 +80,12 @@ LabelledMap turned(const LabelledMap& map, double angle_rad) {
 }
 
 LabelledMap halved(const LabelledMap& map) {
-  const CellBox& from = map.true_room.box;
+  const CellBox& from = map.true_room.domain.bounds();
   const auto half = [](int value) { return static_cast<int>(std::floor(value / 2.0)); };
   LabelledMap result = empty_like(
       map, 2.0 * map.evidence.frame.cell_m,
       {{half(from.min.x), half(from.min.y)}, {half(from.max.x + 1), half(from.max.y + 1)}});
-  for_each_cell(result.true_room.box, [&](const Cell& cell) {
+  for_each_cell(result.true_room.domain, [&](const Cell& cell) {
     int free = 0;
     int obstacles = 0;
     std::int32_t room = 0;

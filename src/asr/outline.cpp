@@ -38,7 +38,7 @@ CellMask free_cells(const CellMap& cleaned, const std::vector<Exit>& exits) {
     free.set(cell, state == CellState::empty || state == CellState::robot_path);
   });
   CellMask closed = eroded(dilated(free, kCloseCells), kCloseCells);
-  for_each_cell(closed.box, [&](const Cell& cell) {
+  for_each_cell(closed.domain, [&](const Cell& cell) {
     if (cleaned.at(cell) == CellState::occupied ||
         is_beyond_any(exits, cleaned.frame.center_of(cell))) {
       closed.set(cell, false);

@@ -58,9 +58,9 @@ CellMask only_in(const SeenCells& one, const SeenCells& other, double cell_m,
 std::vector<CellGroup> groups_of(const CellMask& mask, double cell_m,
                                  const ChangeOptions& options) {
   const CellMask joined = dilated(mask, cells_in(options.join_m, cell_m));
-  CellMask visited(mask.box);
+  CellMask visited(mask.domain);
   std::vector<CellGroup> groups;
-  for_each_cell(mask.box, [&](const Cell& start) {
+  for_each_cell(mask.domain, [&](const Cell& start) {
     if (!joined.at(start) || visited.at(start)) return;
     std::vector<Cell> reached{start};
     visited.set(start, true);

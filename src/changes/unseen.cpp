@@ -96,7 +96,7 @@ std::vector<OneSidedRoom> one_sided_rooms(const Seen& before, const Seen& after,
 
 std::vector<Polygon> not_seen_again(const Seen& before, const SeenCells& after,
                                     const CellFrame& frame, const ChangeOptions& options) {
-  CellMask lost(before.cells.seen.box);
+  CellMask lost(before.cells.seen.domain);
   for (const PlanRoom& room : before.plan.rooms) {
     for_each_cell(box_of(room, frame), [&](const Cell& cell) {
       if (!before.cells.seen.at(cell) || after.seen.at(cell)) return;

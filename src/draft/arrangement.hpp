@@ -38,23 +38,35 @@ class Arrangement {
   [[nodiscard]] std::vector<std::vector<Polygon>> trace(const std::vector<int>& group_of_cell,
                                                         int groups) const;
 
-  /// Visits the cells along rows of points: `visit(cell, point)` for each point of a square lattice
-  /// inside the box of all lines, but for those in the unbounded cell.
+  /// Neighbouring points of a row of a square lattice, all in one cell.
+  struct Run {
+    Point2 first = Point2::Zero();
+    double step_m = 0.0;
+    std::int64_t count = 0;
+    [[nodiscard]] Point2 at(std::int64_t i) const {
+      return {first.x() + static_cast<double>(i) * step_m, first.y()};
+    }
+  };
+
+  /// Visits the cells along rows of points: `visit(cell, run)` for all points of a square lattice
+  /// inside the box of all lines, but for those in the unbounded cell. Runs may be long: most of
+  /// the box around a building may be far from it.
   template <typename Visit>
-  void for_each_point(double step_m, Visit visit) const {
+  void for_each_run(double step_m, Visit visit) const {
     const Rows rows = rows_of(step_m);
     for (int row = 0; row < rows.count; ++row) {
       const double y_m = rows.from.y() + (row + 0.5) * step_m;
       const std::vector<Crossing> crossings = crossings_at(rows, row);
       for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
         if (crossings[i].cell_after == 0) continue;
-        auto column =
-            static_cast<std::int64_t>(std::ceil((crossings[i].x_m - rows.from.x()) / step_m - 0.5));
-        for (;; ++column) {
-          const double x_m = rows.from.x() + (static_cast<double>(column) + 0.5) * step_m;
-          if (x_m >= crossings[i + 1].x_m) break;
-          visit(crossings[i].cell_after, Point2(x_m, y_m));
-        }
+        const auto column_at = [&](double x_m) {
+          return static_cast<std::int64_t>(std::ceil((x_m - rows.from.x()) / step_m - 0.5));
+        };
+        const std::int64_t first = column_at(crossings[i].x_m);
+        const std::int64_t count = column_at(crossings[i + 1].x_m) - first;
+        if (count <= 0) continue;
+        const double x_m = rows.from.x() + (static_cast<double>(first) + 0.5) * step_m;
+        visit(crossings[i].cell_after, Run{{x_m, y_m}, step_m, count});
       }
     }
   }

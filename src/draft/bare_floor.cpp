@@ -47,7 +47,7 @@ void add_posts(const WallFace& face, const std::vector<WallFace>& faces, const O
 /// Where walls are for certain: the faces on prominent lines, and what lies between two faces.
 CellMask wall_cells(const Walls& walls, const std::vector<bool>& is_wall,
                     const Occupancy& occupancy, const BareFloorOptions& options) {
-  CellMask mask(occupancy.free.box);
+  CellMask mask(occupancy.free.domain);
   for (std::size_t i = 0; i < walls.faces.size(); ++i) {
     const WallFace& face = walls.faces[i];
     if (!is_wall[i]) continue;
@@ -98,7 +98,7 @@ std::vector<Cell> part_around(const Cell& start, const CellMask& walls, const Ce
   for (std::size_t i = 0; i < part.size(); ++i) {
     const Cell at = part[i];
     for_each_cell({{at.x - 1, at.y - 1}, {at.x + 2, at.y + 2}}, [&](const Cell& near) {
-      if (!floor.box.contains(near) || is_done.at(near)) return;
+      if (!floor.domain.contains(near) || is_done.at(near)) return;
       if (floor.at(near) || walls.at(near)) return;
       is_done.set(near, true);
       part.push_back(near);
@@ -115,10 +115,11 @@ bool may_be_furniture(const std::vector<Cell>& part, int most_cells, const CellM
     around.min = {std::min(around.min.x, at.x), std::min(around.min.y, at.y)};
     around.max = {std::max(around.max.x, at.x), std::max(around.max.y, at.y)};
   }
-  const CellBox& box = floor.box;
-  const bool is_at_rim = around.min.x == box.min.x || around.min.y == box.min.y ||
-                         around.max.x == box.max.x - 1 || around.max.y == box.max.y - 1;
-  if (is_at_rim || std::max(around.width(), around.height()) >= most_cells) return false;
+  if (std::max(around.width(), around.height()) >= most_cells) return false;
+  if (std::any_of(part.begin(), part.end(),
+                  [&](const Cell& cell) { return floor.domain.is_at_rim(cell); })) {
+    return false;
+  }
   return std::any_of(part.begin(), part.end(), [&](const Cell& cell) {
     return floor.at({cell.x + 1, cell.y}) || floor.at({cell.x - 1, cell.y}) ||
            floor.at({cell.x, cell.y + 1}) || floor.at({cell.x, cell.y - 1});
@@ -129,8 +130,8 @@ bool may_be_furniture(const std::vector<Cell>& part, int most_cells, const CellM
 /// @param thicker_than_m only those that are thicker, as walls are not
 void add_small(const CellMask& walls, double side_m, double thicker_than_m, Occupancy& bare) {
   const int most_cells = static_cast<int>(side_m / bare.frame.cell_m);
-  CellMask is_done(bare.free.box);
-  for_each_cell(bare.free.box, [&](const Cell& start) {
+  CellMask is_done(bare.free.domain);
+  for_each_cell(bare.free.domain, [&](const Cell& start) {
     if (is_done.at(start) || bare.free.at(start) || walls.at(start)) return;
     const std::vector<Cell> part = part_around(start, walls, bare.free, is_done);
     if (!may_be_furniture(part, most_cells, bare.free)) return;
@@ -142,7 +143,7 @@ void add_small(const CellMask& walls, double side_m, double thicker_than_m, Occu
 /// What hides walls, from the floor in front of it to the wall.
 CellMask hiding_cells(const Walls& walls, const std::vector<bool>& is_wall, const CellMask& lines,
                       const Occupancy& occupancy, double depth_m) {
-  CellMask hiding(occupancy.free.box);
+  CellMask hiding(occupancy.free.domain);
   const double step_m = occupancy.frame.cell_m / 2.0;
   for (std::size_t i = 0; i < walls.faces.size(); ++i) {
     const WallFace& face = walls.faces[i];
@@ -160,7 +161,7 @@ CellMask hiding_cells(const Walls& walls, const std::vector<bool>& is_wall, cons
 /// parts.
 CellMask covered_cells(const Walls& walls, const std::vector<bool>& is_wall,
                        const Occupancy& occupancy) {
-  CellMask covered(occupancy.free.box);
+  CellMask covered(occupancy.free.domain);
   const double step_m = occupancy.frame.cell_m / 2.0;
   for (std::size_t i = 0; i < walls.faces.size(); ++i) {
     const WallFace& face = walls.faces[i];
@@ -179,21 +180,21 @@ CellMask covered_cells(const Walls& walls, const std::vector<bool>& is_wall,
 /// @param bare without what stands free
 Occupancy bared(const Walls& walls, const std::vector<bool>& is_wall, CellMask lines,
                 const Occupancy& occupancy, const BareFloorOptions& options, Occupancy bare) {
-  for_each_cell(lines.box, [&](const Cell& cell) {
+  for_each_cell(lines.domain, [&](const Cell& cell) {
     if (bare.free.at(cell) && !occupancy.free.at(cell)) lines.set(cell, false);  // stands free
   });
   const CellMask thick = dilated(lines, 1);
   const CellMask hiding = hiding_cells(walls, is_wall, lines, occupancy, options.furniture_depth_m);
   const CellMask covered = covered_cells(walls, is_wall, occupancy);
-  CellMask wall(bare.free.box);
-  for_each_cell(bare.free.box, [&](const Cell& cell) {
+  CellMask wall(bare.free.domain);
+  for_each_cell(bare.free.domain, [&](const Cell& cell) {
     const bool is_wall_here = thick.at(cell) && occupancy.obstacle.at(cell) && !hiding.at(cell);
     if (hiding.at(cell)) bare.free.set(cell, true);
     if (lines.at(cell) || is_wall_here || covered.at(cell)) bare.free.set(cell, false);
     wall.set(cell, (thick.at(cell) || covered.at(cell)) && !bare.free.at(cell));
   });
   add_small(wall, options.furniture_side_m, 0.0, bare);
-  for_each_cell(bare.free.box, [&](const Cell& cell) {
+  for_each_cell(bare.free.domain, [&](const Cell& cell) {
     if (bare.free.at(cell)) {
       bare.obstacle.set(cell, false);
       bare.seen.set(cell, true);

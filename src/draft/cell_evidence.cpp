@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomatlas/grid/tile_grid.hpp"
 #include "roomatlas/polyline/distance_field.hpp"
 
 namespace roomatlas {
@@ -25,19 +26,17 @@ bool is_in_body(const Point2& at, const WallBody& body, const Walls& walls) {
   });
 }
 
-/// For each cell of the raster whether it lies between the faces of a wall.
-/// Coarse, for it is asked of places inside.
+/// The walls' bodies by the cells that they lie in.
 class BodyLookup {
  public:
-  BodyLookup(const Walls& walls, const CellFrame& frame, const CellBox& box)
-      : walls_(walls), frame_(frame), near_(box) {
+  BodyLookup(const Walls& walls, const CellFrame& frame, const CellDomain& domain)
+      : walls_(walls), frame_(frame), domain_(domain) {
     for (std::size_t i = 0; i < walls.bodies.size(); ++i) mark(i);
   }
 
   [[nodiscard]] bool contains(const Point2& at) const {
-    const Cell cell = frame_.cell_of(at);
-    if (!near_.box.contains(cell)) return false;
-    const std::vector<std::size_t>& bodies = near_[cell];
+    const std::uint32_t list = list_of_.at(frame_.cell_of(at));
+    const std::vector<std::size_t>& bodies = lists_[list];
     return std::any_of(bodies.begin(), bodies.end(), [&](std::size_t body) {
       return is_in_body(at, walls_.bodies[body], walls_);
     });
@@ -52,9 +51,13 @@ class BodyLookup {
       for (double along_m = stretch.low_m; along_m < stretch.high_m + step_m; along_m += step_m) {
         for (double depth_m = 0.0; depth_m < body.thickness_m + step_m; depth_m += step_m) {
           const Cell cell = frame_.cell_of(front.at(along_m) - depth_m * front.normal());
-          if (!near_.box.contains(cell)) continue;
-          std::vector<std::size_t>& bodies = near_[cell];
-          if (bodies.empty() || bodies.back() != index) bodies.push_back(index);
+          if (!domain_.contains(cell)) continue;
+          std::uint32_t& list = list_of_.edit(cell);
+          if (list == 0) {
+            list = static_cast<std::uint32_t>(lists_.size());
+            lists_.emplace_back();
+          }
+          if (lists_[list].empty() || lists_[list].back() != index) lists_[list].push_back(index);
         }
       }
     }
@@ -62,12 +65,14 @@ class BodyLookup {
 
   const Walls& walls_;
   CellFrame frame_;
-  Raster<std::vector<std::size_t>> near_;
+  CellDomain domain_;
+  std::vector<std::vector<std::size_t>> lists_{{}};  ///< of bodies; the first is of no cell
+  TileGrid<std::uint32_t> list_of_;
 };
 
 /// The cells of openings: borders there part rooms without a wall.
 CellMask in_openings(const RoomSeeds& seeds, const Occupancy& occupancy) {
-  CellMask mask(occupancy.free.box);
+  CellMask mask(occupancy.free.domain);
   for (const Door& opening : seeds.openings) {
     for_each_cell_on_line(occupancy.frame.cell_of(opening.jambs.a),
                           occupancy.frame.cell_of(opening.jambs.b), [&](const Cell& cell) {
@@ -78,26 +83,39 @@ CellMask in_openings(const RoomSeeds& seeds, const Occupancy& occupancy) {
   return dilated(mask, static_cast<int>(std::lround(kDoorReach_m / occupancy.frame.cell_m)));
 }
 
+/// How many points of a run, from the one in `where` on, surely lie beyond all that was seen: up to
+/// the next cell of the domain, one at least.
+std::int64_t points_beyond(const Arrangement::Run& run, std::int64_t from, const Cell& where,
+                           const CellDomain& domain, const CellFrame& frame) {
+  std::int64_t count = run.count - from;
+  bool is_next = true;
+  domain.for_each_span(where.y, [&](const CellDomain::Span& span) {
+    if (span.from <= where.x || !is_next) return;
+    is_next = false;
+    const double way_m = span.from * frame.cell_m - run.at(from).x();
+    count = std::min(count, static_cast<std::int64_t>(way_m / run.step_m));
+  });
+  return std::max<std::int64_t>(1, count);
+}
+
 }  // namespace
 
 std::vector<CellEvidence> cell_evidence(const Arrangement& arrangement, const Walls& walls,
                                         const Occupancy& occupancy, const RoomSeeds& seeds,
                                         const DraftOptions& options) {
-  const CellBox& box = occupancy.free.box;
-  CellMask not_floor(box);
-  for_each_cell(box, [&](const Cell& cell) {
+  const CellDomain& domain = occupancy.free.domain;
+  CellMask not_floor(domain);
+  for_each_cell(domain, [&](const Cell& cell) {
     not_floor.set(cell, !(occupancy.free.at(cell) && seeds.room_of_cell.get(cell) > 0));
   });
   const Raster<float> depth_cells = distance_inside(not_floor);
-  const BodyLookup bodies(walls, occupancy.frame, box);
+  const BodyLookup bodies(walls, occupancy.frame, domain);
   std::vector<CellEvidence> cells(static_cast<std::size_t>(arrangement.cell_count()));
-  std::vector<int> in_body(cells.size(), 0);
-  std::vector<int> places(cells.size(), 0);
+  std::vector<std::int64_t> in_body(cells.size(), 0);
+  std::vector<std::int64_t> places(cells.size(), 0);
   constexpr double kPlace_m2 = kSample_m * kSample_m;
-  arrangement.for_each_point(kSample_m, [&](int index, const Point2& at) {
+  const auto add = [&](int index, const Point2& at, const Cell& where) {
     CellEvidence& cell = cells[static_cast<std::size_t>(index)];
-    const Cell where = occupancy.frame.cell_of(at);
-    ++places[static_cast<std::size_t>(index)];
     if (bodies.contains(at)) ++in_body[static_cast<std::size_t>(index)];
     const RoomId room = seeds.room_of_cell.get(where);
     if (occupancy.free.at(where)) {
@@ -105,8 +123,21 @@ std::vector<CellEvidence> cell_evidence(const Arrangement& arrangement, const Wa
     } else if (room > 0 && options.hidden_cost > 0.0) {
       cell.hidden_m2[room] += kPlace_m2;
     } else if (!occupancy.seen.at(where)) {
-      const double depth_m = depth_cells.get(where, 1e6F) * occupancy.frame.cell_m;
+      const double depth_m = depth_cells[where] * occupancy.frame.cell_m;
       (depth_m > options.deep_m ? cell.deep_unseen_m2 : cell.unseen_m2) += kPlace_m2;
+    }
+  };
+  arrangement.for_each_run(kSample_m, [&](int index, const Arrangement::Run& run) {
+    places[static_cast<std::size_t>(index)] += run.count;
+    for (std::int64_t i = 0; i < run.count;) {
+      const Cell where = occupancy.frame.cell_of(run.at(i));
+      if (domain.contains(where)) {
+        add(index, run.at(i++), where);
+        continue;
+      }
+      const std::int64_t far = points_beyond(run, i, where, domain, occupancy.frame);
+      cells[static_cast<std::size_t>(index)].deep_unseen_m2 += static_cast<double>(far) * kPlace_m2;
+      i += far;
     }
   });
   for (std::size_t i = 0; i < cells.size(); ++i) {

@@ -30,7 +30,7 @@ std::vector<RoomId> rooms_of(const RoomSeeds& seeds) {
 
 void add_frame(const Occupancy& occupancy, std::vector<DraftLine>& lines) {
   const double cell_m = occupancy.frame.cell_m;
-  const CellBox& box = occupancy.free.box;
+  const CellBox& box = occupancy.free.domain.bounds();
   const Point2 low = cell_m * Point2(box.min.x, box.min.y) - Point2::Constant(kFrameMargin_m);
   const Point2 high = cell_m * Point2(box.max.x, box.max.y) + Point2::Constant(kFrameMargin_m);
   const Point2 corners[] = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
@@ -67,7 +67,7 @@ std::vector<DraftLine> rims_in_mixed_cells(const Arrangement& arrangement,
                                            const std::vector<CellEvidence>& evidence,
                                            const Occupancy& occupancy, const RoomSeeds& seeds,
                                            const DraftOptions& options) {
-  Raster<char> is_mixed(occupancy.free.box, 0);
+  CellMask is_mixed(occupancy.free.domain);
   bool any = false;
   std::vector<bool> mixed;
   for (const CellEvidence& cell : evidence) {
@@ -78,12 +78,14 @@ std::vector<DraftLine> rims_in_mixed_cells(const Arrangement& arrangement,
     any = any || mixed.back();
   }
   if (!any) return {};
-  arrangement.for_each_point(occupancy.frame.cell_m, [&](int cell, const Point2& at) {
-    const Cell where = occupancy.frame.cell_of(at);
-    if (mixed[static_cast<std::size_t>(cell)] && is_mixed.box.contains(where)) is_mixed[where] = 1;
+  arrangement.for_each_run(occupancy.frame.cell_m, [&](int cell, const Arrangement::Run& run) {
+    if (!mixed[static_cast<std::size_t>(cell)]) return;
+    for (std::int64_t i = 0; i < run.count; ++i) {
+      is_mixed.set(occupancy.frame.cell_of(run.at(i)), true);
+    }
   });
-  CellMask floor(occupancy.free.box);
-  for_each_cell(floor.box, [&](const Cell& cell) {
+  CellMask floor(occupancy.free.domain);
+  for_each_cell(floor.domain, [&](const Cell& cell) {
     floor.set(cell, occupancy.free.at(cell) && seeds.room_of_cell.get(cell) > 0);
   });
   floor = eroded(dilated(floor, 1), 1);
@@ -94,7 +96,7 @@ std::vector<DraftLine> rims_in_mixed_cells(const Arrangement& arrangement,
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Segment2 side{ring[i], ring[(i + 1) % ring.size()]};
       const auto in_mixed = [&](double share) {
-        return is_mixed.get(occupancy.frame.cell_of(side.a + share * (side.b - side.a))) != 0;
+        return is_mixed.at(occupancy.frame.cell_of(side.a + share * (side.b - side.a)));
       };
       if (in_mixed(0.1) || in_mixed(0.5) || in_mixed(0.9)) lines.push_back({side, 0.0, false});
     }

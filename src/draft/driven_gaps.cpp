@@ -110,7 +110,7 @@ std::vector<WallFace> without_swings(const Walls& walls, const std::vector<bool>
 void clear_swings(const Walls& walls, const std::vector<bool>& is_wall,
                   const std::vector<Segment2>& gaps, Occupancy& occupancy) {
   const CellFrame& frame = occupancy.frame;
-  CellMask own(occupancy.free.box);
+  CellMask own(occupancy.free.domain);
   for (std::size_t i = 0; i < walls.faces.size(); ++i) {
     const WallFace& face = walls.faces[i];
     if (!is_wall[i]) continue;
@@ -119,7 +119,7 @@ void clear_swings(const Walls& walls, const std::vector<bool>& is_wall,
     }
   }
   own = dilated(own, static_cast<int>(std::lround(kWallsOwn_m / frame.cell_m)));
-  for_each_cell(occupancy.free.box, [&](const Cell& cell) {
+  for_each_cell(occupancy.free.domain, [&](const Cell& cell) {
     if (!occupancy.obstacle.at(cell) || own.at(cell)) return;
     if (!is_swept(frame.center_of(cell), gaps)) return;
     occupancy.obstacle.set(cell, false);

@@ -19,8 +19,9 @@ double distance_to_edge_m(const Polygon& room, const Point2& at) {
 /// Obstacles and unseen cells inside a room, off its edge.
 CellMask inside(const Polygon& room, const Occupancy& occupancy, double off_wall_m) {
   const Box2 box = bounds(room.outer);
-  CellMask mask({occupancy.frame.cell_of(box.min), occupancy.frame.cell_of(box.max)});
-  for_each_cell(mask.box, [&](const Cell& cell) {
+  CellMask mask(occupancy.seen.domain.within(
+      {occupancy.frame.cell_of(box.min), occupancy.frame.cell_of(box.max)}));
+  for_each_cell(mask.domain, [&](const Cell& cell) {
     if (!occupancy.obstacle.at(cell) && occupancy.seen.at(cell)) return;
     const Point2 at = occupancy.frame.center_of(cell);
     mask.set(cell, contains(room, at) && distance_to_edge_m(room, at) > off_wall_m);

@@ -30,7 +30,7 @@ struct Piece {
 
 void count_edge(const MapCells& map, const Cell& beyond, Piece& piece) {
   ++piece.edges;
-  if (!map.cells.box.contains(beyond)) {
+  if (!map.cells.domain.contains(beyond)) {
     ++piece.on_rim;
   } else if (map.cells[beyond] == MapCell::occupied) {
     ++piece.on_obstacle;
@@ -39,8 +39,8 @@ void count_edge(const MapCells& map, const Cell& beyond, Piece& piece) {
 
 std::vector<Piece> pieces_of(const MapCells& map) {
   std::vector<Piece> pieces;
-  Raster<char> is_done(map.cells.box, 0);
-  for_each_cell(map.cells.box, [&](const Cell& start) {
+  Raster<char> is_done(map.cells.domain, 0);
+  for_each_cell(map.cells.domain, [&](const Cell& start) {
     if (is_done[start] != 0 || map.cells[start] != MapCell::free) return;
     Piece piece;
     piece.cells.push_back(start);
@@ -92,7 +92,7 @@ MapCells building_alone(const MapCells& map, const MapEvidenceOptions& options) 
 /// Whether beyond a cell that is not known an obstacle lies within a wall's thickness.
 bool is_in_wall(const MapCells& map, Cell at, const Cell& way) {
   const int most = std::max(1, static_cast<int>(kWall_m / map.frame.cell_m));
-  for (int i = 0; i <= most && map.cells.box.contains(at); ++i) {
+  for (int i = 0; i <= most && map.cells.domain.contains(at); ++i) {
     if (map.cells[at] != MapCell::unknown) return map.cells[at] == MapCell::occupied;
     at = {at.x + way.x, at.y + way.y};
   }
@@ -102,7 +102,7 @@ bool is_in_wall(const MapCells& map, Cell at, const Cell& way) {
 /// The map with faces of walls where floor goes over into a wall that is grey on this side.
 MapCells with_faint_faces(const MapCells& map) {
   MapCells closed = map;
-  for_each_cell(map.cells.box, [&](const Cell& cell) {
+  for_each_cell(map.cells.domain, [&](const Cell& cell) {
     if (map.cells[cell] != MapCell::unknown) return;
     for (const Cell& side : kSides) {
       const Cell floor{cell.x - side.x, cell.y - side.y};
@@ -118,7 +118,7 @@ MapCells with_faint_faces(const MapCells& map) {
 /// thin walls stay whole; free where half of them are.
 ReflectionMap counts_of(const MapCells& map, int side) {
   ReflectionMap counts(map.frame.cell_m * side);
-  const CellBox& box = map.cells.box;
+  const CellBox& box = map.cells.domain.bounds();
   const auto coarse = [side](int value) {
     return static_cast<int>(std::floor(static_cast<double>(value) / side));
   };

@@ -104,8 +104,8 @@ void add_points(const MapCells& map, const Point2& midpoint, const Cell& outside
 }  // namespace
 
 std::vector<SurfacePoint> surfaces_of(const MapCells& map) {
-  CellMask floor(map.cells.box);
-  for_each_cell(floor.box,
+  CellMask floor(map.cells.domain);
+  for_each_cell(floor.domain,
                 [&](const Cell& cell) { floor.set(cell, map.cells[cell] == MapCell::free); });
   std::vector<SurfacePoint> points;
   for (const CellBoundary& traced : trace_boundaries(floor, map.frame)) {

@@ -29,7 +29,7 @@ void for_each_cell_of(const WallFace& face, const Interval& stretch, double move
 CellMask stops_of(const BuildingEvidence& evidence, const std::vector<WallFace>& faces,
                   const OccupancyOptions& options) {
   const CellFrame& frame = evidence.counts.frame();
-  CellMask stops(evidence.counts.box());
+  CellMask stops(evidence.counts.domain(0));
   for (const WallFace& face : faces) {
     if (face.support_m() < kStrongFace_m) continue;
     for (const Interval& stretch : face.seen) {
@@ -37,7 +37,7 @@ CellMask stops_of(const BuildingEvidence& evidence, const std::vector<WallFace>&
                        [&](const Cell& cell) { stops.set(cell, true); });
     }
   }
-  for_each_cell(stops.box, [&](const Cell& cell) {
+  for_each_cell(stops.domain, [&](const Cell& cell) {
     if (!stops.at(cell)) return;
     const CellCounts counts = evidence.counts.at(cell);
     if (counts.hits + counts.passes <= kOftenSeen) return;
@@ -90,11 +90,9 @@ Occupancy occupancy_of(const BuildingEvidence& evidence, const std::vector<WallF
   const bool is_sonar = evidence.kind == SensorKind::sonar;
   const ReflectionMap counts =
       is_sonar ? counted_again(evidence, stops_of(evidence, faces, options)) : evidence.counts;
-  CellBox box = evidence.counts.box();
-  box.min = {box.min.x - kBorderCells, box.min.y - kBorderCells};
-  box.max = {box.max.x + kBorderCells, box.max.y + kBorderCells};
-  Occupancy occupancy{counts.frame(), CellMask(box), CellMask(box), CellMask(box)};
-  for_each_cell(box, [&](const Cell& cell) {
+  const CellDomain domain = evidence.counts.domain(kBorderCells);
+  Occupancy occupancy{counts.frame(), CellMask(domain), CellMask(domain), CellMask(domain)};
+  for_each_cell(domain, [&](const Cell& cell) {
     const CellCounts seen = counts.at(cell);
     const bool is_obstacle =
         seen.hits >= options.min_hits && seen.reflected_share() >= options.occupied_share;

@@ -41,21 +41,21 @@ void set_solid(const Cell& cell, BuildingGrid& grid) {
 void free_furniture(const Walls& walls, const Occupancy& occupancy, const Occupancy& bare,
                     BuildingGrid& grid) {
   const CellFrame& frame = grid.frame;
-  CellMask wall(grid.free.box);
-  CellMask gone(grid.free.box);
+  CellMask wall(grid.free.domain);
+  CellMask gone(grid.free.domain);
   for (const WallFace& face : walls.faces) {
     for (const Interval& stretch : face.seen) {
       mark(face, stretch, frame, stays(face, stretch, bare) ? wall : gone);
     }
   }
-  for_each_cell(bare.free.box, [&](const Cell& cell) {
+  for_each_cell(bare.free.domain, [&](const Cell& cell) {
     if (!bare.free.at(cell) || occupancy.free.at(cell)) return;
     gone.set(frame.cell_of(bare.frame.center_of(cell)), true);
   });
   const auto cells = [&](double m) { return static_cast<int>(std::lround(m / frame.cell_m)); };
   const CellMask near_wall = dilated(wall, cells(kNearWall_m));
   const CellMask near_gone = dilated(gone, cells(kNearFurniture_m));
-  for_each_cell(grid.free.box, [&](const Cell& cell) {
+  for_each_cell(grid.free.domain, [&](const Cell& cell) {
     if (wall.at(cell) || !near_gone.at(cell)) return;
     if (grid.obstacle.at(cell) ? near_wall.at(cell) : !gone.at(cell)) return;
     grid.obstacle.set(cell, false);
@@ -68,7 +68,7 @@ void free_furniture(const Walls& walls, const Occupancy& occupancy, const Occupa
 void take_furniture_out(const Walls& walls, const std::vector<bool>& is_wall,
                         const Occupancy& occupancy, const Occupancy& bare, BuildingGrid& grid) {
   free_furniture(walls, occupancy, bare, grid);
-  CellMask on_wall(bare.free.box);
+  CellMask on_wall(bare.free.domain);
   for (std::size_t i = 0; i < walls.faces.size(); ++i) {
     if (!is_wall[i]) continue;
     for (const Interval& stretch : walls.faces[i].cover) {
@@ -78,18 +78,18 @@ void take_furniture_out(const Walls& walls, const std::vector<bool>& is_wall,
   const auto in_grid = [&](const Cell& cell) {
     return grid.frame.cell_of(bare.frame.center_of(cell));
   };
-  for_each_cell(bare.free.box, [&](const Cell& cell) {
+  for_each_cell(bare.free.domain, [&](const Cell& cell) {
     const Cell at = in_grid(cell);
     if (bare.free.at(cell) && !grid.obstacle.at(at)) grid.free.set(at, true);
   });
-  for_each_cell(bare.free.box, [&](const Cell& cell) {
+  for_each_cell(bare.free.domain, [&](const Cell& cell) {
     if (!bare.free.at(cell) && on_wall.at(cell)) set_solid(in_grid(cell), grid);
   });
 }
 
 double share_on_no_wall(const Walls& walls, const std::vector<bool>& is_wall,
                         const BuildingGrid& heard) {
-  CellMask near(heard.obstacle.box);
+  CellMask near(heard.obstacle.domain);
   for (std::size_t i = 0; i < walls.faces.size(); ++i) {
     if (!is_wall[i]) continue;
     for (const Interval& one : walls.faces[i].seen) mark(walls.faces[i], one, heard.frame, near);
@@ -97,7 +97,7 @@ double share_on_no_wall(const Walls& walls, const std::vector<bool>& is_wall,
   near = dilated(near, static_cast<int>(std::lround(kOnWall_m / heard.frame.cell_m)));
   double all = 0.0;
   double off = 0.0;
-  for_each_cell(near.box, [&](const Cell& cell) {
+  for_each_cell(near.domain, [&](const Cell& cell) {
     if (!heard.obstacle.at(cell)) return;
     all += 1.0;
     if (!near.at(cell)) off += 1.0;

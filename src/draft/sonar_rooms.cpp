@@ -59,14 +59,11 @@ std::vector<Doorway> openings_in_walls(const WallOpenings& judge, const Building
 RoomPartition by_openings(const BuildingGrid& grid, const ReflectionMap& coarse,
                           const std::vector<Doorway>& openings, const std::vector<Pose2>& path,
                           const SegmentOptions& options) {
-  const RoomSegmentation rooms = segment_rooms(grid, openings, path, options);
+  RoomSegmentation rooms = segment_rooms(grid, openings, path, options);
   RoomPartition partition;
   partition.rooms = rooms.rooms;
   partition.room_of_pose = rooms.room_of_pose;
-  partition.room_of_cell = Raster<std::int32_t>(grid.free.box, 0);
-  for_each_cell(grid.free.box, [&](const Cell& cell) {
-    partition.room_of_cell[cell] = static_cast<std::int32_t>(rooms.at(cell));
-  });
+  partition.room_of_cell = std::move(rooms.room_of_cell);
   for (const Door& door : rooms.openings) {
     if (!door.is_between_rooms() || door.room_a == door.room_b) continue;
     Opening& opening = partition.openings.emplace_back(Opening{door, 1.0});
@@ -132,8 +129,8 @@ RoomPartition by_shape(const WallOpenings& judge, const BuildingGrid& grid,
 /// The rooms on the cells of the occupancy.
 RoomPartition on_cells_of(const Occupancy& occupancy, const CellFrame& frame,
                           RoomPartition partition) {
-  Raster<std::int32_t> room_of_cell(occupancy.free.box, 0);
-  for_each_cell(occupancy.free.box, [&](const Cell& cell) {
+  Raster<std::int32_t> room_of_cell(occupancy.free.domain, 0);
+  for_each_cell(occupancy.free.domain, [&](const Cell& cell) {
     const Point2 at = occupancy.frame.center_of(cell);
     room_of_cell[cell] = partition.room_of_cell.get(frame.cell_of(at));
   });

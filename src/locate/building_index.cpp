@@ -163,7 +163,7 @@ std::vector<BuildingIndex::Coarse> BuildingIndex::search(const FloorSketch& quer
   const Raster<float> scores = plane_->scores(query_of(moved(query, Pose2{0.0, 0.0, heading_rad})));
   const auto pose = [](const Coarse& peak) -> const Pose2& { return peak.pose; };
   std::vector<Coarse> peaks;
-  for_each_cell(scores.box, [&](const Cell& shift) {
+  for_each_cell(scores.domain, [&](const Cell& shift) {
     if (scores[shift] <= 0.0F || !is_peak(scores, shift)) return;
     peaks.push_back({{shift.x * kFloorCellM, shift.y * kFloorCellM, heading_rad}, scores[shift]});
   });

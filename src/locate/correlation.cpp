@@ -22,7 +22,7 @@ int of_small_factors(int least) {
 }  // namespace
 
 CorrelationPlane::CorrelationPlane(const Layers& layers, int max_query_cells)
-    : building_(layers.on_wall.box),
+    : building_(layers.on_wall.domain.bounds()),
       width_(of_small_factors(building_.width() + max_query_cells)),
       height_(of_small_factors(building_.height() + max_query_cells)),
       on_wall_(spectrum_of(layers.on_wall, {}, building_.min)),
@@ -32,7 +32,7 @@ CorrelationPlane::Spectrum CorrelationPlane::spectrum_of(const Raster<float>& re
                                                          const Raster<float>& imaginary,
                                                          const Cell& origin) const {
   Spectrum plane(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-  for_each_cell(real.box, [&](const Cell& cell) {
+  for_each_cell(real.domain, [&](const Cell& cell) {
     plane[static_cast<std::size_t>(cell.y - origin.y) * static_cast<std::size_t>(width_) +
           static_cast<std::size_t>(cell.x - origin.x)] = {real[cell], imaginary.get(cell)};
   });
@@ -68,7 +68,7 @@ std::size_t CorrelationPlane::mirrored(std::size_t at) const {
 }
 
 Raster<float> CorrelationPlane::scores(const Query& query) const {
-  const Spectrum both = spectrum_of(query.wall, query.floor, query.wall.box.min);
+  const Spectrum both = spectrum_of(query.wall, query.floor, query.wall.domain.bounds().min);
   Spectrum product(both.size());
   // Two real pictures in one complex transform: the even part is the one's, the odd the other's.
   for (std::size_t at = 0; at < both.size(); ++at) {
@@ -78,12 +78,13 @@ Raster<float> CorrelationPlane::scores(const Query& query) const {
     product[at] = std::conj(wall) * on_wall_[at] + std::conj(floor) * on_floor_[at];
   }
   transform(product, true);
-  const int margin_x = query.wall.box.width() - 1;
-  const int margin_y = query.wall.box.height() - 1;
-  const Cell first{building_.min.x - query.wall.box.min.x, building_.min.y - query.wall.box.min.y};
+  const int margin_x = query.wall.domain.bounds().width() - 1;
+  const int margin_y = query.wall.domain.bounds().height() - 1;
+  const Cell first{building_.min.x - query.wall.domain.bounds().min.x,
+                   building_.min.y - query.wall.domain.bounds().min.y};
   Raster<float> scores(CellBox{{first.x - margin_x, first.y - margin_y},
                                {first.x + building_.width(), first.y + building_.height()}});
-  for_each_cell(scores.box, [&](const Cell& shift) {
+  for_each_cell(scores.domain, [&](const Cell& shift) {
     const int x = (shift.x - first.x + width_) % width_;
     const int y = (shift.y - first.y + height_) % height_;
     scores[shift] = product[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +

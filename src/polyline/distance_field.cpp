@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace roomatlas {
 namespace {
 
-constexpr double kFar = 1e12;  // squared cells; beyond any box, and sums of two stay finite
-
-/// The lower envelope of parabolas over one row or column of squared distances.
+/// The lower envelope of parabolas over one row of squared distances.
 class Envelope {
  public:
   explicit Envelope(std::size_t most) : at_(most), from_(most + 1) {}
@@ -55,34 +54,55 @@ class Envelope {
   std::vector<double> out_;
 };
 
+/// For each cell the cells to the nearest one of its column that is not in the mask, 0 for those
+/// that are not.
+Raster<std::int32_t> along_columns(const CellMask& mask) {
+  const CellBox& box = mask.domain.bounds();
+  const auto columns = static_cast<std::size_t>(std::max(0, box.width()));
+  Raster<std::int32_t> nearest(mask.domain);
+  for (const bool is_up : {true, false}) {
+    std::vector<std::int32_t> run(columns, 0);  // cells of the mask in a row, up to here
+    std::vector<int> before(columns, -2);       // row of the last cell of the domain
+    for (int row = 0; row < box.height(); ++row) {
+      const int y = is_up ? box.min.y + row : box.max.y - 1 - row;
+      mask.domain.for_each_span(y, [&](const CellDomain::Span& span) {
+        for (int x = span.from; x < span.to; ++x) {
+          const std::size_t index = span.first + static_cast<std::size_t>(x - span.from);
+          const auto column = static_cast<std::size_t>(x - box.min.x);
+          if (before[column] != row - 1) run[column] = 0;
+          before[column] = row;
+          run[column] = mask.bits[index] != 0 ? run[column] + 1 : 0;
+          nearest.values[index] =
+              is_up ? run[column] : std::min(nearest.values[index], run[column]);
+        }
+      });
+    }
+  }
+  return nearest;
+}
+
 }  // namespace
 
 Raster<float> distance_inside(const CellMask& mask) {
-  // One ring of cells more, outside: they are not in the mask.
-  const CellBox padded{{mask.box.min.x - 1, mask.box.min.y - 1},
-                       {mask.box.max.x + 1, mask.box.max.y + 1}};
-  Raster<double> squared(padded);
-  const auto width = static_cast<std::size_t>(padded.width());
-  const auto height = static_cast<std::size_t>(padded.height());
-  for_each_cell(padded, [&](const Cell& cell) { squared[cell] = mask.at(cell) ? kFar : 0.0; });
-  Envelope envelope(std::max(width, height));
-  std::vector<double> line(height);
-  for (std::size_t x = 0; x < width; ++x) {
-    line.resize(height);
-    for (std::size_t y = 0; y < height; ++y) line[y] = squared.values[y * width + x];
-    envelope.transform(line);
-    for (std::size_t y = 0; y < height; ++y) squared.values[y * width + x] = line[y];
+  const Raster<std::int32_t> in_column = along_columns(mask);
+  Raster<float> distance(mask.domain);
+  const CellBox& box = mask.domain.bounds();
+  Envelope envelope(static_cast<std::size_t>(std::max(0, box.width())) + 2);
+  std::vector<double> line;
+  for (int y = box.min.y; y < box.max.y; ++y) {
+    mask.domain.for_each_span(y, [&](const CellDomain::Span& span) {
+      const auto length = static_cast<std::size_t>(span.to - span.from);
+      line.assign(length + 2, 0.0);  // a cell more at both ends, beyond: it is not in the mask
+      for (std::size_t i = 0; i < length; ++i) {
+        const double cells = in_column.values[span.first + i];
+        line[i + 1] = cells * cells;
+      }
+      envelope.transform(line);
+      for (std::size_t i = 0; i < length; ++i) {
+        distance.values[span.first + i] = static_cast<float>(std::sqrt(line[i + 1]));
+      }
+    });
   }
-  for (std::size_t y = 0; y < height; ++y) {
-    const auto row = squared.values.begin() + static_cast<std::ptrdiff_t>(y * width);
-    line.assign(row, row + static_cast<std::ptrdiff_t>(width));
-    envelope.transform(line);
-    std::copy(line.begin(), line.end(), row);
-  }
-  Raster<float> distance(mask.box);
-  for_each_cell(mask.box, [&](const Cell& cell) {
-    distance[cell] = static_cast<float>(std::sqrt(squared[cell]));
-  });
   return distance;
 }
 

@@ -7,7 +7,7 @@
 namespace roomatlas {
 namespace {
 
-constexpr int kBorderCells = 2;       // so that nothing that is grown touches the box
+constexpr int kBorderCells = 2;       // so that nothing that is grown touches the rim
 constexpr double kInnerShare = 0.35;  // of the footprint's shorter side, each way; 0.5 is its rim,
                                       // and would free jambs that a pose is a little off
 
@@ -28,8 +28,8 @@ std::vector<Cell> cells_under(const Pose2& building_from_robot, const RobotFootp
 
 /// Groups (connected by edges and corners) of fewer cells become free.
 void remove_specks(BuildingGrid& grid, int min_cells) {
-  CellMask done(grid.obstacle.box);
-  for_each_cell(grid.obstacle.box, [&](const Cell& start) {
+  CellMask done(grid.obstacle.domain);
+  for_each_cell(grid.obstacle.domain, [&](const Cell& start) {
     if (!grid.obstacle.at(start) || done.at(start)) return;
     std::vector<Cell> group = {start};
     done.set(start, true);
@@ -56,11 +56,9 @@ BuildingGrid building_grid(const ReflectionMap& map, SensorKind kind,
                            const RobotFootprint& footprint, const BuildingGridOptions& options) {
   const double occupied_share =
       kind == SensorKind::sonar ? options.sonar_occupied_share : options.occupied_share;
-  CellBox box = map.box();
-  box.min = {box.min.x - kBorderCells, box.min.y - kBorderCells};
-  box.max = {box.max.x + kBorderCells, box.max.y + kBorderCells};
-  BuildingGrid grid{map.frame(), CellMask(box), CellMask(box), CellMask(box)};
-  for_each_cell(box, [&](const Cell& cell) {
+  const CellDomain domain = map.domain(kBorderCells);
+  BuildingGrid grid{map.frame(), CellMask(domain), CellMask(domain), CellMask(domain)};
+  for_each_cell(domain, [&](const Cell& cell) {
     const CellCounts counts = map.at(cell);
     const bool is_obstacle =
         counts.hits >= options.min_hits && counts.reflected_share() >= occupied_share;

@@ -244,7 +244,7 @@ std::vector<Doorway> find_openings(const BuildingGrid& grid, const OpeningOption
       static_cast<int>(std::ceil((options.max_width_m / 2.0 + kOffCenterM) / grid.frame.cell_m));
   const CellMask near_obstacle = dilated(grid.obstacle, reach_cells);
   std::vector<Chord> found;
-  for_each_cell(grid.passable.box, [&](const Cell& cell) {
+  for_each_cell(grid.passable.domain, [&](const Cell& cell) {
     if (!grid.passable.at(cell) || !near_obstacle.at(cell)) return;
     if (const auto chord = chords.narrowest_at(cell)) found.push_back(*chord);
   });

@@ -18,11 +18,8 @@ namespace {
 constexpr double kNearPoseM = 0.5;  // a pose this near to a room's floor is in it
 
 void check(const PartitionEvidence& evidence) {
-  const auto same = [](const CellBox& a, const CellBox& b) {
-    return a.min == b.min && a.max == b.max;
-  };
-  if (!same(evidence.free.box, evidence.obstacle.box)) {
-    throw std::invalid_argument("partition_rooms: free and obstacle have different boxes");
+  if (!(evidence.free.domain == evidence.obstacle.domain)) {
+    throw std::invalid_argument("partition_rooms: free and obstacle have different domains");
   }
   if (!(evidence.frame.cell_m > 0.0)) {
     throw std::invalid_argument("partition_rooms: cell_m is not positive");
@@ -150,9 +147,9 @@ RoomPartition named_rooms(const PartitionEvidence& evidence, const CutBuilding& 
         numbering.of(region_at(pose.position(), evidence.frame, region_of_cell)));
   }
   result.entered_rooms = numbering.count();
-  result.room_of_cell = Raster<std::int32_t>(evidence.free.box, 0);
-  for_each_cell(region_of_cell.box, [&](const Cell& cell) {
-    if (region_of_cell[cell] == 0 || !result.room_of_cell.box.contains(cell)) return;
+  result.room_of_cell = Raster<std::int32_t>(evidence.free.domain, 0);
+  for_each_cell(region_of_cell.domain, [&](const Cell& cell) {
+    if (region_of_cell[cell] == 0 || !result.room_of_cell.domain.contains(cell)) return;
     result.room_of_cell[cell] = static_cast<std::int32_t>(numbering.of(region_of_cell[cell]));
   });
   result.rooms = numbering.count();

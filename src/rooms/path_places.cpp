@@ -135,7 +135,7 @@ void PathPlaces::link_by_common_sight(const std::vector<std::size_t>& places, Se
   PlaceIndex index;
   for (const std::size_t i : places) index.add(i, box_around(points_[i], 0.0));
   const int stride = std::max(1, static_cast<int>(std::lround(kSpotM / grid_.frame.cell_m)));
-  for_each_cell(grid_.passable.box, [&](const Cell& cell) {
+  for_each_cell(grid_.passable.domain, [&](const Cell& cell) {
     if (cell.x % stride != 0 || cell.y % stride != 0 || !grid_.passable.at(cell)) return;
     const Point2 spot = grid_.frame.center_of(cell);
     std::optional<std::size_t> first;

@@ -26,7 +26,7 @@ constexpr std::array<Cell, 4> kSides = {Cell{1, 0}, Cell{0, 1}, Cell{-1, 0}, Cel
 
 /// Free space that is wide enough to be part of a room, or that the robot drove through.
 CellMask roomy(const BuildingGrid& grid, const std::vector<Pose2>& path) {
-  CellMask on_path(grid.passable.box);
+  CellMask on_path(grid.passable.domain);
   std::vector<Cell> seeds;
   for (const Pose2& pose : path) {
     seeds.push_back(grid.frame.cell_of(pose.position()));
@@ -69,7 +69,6 @@ class Rooms {
   [[nodiscard]] RoomSegmentation segmented() const {
     RoomSegmentation result;
     result.frame = grid_.frame;
-    result.box = grid_.free.box;
     const std::vector<std::size_t> set_of = places_.sets(is_closed_, joined_);
     std::map<std::size_t, RoomId> number_of;
     for (const std::size_t place : places_.of_poses()) {
@@ -114,7 +113,7 @@ class Rooms {
 
   /// Roomy space goes to the room from which it is reached first.
   void fill(RoomSegmentation& result) const {
-    result.room_of_cell.assign(result.box.count(), 0);
+    result.room_of_cell = Raster<std::int32_t>(grid_.free.domain, 0);
     CellMask open = roomy_;
     for (std::size_t i = 0; i < openings_.size(); ++i) {
       if (is_closed_[i]) cut(open, openings_[i]);
@@ -122,7 +121,7 @@ class Rooms {
     std::deque<Cell> front;
     const auto take = [&](const Cell& cell, RoomId room) {
       if (!open.at(cell) || result.at(cell) != 0) return;
-      result.room_of_cell[result.box.index_of(cell)] = static_cast<std::int32_t>(room);
+      result.room_of_cell[cell] = static_cast<std::int32_t>(room);
       front.push_back(cell);
     };
     for (std::size_t i = 0; i < path_.size(); ++i) {
@@ -170,7 +169,8 @@ class Rooms {
   [[nodiscard]] std::vector<double> areas_m2(const RoomSegmentation& rooms) const {
     const double cell_m2 = rooms.frame.cell_m * rooms.frame.cell_m;
     std::vector<double> areas(static_cast<std::size_t>(rooms.rooms) + 1, 0.0);
-    for (const auto room : rooms.room_of_cell) areas[static_cast<std::size_t>(room)] += cell_m2;
+    for (const auto room : rooms.room_of_cell.values)
+      areas[static_cast<std::size_t>(room)] += cell_m2;
     areas[0] = std::numeric_limits<double>::infinity();
     return areas;
   }

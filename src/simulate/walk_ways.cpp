@@ -52,10 +52,10 @@ WalkWays::WalkWays(const FloorPlan& world, const Point2& start, const WalkOption
       frame_{options.cell_m},
       clearance_(distance_inside(floor_of(world, frame_, box_of(world, frame_)))) {
   for (float& value : clearance_.values) value *= static_cast<float>(options.cell_m);
-  is_walked_ = Raster<std::uint8_t>(clearance_.box, 1);
-  visits_ = Raster<Visit>(clearance_.box);
+  is_walked_ = Raster<std::uint8_t>(clearance_.domain, 1);
+  visits_ = Raster<Visit>(clearance_.domain);
   const auto first = cell_near(start);
-  is_walked_ = Raster<std::uint8_t>(clearance_.box, 0);
+  is_walked_ = Raster<std::uint8_t>(clearance_.domain, 0);
   if (!first) return;
   std::vector<Cell> open = {*first};
   while (!open.empty()) {
@@ -68,7 +68,7 @@ WalkWays::WalkWays(const FloorPlan& world, const Point2& start, const WalkOption
       open.push_back({cell.x + dx, cell.y + dy});
     }
   }
-  for_each_cell(clearance_.box, [&](const Cell& cell) {
+  for_each_cell(clearance_.domain, [&](const Cell& cell) {
     if (is_walked_[cell] != 0) cells_.push_back(cell);
   });
 }

@@ -18,6 +18,13 @@ std::vector<DraftLine> random_lines(std::mt19937& random, int count) {
   return lines;
 }
 
+template <typename Visit>
+void for_each_point(const Arrangement& arrangement, double step_m, Visit visit) {
+  arrangement.for_each_run(step_m, [&](int cell, const Arrangement::Run& run) {
+    for (std::int64_t i = 0; i < run.count; ++i) visit(cell, run.at(i));
+  });
+}
+
 TEST(Arrangement, NeighboursInDifferentCellsHaveALineBetween) {
   std::mt19937 random(11);
   const std::vector<DraftLine> lines = random_lines(random, 25);
@@ -26,7 +33,7 @@ TEST(Arrangement, NeighboursInDifferentCellsHaveALineBetween) {
   Point2 last = Point2::Constant(1e9);
   int last_cell = -1;
   int different = 0;
-  arrangement.for_each_point(kStep_m, [&](int cell, const Point2& at) {
+  for_each_point(arrangement, kStep_m, [&](int cell, const Point2& at) {
     const bool are_neighbours = (at - last).norm() < 1.5 * kStep_m;
     if (are_neighbours && cell != last_cell) {
       ++different;
@@ -46,8 +53,8 @@ TEST(Arrangement, CellsHaveAsMuchAreaAsPoints) {
   const Arrangement arrangement(random_lines(random, 25));
   constexpr double kStep_m = 0.01;
   std::map<int, double> area_m2;
-  arrangement.for_each_point(kStep_m,
-                             [&](int cell, const Point2&) { area_m2[cell] += kStep_m * kStep_m; });
+  for_each_point(arrangement, kStep_m,
+                 [&](int cell, const Point2&) { area_m2[cell] += kStep_m * kStep_m; });
   EXPECT_GT(area_m2.size(), 20U);
   for (const auto& [cell, m2] : area_m2) {
     EXPECT_NEAR(m2, arrangement.area_m2(cell), 0.02 + 0.02 * m2) << cell;

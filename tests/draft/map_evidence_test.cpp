@@ -40,7 +40,7 @@ MapCells house_map(double cell_m, double turn_rad, MapCell around = MapCell::unk
   const auto in_any = [](const std::vector<Rectangle>& parts, const Point2& at) {
     return std::any_of(parts.begin(), parts.end(), [&](const auto& part) { return part.has(at); });
   };
-  for_each_cell(map.cells.box, [&](const Cell& cell) {
+  for_each_cell(map.cells.domain, [&](const Cell& cell) {
     const Point2 at = map.building_from_map * map.frame.center_of(cell);
     if (in_any(kRooms, at) || in_any(kDoors, at)) {
       map.cells[cell] = MapCell::free;

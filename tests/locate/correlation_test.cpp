@@ -23,7 +23,7 @@ TEST(Correlation, ScoresAllShiftsAsSummingCellByCellDoes) {
   const CorrelationPlane::Query query{noise(box, 3), noise(box, 4)};
   const Raster<float> scores = CorrelationPlane(layers, 9).scores(query);
   int shifts = 0;
-  for_each_cell(scores.box, [&](const Cell& shift) {
+  for_each_cell(scores.domain, [&](const Cell& shift) {
     double sum = 0.0;
     for_each_cell(box, [&](const Cell& cell) {
       const Cell at{cell.x + shift.x, cell.y + shift.y};

@@ -21,7 +21,7 @@ std::vector<CellBoundary> boundaries_of(const Drawing& drawing) {
 
 /// Cells of the mask's box and one cell around it, `inside` or not, in how many components.
 int components(const CellMask& mask, bool inside, bool with_corners) {
-  const CellBox& box = mask.box;
+  const CellBox& box = mask.domain.bounds();
   const CellBox wide{{box.min.x - 1, box.min.y - 1}, {box.max.x + 1, box.max.y + 1}};
   CellMask seen(wide);
   int count = 0;
@@ -65,7 +65,7 @@ void expect_each_edge_once(const CellMask& mask, const std::vector<CellBoundary>
     }
   }
   std::size_t expected = 0;
-  for_each_cell(mask.box, [&](const Cell& c) {
+  for_each_cell(mask.domain, [&](const Cell& c) {
     if (!mask.at(c)) return;
     for (const Cell side : {Cell{c.x + 1, c.y}, {c.x - 1, c.y}, {c.x, c.y + 1}, {c.x, c.y - 1}}) {
       expected += mask.at(side) ? 0 : 1;

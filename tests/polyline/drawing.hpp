@@ -43,7 +43,7 @@ inline Drawing drawn(const CellMap& map, const CellBox& box) {
 }
 
 inline Drawing drawn(const CellMask& mask) {
-  return drawn(mask.box, [&](const Cell& cell) { return mask.at(cell) ? '#' : '.'; });
+  return drawn(mask.domain.bounds(), [&](const Cell& cell) { return mask.at(cell) ? '#' : '.'; });
 }
 
 inline CellMap map_of(const Drawing& drawing) {
@@ -60,7 +60,7 @@ inline CellMap map_of(const Drawing& drawing) {
 
 inline CellMask mask_of(const Drawing& drawing) {
   CellMask mask(box_of(drawing));
-  for_each_cell(mask.box,
+  for_each_cell(mask.domain,
                 [&](const Cell& cell) { mask.set(cell, letter_at(drawing, cell) == '#'); });
   return mask;
 }

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "polyline/drawing.hpp"
+#include "support/spotty_domain.hpp"
 
 namespace roomatlas {
 namespace {
@@ -58,10 +59,33 @@ TEST(DilatedAndEroded, AgreeWithCountingTheSquareAroundEachCell) {
       const CellMask grown = dilated(mask, radius);
       const CellMask shrunk = eroded(mask, radius);
       const int all = (2 * radius + 1) * (2 * radius + 1);
-      for_each_cell(mask.box, [&](const Cell& cell) {
+      for_each_cell(mask.domain, [&](const Cell& cell) {
         const int count = count_in_square(mask, cell, radius);
         EXPECT_EQ(grown.at(cell), count > 0);
         EXPECT_EQ(shrunk.at(cell), count == all);
+      });
+    }
+  }
+}
+
+TEST(DilatedAndEroded, DoSoOnADomainThatIsNoBox) {
+  std::mt19937 random(52);
+  for (const unsigned one_of : {2U, 12U}) {
+    for (int radius = 0; radius <= 3; ++radius) {
+      CellMask mask(test::spotty_domain(random, {{-3, -5}, {40, 25}}));
+      for_each_cell(mask.domain,
+                    [&](const Cell& cell) { mask.set(cell, random() % one_of != 0U); });
+      const CellMask grown = dilated(mask, radius);
+      const CellMask shrunk = eroded(mask, radius);
+      const int all = (2 * radius + 1) * (2 * radius + 1);
+      for_each_cell(mask.domain, [&](const Cell& cell) {
+        ASSERT_EQ(shrunk.at(cell), count_in_square(mask, cell, radius) == all);
+        int in_rows = 0;  // of the domain's own cells above and below
+        for (int dy = -radius; dy <= radius; ++dy) {
+          if (!mask.domain.contains({cell.x, cell.y + dy})) continue;
+          for (int dx = -radius; dx <= radius; ++dx) in_rows += mask.at({cell.x + dx, cell.y + dy});
+        }
+        ASSERT_EQ(grown.at(cell), in_rows > 0);
       });
     }
   }
@@ -84,11 +108,11 @@ TEST(ConnectedTo, AgreesWithSpreadingFromTheSeedUntilNothingChanges) {
   std::mt19937 random(52);
   for (int round = 0; round < 30; ++round) {
     const CellMask mask = mask_of(random_drawing(random, 20, 20, "###.."));
-    CellMask expected(mask.box);
+    CellMask expected(mask.domain);
     expected.set({10, 10}, mask.at({10, 10}));
     for (std::int64_t before = -1; before != expected.count();) {
       before = expected.count();
-      for_each_cell(mask.box, [&](const Cell& c) {
+      for_each_cell(mask.domain, [&](const Cell& c) {
         const bool beside = expected.at({c.x - 1, c.y}) || expected.at({c.x + 1, c.y}) ||
                             expected.at({c.x, c.y - 1}) || expected.at({c.x, c.y + 1});
         if (mask.at(c) && beside) expected.set(c, true);

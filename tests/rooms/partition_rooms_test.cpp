@@ -125,7 +125,7 @@ TEST(PartitionRooms, WithoutFloorThereAreNoRooms) {
   const RoomPartition rooms = partition_rooms(walls);
   EXPECT_EQ(rooms.rooms, 0);
   EXPECT_EQ(rooms.room_of_pose, std::vector<RoomId>{0});
-  EXPECT_EQ(rooms.room_of_cell.values.size(), walls.free.box.count());
+  EXPECT_EQ(rooms.room_of_cell.values.size(), walls.free.domain.count());
 }
 
 TEST(PartitionRooms, MasksMustShareOneBox) {

@@ -169,7 +169,8 @@ TEST(SegmentRooms, EveryRoomHasFloor) {
   building.drive({{1, 1}, {3, 2.4}, {4.55, 2.45}, {7, 2.4}});
   const RoomSegmentation rooms = rooms_of(building);
   EXPECT_EQ(rooms.rooms, 2);
-  std::set<RoomId> with_floor(rooms.room_of_cell.begin(), rooms.room_of_cell.end());
+  const auto& cells = rooms.room_of_cell.values;
+  std::set<RoomId> with_floor(cells.begin(), cells.end());
   for (RoomId room = 1; room <= rooms.rooms; ++room) EXPECT_TRUE(with_floor.contains(room)) << room;
 }
 

@@ -17,7 +17,7 @@ struct OccupancyOptions {
   double stop_behind_m = 0.08;  ///< a sonar's beam ends this far behind the face of a wall
 };
 
-/// What a building's cells are; the masks share one box.
+/// What a building's cells are; the masks share one domain.
 struct Occupancy {
   CellFrame frame;
   CellMask seen{CellBox{}};      ///< a beam reached or crossed it

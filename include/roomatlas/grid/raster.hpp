@@ -3,27 +3,30 @@
 
 #include <vector>
 
-#include "roomatlas/grid/cells.hpp"
+#include "roomatlas/grid/cell_domain.hpp"
 
 namespace roomatlas {
 
-/// A value for each cell of a box, row by row.
+/// A value for each cell of a domain, in the order of their numbers.
 template <typename Value>
 struct Raster {
-  CellBox box;
+  CellDomain domain;
   std::vector<Value> values;
 
   Raster() = default;
-  explicit Raster(const CellBox& in, Value value = Value{}) : box(in), values(in.count(), value) {}
+  explicit Raster(const CellBox& in, Value value = Value{}) : Raster(CellDomain(in), value) {}
+  explicit Raster(const CellDomain& in, Value value = Value{})
+      : domain(in), values(in.count(), value) {}
 
-  /// The cell's value; `outside` beyond the box.
+  /// The cell's value; `outside` beyond the domain.
   [[nodiscard]] Value get(const Cell& cell, Value outside = Value{}) const {
-    return box.contains(cell) ? values[box.index_of(cell)] : outside;
+    const std::size_t index = domain.find(cell);
+    return index != CellDomain::kNone ? values[index] : outside;
   }
-  /// The cell for writing; it must lie in the box.
-  [[nodiscard]] Value& operator[](const Cell& cell) { return values[box.index_of(cell)]; }
+  /// The cell for writing; it must belong to the domain.
+  [[nodiscard]] Value& operator[](const Cell& cell) { return values[domain.find(cell)]; }
   [[nodiscard]] const Value& operator[](const Cell& cell) const {
-    return values[box.index_of(cell)];
+    return values[domain.find(cell)];
   }
 };
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "roomatlas/grid/cell_domain.hpp"
 #include "roomatlas/grid/himm_grid.hpp"
 #include "roomatlas/grid/tile_grid.hpp"
 
@@ -42,6 +43,10 @@ class ReflectionMap {
   [[nodiscard]] Point2 mean_hit(const Cell& cell) const;
   [[nodiscard]] const CellFrame& frame() const { return frame_; }
   [[nodiscard]] CellBox box() const { return counts_.box(); }
+  /// The cells that a building's masks have: those of `box()` and so many more on each side; of a
+  /// building that is mostly empty (a fifth of the box and less) only those within some metres of
+  /// what was seen, so that every gap in it that may be furniture is whole.
+  [[nodiscard]] CellDomain domain(int border_cells) const;
 
  private:
   CellFrame frame_;

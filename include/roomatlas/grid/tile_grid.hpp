@@ -27,6 +27,17 @@ class TileGrid {
     return tiles_[edited_index_][inside(cell)];
   }
 
+  static constexpr int kTileCells = 16;  ///< side of a tile
+
+  /// Visits every written tile, row by row: `visit(tile)`, which has the cells [16 x, 16 x + 16)
+  /// and [16 y, 16 y + 16).
+  template <typename Visit>
+  void for_each_tile(Visit visit) const {
+    for_each_cell(box_, [&](const Cell& tile) {
+      if (table_[box_.index_of(tile)] >= 0) visit(tile);
+    });
+  }
+
   /// Visits every cell of every written tile, tiles and cells row by row.
   template <typename Visit>
   void for_each(Visit visit) const {

@@ -5,31 +5,36 @@
 #include <vector>
 
 #include "roomatlas/core/geometry.hpp"
-#include "roomatlas/grid/cells.hpp"
+#include "roomatlas/grid/cell_domain.hpp"
 
 namespace roomatlas {
 
-/// A set of cells inside a box.
+/// A set of cells of a domain.
 struct CellMask {
-  CellBox box;
-  std::vector<std::uint8_t> bits;
+  CellDomain domain;
+  std::vector<std::uint8_t> bits;  ///< of each cell of the domain, by its number
 
-  explicit CellMask(const CellBox& in) : box(in), bits(in.count(), 0) {}
+  explicit CellMask(const CellBox& in) : CellMask(CellDomain(in)) {}
+  explicit CellMask(const CellDomain& in) : domain(in), bits(in.count(), 0) {}
   [[nodiscard]] bool at(const Cell& cell) const {
-    return box.contains(cell) && bits[box.index_of(cell)] != 0;
+    const std::size_t index = domain.find(cell);
+    return index != CellDomain::kNone && bits[index] != 0;
   }
+  /// Cells beyond the domain stay out of the set.
   void set(const Cell& cell, bool value) {
-    if (box.contains(cell)) bits[box.index_of(cell)] = value ? 1 : 0;
+    const std::size_t index = domain.find(cell);
+    if (index != CellDomain::kNone) bits[index] = value ? 1 : 0;
   }
   [[nodiscard]] std::int64_t count() const;
 };
 
-/// Cells of both, or of either, of two masks of one box.
+/// Cells of both, or of either, of two masks of one domain.
 [[nodiscard]] CellMask both(CellMask first, const CellMask& second);
 [[nodiscard]] CellMask either(CellMask first, const CellMask& second);
-/// Cells within `radius` cells (a square) of the mask; the box stays.
+/// Cells within `radius` cells (a square) of the mask; the domain stays. Grows along rows, then
+/// along columns of the domain's own cells.
 [[nodiscard]] CellMask dilated(const CellMask& mask, int radius);
-/// Cells whose square of `radius` lies in the mask; outside of the box counts as outside.
+/// Cells whose square of `radius` lies in the mask; cells beyond the domain count as outside.
 [[nodiscard]] CellMask eroded(const CellMask& mask, int radius);
 /// The part of the mask that is connected (by edges) to a seed.
 [[nodiscard]] CellMask connected_to(const CellMask& mask, const std::vector<Cell>& seeds);

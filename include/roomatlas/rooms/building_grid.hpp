@@ -19,7 +19,7 @@ struct BuildingGridOptions {
   double margin_m = 0.1;              ///< passable cells have at least this much free around them
 };
 
-/// What a whole mission saw, decided cell by cell, building metres. The masks share one box.
+/// What a whole mission saw, decided cell by cell, building metres. The masks share one domain.
 struct BuildingGrid {
   CellFrame frame;
   CellMask free{CellBox{}};      ///< seen, and no obstacle; where the robot stood always

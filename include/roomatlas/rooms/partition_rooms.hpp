@@ -10,7 +10,7 @@
 
 namespace roomatlas {
 
-/// What is known of a building, cell by cell; the masks share one box.
+/// What is known of a building, cell by cell; the masks share one domain.
 struct PartitionEvidence {
   CellFrame frame;
   CellMask free{CellBox{}};      ///< seen, and no obstacle
@@ -63,8 +63,9 @@ struct RoomPartition {
 /// directions); R. Bormann et al., "Room segmentation: survey, implementation, and analysis", ICRA
 /// 2016.
 ///
-/// Without free space there are no rooms. Throws std::invalid_argument when the masks' boxes differ
-/// or cell_m is not positive. Not guaranteed: that a room is connected over cells' edges alone.
+/// Without free space there are no rooms. Throws std::invalid_argument when the masks' domains
+/// differ or cell_m is not positive. Not guaranteed: that a room is connected over cells' edges
+/// alone.
 [[nodiscard]] RoomPartition partition_rooms(const PartitionEvidence& evidence,
                                             const PartitionOptions& options = {});
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "roomatlas/asr/asr.hpp"
+#include "roomatlas/grid/raster.hpp"
 #include "roomatlas/rooms/openings.hpp"
 
 namespace roomatlas {
@@ -20,16 +21,12 @@ struct SegmentOptions {
 /// The rooms of a mission whose poses are known.
 struct RoomSegmentation {
   CellFrame frame;
-  CellBox box;
-  std::vector<std::int32_t> room_of_cell;  ///< in the box, row by row; 0: no room. Half of RoomId's
-                                           ///< size, for there are millions
-  std::vector<RoomId> room_of_pose;  ///< parallel to the path; 1, 2, 3 ... as they were entered
+  Raster<std::int32_t> room_of_cell;  ///< 0: no room. Half of RoomId's size, for there are millions
+  std::vector<RoomId> room_of_pose;   ///< parallel to the path; 1, 2, 3 ... as they were entered
   std::vector<Door> openings;  ///< doors between rooms, and openings into what was not entered
   RoomId rooms = 0;            ///< how many there are
 
-  [[nodiscard]] RoomId at(const Cell& cell) const {
-    return box.contains(cell) ? room_of_cell[box.index_of(cell)] : 0;
-  }
+  [[nodiscard]] RoomId at(const Cell& cell) const { return room_of_cell.get(cell); }
 };
 
 /// Decides what is one room, from everything that the mission saw: places on the path belong

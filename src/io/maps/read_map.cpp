@@ -30,7 +30,7 @@ MapCells cells_of(const io::Picture& picture, const io::OccupancyScale& scale) {
   MapCells map{{scale.resolution_m},
                Raster<MapCell>({{0, 0}, {values.width(), values.height()}}),
                scale.world_from_picture};
-  for_each_cell(map.cells.box, [&](const Cell& cell) {
+  for_each_cell(map.cells.domain, [&](const Cell& cell) {
     map.cells[cell] = io::cell_of(values(cell.x, cell.y), picture.white, scale);
   });
   return map;

@@ -28,7 +28,7 @@ std::vector<Cell> by_height(const Raster<float>& field) {
   }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<Cell> cells(begin.back());
-  for_each_cell(field.box, [&](const Cell& cell) {
+  for_each_cell(field.domain, [&](const Cell& cell) {
     if (field[cell] > 0.0F) cells[begin[level_of(field[cell])]++] = cell;
   });
   return cells;
@@ -72,7 +72,7 @@ class Basins {
 /// Cells under a chord go to the neighbour with most clearance.
 void give_cut_cells_away(const OpenFloor& floor, Raster<std::int32_t>& piece_of_cell) {
   std::vector<Cell> left;
-  for_each_cell(floor.open.box, [&](const Cell& cell) {
+  for_each_cell(floor.open.domain, [&](const Cell& cell) {
     if (floor.open.at(cell) && piece_of_cell[cell] == 0) left.push_back(cell);
   });
   while (!left.empty()) {
@@ -103,7 +103,7 @@ void give_cut_cells_away(const OpenFloor& floor, Raster<std::int32_t>& piece_of_
 }  // namespace
 
 Raster<std::int32_t> flooded(const Raster<float>& field, double saddle_share) {
-  Raster<std::int32_t> basin_of(field.box, 0);
+  Raster<std::int32_t> basin_of(field.domain, 0);
   Basins basins(saddle_share);
   for (const Cell& cell : by_height(field)) {
     const float height = field[cell];

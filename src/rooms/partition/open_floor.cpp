@@ -23,14 +23,14 @@ template <typename Visit>
 void for_each_gap(const CellMask& mask, Visit visit) {
   CellMask seen = mask;
   std::vector<Cell> component;
-  for_each_cell(mask.box, [&](const Cell& start) {
+  for_each_cell(mask.domain, [&](const Cell& start) {
     if (seen.at(start)) return;
     component.assign(1, start);
     seen.set(start, true);
     for (std::size_t i = 0; i < component.size(); ++i) {
       for (const Cell& step : kAround) {
         const Cell next{component[i].x + step.x, component[i].y + step.y};
-        if (!mask.box.contains(next) || seen.at(next)) continue;
+        if (!mask.domain.contains(next) || seen.at(next)) continue;
         seen.set(next, true);
         component.push_back(next);
       }
@@ -55,8 +55,9 @@ double square_side_cells(const std::vector<Cell>& cells) {
 }
 
 CellMask cropped(const CellMask& mask) {
-  CellBox box{mask.box.max, mask.box.min};
-  for_each_cell(mask.box, [&](const Cell& cell) {
+  const CellBox& all = mask.domain.bounds();
+  CellBox box{all.max, all.min};
+  for_each_cell(mask.domain, [&](const Cell& cell) {
     if (!mask.at(cell)) return;
     box.min = {std::min(box.min.x, cell.x), std::min(box.min.y, cell.y)};
     box.max = {std::max(box.max.x, cell.x + 1), std::max(box.max.y, cell.y + 1)};
@@ -64,8 +65,8 @@ CellMask cropped(const CellMask& mask) {
   if (box.min.x >= box.max.x) return CellMask(CellBox{});
   box.min = {box.min.x - 1, box.min.y - 1};
   box.max = {box.max.x + 1, box.max.y + 1};
-  CellMask result(box);
-  for_each_cell(box, [&](const Cell& cell) { result.set(cell, mask.at(cell)); });
+  CellMask result(mask.domain.within(box));
+  for_each_cell(result.domain, [&](const Cell& cell) { result.set(cell, mask.at(cell)); });
   return result;
 }
 
@@ -73,12 +74,12 @@ CellMask cropped(const CellMask& mask) {
 CellMask opened_by_disc(const CellMask& mask, const CellFrame& frame, double radius_m) {
   const auto reach_cells = static_cast<float>(radius_m / frame.cell_m);
   const Raster<float> inside = distance_inside(mask);
-  CellMask away_from_centres(mask.box);
+  CellMask away_from_centres(mask.domain);
   for (std::size_t i = 0; i < inside.values.size(); ++i) {
     away_from_centres.bits[i] = inside.values[i] > reach_cells ? 0 : 1;
   }
   const Raster<float> off = distance_inside(away_from_centres);
-  CellMask result(mask.box);
+  CellMask result(mask.domain);
   for (std::size_t i = 0; i < off.values.size(); ++i) {
     result.bits[i] = off.values[i] <= reach_cells && mask.bits[i] != 0 ? 1 : 0;
   }
@@ -117,10 +118,8 @@ CellMask islands_filled(const CellMask& mask, const CellFrame& frame, double sid
   const double most_cells = side_m / frame.cell_m;
   for_each_gap(mask, [&](const std::vector<Cell>& gap) {
     if (static_cast<double>(gap.size()) > 2.0 * most_cells * most_cells) return;
-    const bool stands_free = std::none_of(gap.begin(), gap.end(), [&](const Cell& cell) {
-      return cell.x == mask.box.min.x || cell.y == mask.box.min.y || cell.x == mask.box.max.x - 1 ||
-             cell.y == mask.box.max.y - 1;
-    });
+    const bool stands_free = std::none_of(
+        gap.begin(), gap.end(), [&](const Cell& cell) { return mask.domain.is_at_rim(cell); });
     if (!stands_free || square_side_cells(gap) >= most_cells) return;
     for (const Cell& cell : gap) result.set(cell, true);
   });
@@ -135,11 +134,11 @@ OpenFloor open_floor(const PartitionEvidence& evidence, const PartitionOptions& 
       islands_filled(cropped(is_mission ? without_beam_traces(evidence, options) : evidence.free),
                      floor.frame, options.island_m);
   floor.wall_noise_m = is_mission ? kWallNoiseM : 0.0;
-  floor.solid = CellMask(floor.open.box);
+  floor.solid = CellMask(floor.open.domain);
   const int near_cells =
       std::max(1, static_cast<int>(std::lround(kNearObstacleM / floor.frame.cell_m)));
   const CellMask near = is_mission ? dilated(evidence.obstacle, near_cells) : CellMask(CellBox{});
-  for_each_cell(floor.open.box,
+  for_each_cell(floor.open.domain,
                 [&](const Cell& cell) { floor.solid.set(cell, !is_mission || near.at(cell)); });
   floor.clearance_m = clearance_m(floor.open, floor.frame);
   return floor;

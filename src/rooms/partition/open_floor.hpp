@@ -20,7 +20,7 @@ struct OpenFloor {
   [[nodiscard]] bool is_open(const Point2& at) const { return open.at(frame.cell_of(at)); }
   [[nodiscard]] bool is_wall(const Point2& at) const {
     const Cell cell = frame.cell_of(at);
-    return !open.at(cell) && (solid.at(cell) || !solid.box.contains(cell));
+    return !open.at(cell) && (solid.at(cell) || !solid.domain.bounds().contains(cell));
   }
 };
 

@@ -26,7 +26,7 @@ struct ByRow {
 /// The cells of each two touching pieces that touch, row by row.
 std::map<PiecePair, Border> borders_of(const Raster<std::int32_t>& piece_of_cell) {
   std::map<PiecePair, Border> borders;
-  for_each_cell(piece_of_cell.box, [&](const Cell& cell) {
+  for_each_cell(piece_of_cell.domain, [&](const Cell& cell) {
     const std::int32_t here = piece_of_cell[cell];
     if (here == 0) return;
     for (const Cell& step : kNextSides) {

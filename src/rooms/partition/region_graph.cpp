@@ -19,22 +19,24 @@ std::size_t at(std::int32_t number) { return static_cast<std::size_t>(number); }
 /// The corners of the first and last cell of each of a piece's rows.
 std::vector<std::vector<Point2>> row_ends(const FloorPieces& pieces, const CellFrame& frame) {
   std::vector<std::vector<Point2>> ends(at(pieces.count) + 1);
-  const CellBox& box = pieces.piece_of_cell.box;
   const auto add = [&](std::int32_t piece, int corner_x, int y) {
     if (piece == 0) return;
     ends[at(piece)].emplace_back(corner_x * frame.cell_m, y * frame.cell_m);
     ends[at(piece)].emplace_back(corner_x * frame.cell_m, (y + 1) * frame.cell_m);
   };
-  for (int y = box.min.y; y < box.max.y; ++y) {
-    std::int32_t last = 0;
-    for (int x = box.min.x; x < box.max.x; ++x) {
-      const std::int32_t here = pieces.piece_of_cell[{x, y}];
-      if (here == last) continue;
-      add(last, x, y);
-      add(here, x, y);
-      last = here;
-    }
-    add(last, box.max.x, y);
+  const CellDomain& domain = pieces.piece_of_cell.domain;
+  for (int y = domain.bounds().min.y; y < domain.bounds().max.y; ++y) {
+    domain.for_each_span(y, [&](const CellDomain::Span& span) {
+      std::int32_t last = 0;
+      for (int x = span.from; x < span.to; ++x) {
+        const std::int32_t here = pieces.piece_of_cell[{x, y}];
+        if (here == last) continue;
+        add(last, x, y);
+        add(here, x, y);
+        last = here;
+      }
+      add(last, span.to, y);
+    });
   }
   return ends;
 }

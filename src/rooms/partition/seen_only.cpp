@@ -25,7 +25,7 @@ struct Rim {
 template <typename PartOf>
 std::map<std::int32_t, Rim> rims(const CutBuilding& cut, PartOf part_of) {
   std::map<std::int32_t, Rim> rim_of;
-  for_each_cell(cut.floor.open.box, [&](const Cell& cell) {
+  for_each_cell(cut.floor.open.domain, [&](const Cell& cell) {
     const std::int32_t part = part_of(cell);
     if (part == 0) return;
     Rim& rim = rim_of[part];

@@ -116,7 +116,7 @@ std::vector<WallChord> find_wall_chords(const OpenFloor& floor, const std::vecto
 }
 
 Raster<std::int32_t> chord_of_cell(const OpenFloor& floor, const std::vector<WallChord>& chords) {
-  Raster<std::int32_t> result(floor.open.box, 0);
+  Raster<std::int32_t> result(floor.open.domain, 0);
   for (std::size_t i = 0; i < chords.size(); ++i) {
     const Point2 beyond = kBeyondM * (chords[i].line.b - chords[i].line.a).normalized();
     for_each_cell_on_line(floor.frame.cell_of(chords[i].line.a - beyond),
