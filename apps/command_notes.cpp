@@ -49,8 +49,7 @@ const std::map<std::string, CommandNotes>& all_notes() {
          {"roomatlas export building.gpkg -o out -f pdf,dxf", "two of them"},
          {"roomatlas export building.gpkg -o out --georef 48.0130,7.8335,12.5",
           "with a plan in longitude and latitude"},
-         {"roomatlas export building.gpkg -o out -f imdf --georef 48.0130,7.8335,12.5 "
-          "--address 'Am Ring 5;Freiburg;DE'",
+         {"roomatlas export building.gpkg -o out -f imdf --georef 48.0130,7.8335,12.5",
           "for Microsoft Places"}}}},
       {"evaluate",
        {kWithPlan,

@@ -61,9 +61,9 @@ void add_ogr_option(CLI::App* command, ExportOptions& options) {
 void add_address_option(CLI::App* command, ExportOptions& options) {
   command
       ->add_option("--address", options.address,
-                   "postal address of the building for -f imdf, parted by semicolons; the country "
-                   "as ISO 3166 has it")
-      ->type_name("STREET;CITY;COUNTRY[;POSTCODE]")
+                   "of the building, for -f imdf: \"STREET;CITY;COUNTRY\" or "
+                   "\"STREET;CITY;COUNTRY;POSTCODE\", the country as ISO 3166 has it")
+      ->type_name("ADDRESS")
       ->configurable(false);
 }
 

@@ -18,7 +18,6 @@
 #include "roomatlas/io/maps/nav2_export.hpp"
 #include "roomatlas/io/pictures/svg_pictures.hpp"
 #include "roomatlas/io/plans/ifc.hpp"
-#include "roomatlas/io/plans/imdf.hpp"
 #include "roomatlas/io/plans/ogr_export.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/io/plans/rmf_building.hpp"
@@ -31,6 +30,7 @@
 #include "roomatlas/loops/visit_graph.hpp"
 #include "roomatlas/merge/unexplored.hpp"
 #include "stored_configuration.hpp"
+#include "write_imdf.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -180,23 +180,6 @@ void write_pose_graph(const Path& file, const Exported& from) {
   write_g2o(file, graph, poses, {});
 }
 
-/// Says what an archive has instead of what it was not told.
-void write_imdf(const Path& file, const Exported& from) {
-  if (!from.on_earth) {
-    show({{Severity::warning, file.string(), 0, "",
-           "where the building is was not said: it lies at latitude 0, longitude 0 with its y axis "
-           "to the north; give --georef LAT,LON,HEADING"}});
-  }
-  if (from.address.country.empty()) {
-    show({{Severity::warning, file.string(), 0, "",
-           "the venue's address was not said: it is \"unknown\" in the country ZZ; give --address "
-           "\"STREET;CITY;COUNTRY\""}});
-  }
-  write_file(file, imdf_archive(from.plan,
-                                {building_of(from.metadata), from.on_earth.value_or(GeoReference{}),
-                                 from.address, date_of(from.metadata)}));
-}
-
 using Names = std::vector<std::string>;
 /// Writes the files of a format. @returns their names in the folder
 using Exporter = std::function<Names(const Exported&, const Settings&, const Path& out)>;
@@ -275,7 +258,8 @@ const std::map<std::string, Exporter>& exporters() {
                         })},
       {"imdf",
        [](const Exported& from, const Settings&, const Path& out) -> Names {
-         write_imdf(out / "plan.imdf.zip", from);
+         write_imdf(out / "plan.imdf.zip", from.plan, from.on_earth,
+                    {building_of(from.metadata), {}, from.address, date_of(from.metadata)});
          return {"plan.imdf.zip"};
        }},
       {"rmf", text_file("building.yaml",

@@ -9,7 +9,6 @@
 #include <pugixml.hpp>
 
 #include <cmath>
-#include <set>
 #include <sstream>
 
 namespace roomatlas {
@@ -194,42 +193,6 @@ TEST(DraftedPlan, TheArcOfADoorGoesFromItsLeafToTheOtherJamb) {
   EXPECT_EQ(large, 0);
   // The way from the leaf to the jamb that turns about the hinge: clockwise on paper is sweep 1.
   EXPECT_EQ(sweep, cross(start - hinge, jamb - hinge) > 0.0 ? 1 : 0);
-}
-
-std::vector<std::string> ids_of(const Drawn& drawn, const std::string& layer) {
-  std::vector<std::string> ids;
-  for (const pugi::xml_node& node : drawn.all(layer + "//*[@id]")) {
-    ids.push_back(node.attribute("id").value());
-  }
-  return ids;
-}
-
-TEST(DraftedPlan, IdsAreUniqueAndTheSameInAnotherFrameAndWithOtherNames) {
-  const std::vector<std::string> all = ids_of(Drawn(flat()), "");
-  EXPECT_EQ(std::set<std::string>(all.begin(), all.end()).size(), all.size());
-  FloorPlan other = test::moved(flat(), {40.0, -7.0, 0.2});
-  for (PlanRoom& room : other.rooms) room.name = "Suite " + room.name;
-  std::rotate(other.doors.begin(), other.doors.begin() + 1, other.doors.end());
-  for (const char* layer : {"rooms", "doors", "walls", "furniture"}) {
-    const std::string group = "//g[@id='" + std::string(layer) + "']";
-    EXPECT_THAT(ids_of(Drawn(other), group),
-                testing::UnorderedElementsAreArray(ids_of(Drawn(flat()), group)));
-    EXPECT_FALSE(ids_of(Drawn(flat()), group).empty()) << layer;
-  }
-}
-
-TEST(DraftedPlan, WhatHasAnIdInItsLayersHasATitle) {
-  const Drawn drawn(flat());
-  for (const char* layer : {"rooms", "doors", "walls", "furniture"}) {
-    for (const pugi::xml_node& node : drawn.all("//g[@id='" + std::string(layer) + "']/*[@id]")) {
-      EXPECT_STREQ(node.first_child().name(), "title") << node.attribute("id").value();
-    }
-  }
-  const auto title = [&](const std::string& id) {
-    return std::string(drawn.all("//*[@id='" + id + "']").front().child("title").text().get());
-  };
-  EXPECT_EQ(title("door-1-3"), "door between 1 and Living room, 0.90 m");
-  EXPECT_EQ(title("room-2"), "Kitchen, room, 7.6\u00a0m\u00b2");
 }
 
 TEST(DraftedPlan, OpeningsWithoutALeafAreDrawnByTheirKind) {
