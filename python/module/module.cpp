@@ -80,7 +80,7 @@ MapCells cells_of(const py::array_t<int, py::array::c_style | py::array::forceca
       Raster<MapCell>({{0, 0}, {static_cast<int>(grid.shape(1)), static_cast<int>(grid.shape(0))}});
   map.building_from_map = origin;
   const auto at = grid.unchecked<2>();
-  for_each_cell(map.cells.box, [&](const Cell& cell) {
+  for_each_cell(map.cells.domain.bounds(), [&](const Cell& cell) {
     const int value = at(cell.y, cell.x);
     if (value >= kOccupied) map.cells[cell] = MapCell::occupied;
     if (value >= 0 && value <= kFree) map.cells[cell] = MapCell::free;
