@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomatlas/grid/polygon_cells.hpp"
 #include "roomatlas/planar/simplify.hpp"
 
 namespace roomatlas {
@@ -21,10 +22,10 @@ CellMask inside(const Polygon& room, const Occupancy& occupancy, double off_wall
   const Box2 box = bounds(room.outer);
   CellMask mask(occupancy.seen.domain.within(
       {occupancy.frame.cell_of(box.min), occupancy.frame.cell_of(box.max)}));
-  for_each_cell(mask.domain, [&](const Cell& cell) {
+  for_each_cell_in(room, occupancy.frame, mask.domain.bounds(), [&](const Cell& cell) {
+    if (!mask.domain.contains(cell)) return;  // farther from all that was seen than furniture
     if (!occupancy.obstacle.at(cell) && occupancy.seen.at(cell)) return;
-    const Point2 at = occupancy.frame.center_of(cell);
-    mask.set(cell, contains(room, at) && distance_to_edge_m(room, at) > off_wall_m);
+    mask.set(cell, distance_to_edge_m(room, occupancy.frame.center_of(cell)) > off_wall_m);
   });
   return eroded(dilated(mask, 1), 1);
 }

@@ -116,9 +116,8 @@ void add_symbol(pugi::xml_node node, const PlanDoor& door, const Sheet& sheet) {
 }
 
 std::string name_of(const std::optional<RoomId>& id, const FloorPlan& plan) {
-  const auto room = std::find_if(plan.rooms.begin(), plan.rooms.end(),
-                                 [&](const PlanRoom& one) { return id && one.id == *id; });
-  return room == plan.rooms.end() ? "outside" : room->name;
+  const PlanRoom* room = id ? find_room(plan, *id) : nullptr;
+  return room == nullptr ? "outside" : room->name;
 }
 
 /// "between Lab and 4", "between Lab and outside".

@@ -12,12 +12,6 @@ namespace {
 
 constexpr double kNodeRadius_mm = 0.8;  // of a room in the graph
 
-const PlanRoom* find_room(const FloorPlan& plan, RoomId id) {
-  const auto it = std::find_if(plan.rooms.begin(), plan.rooms.end(),
-                               [&](const PlanRoom& room) { return room.id == id; });
-  return it == plan.rooms.end() ? nullptr : &*it;
-}
-
 /// The middle of a door between the two rooms, so that the edge runs through it.
 std::optional<Point2> door_between(const FloorPlan& plan, RoomId first, RoomId second) {
   const auto [low, high] = std::minmax(first, second);

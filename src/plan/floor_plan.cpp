@@ -58,9 +58,12 @@ std::vector<Polygon> outlines_of(const std::vector<PlanFurniture>& furniture) {
   return outlines;
 }
 
-bool has_room(const FloorPlan& plan, RoomId id) {
-  return std::any_of(plan.rooms.begin(), plan.rooms.end(),
-                     [&](const PlanRoom& room) { return room.id == id; });
+const PlanRoom* find_room(const FloorPlan& plan, RoomId id) {
+  const auto found = std::find_if(plan.rooms.begin(), plan.rooms.end(),
+                                  [&](const PlanRoom& room) { return room.id == id; });
+  return found == plan.rooms.end() ? nullptr : &*found;
 }
+
+bool has_room(const FloorPlan& plan, RoomId id) { return find_room(plan, id) != nullptr; }
 
 }  // namespace roomatlas

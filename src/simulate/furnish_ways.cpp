@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "furnish_ways.hpp"
 
-#include "floor_cells.hpp"
+#include "obstacles.hpp"
+#include "roomatlas/grid/polygon_cells.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,8 @@
 #include <queue>
 #include <tuple>
 
-#include "floor_cells.hpp"
+#include "obstacles.hpp"
+#include "roomatlas/grid/polygon_cells.hpp"
 #include "roomatlas/polyline/distance_field.hpp"
 
 namespace roomatlas {

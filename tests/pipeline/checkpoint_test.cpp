@@ -4,10 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/memory_mission.hpp"
+#include "pipeline/three_rounds.hpp"
 #include "roomatlas/core/issue.hpp"
 #include "roomatlas/core/packed.hpp"
-#include "roomatlas/io/logs/drive.hpp"
-#include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/pipeline/map_checkpoint.hpp"
 #include "roomatlas/pipeline/map_mission.hpp"
 
@@ -48,18 +47,6 @@ std::string bits_of(const Asr& asr) {
   }
   for (const RangeReading& reading : asr.readings) packer(reading.timestamp_s, reading.ranges_m);
   return std::move(packer).bytes();
-}
-
-std::vector<MissionEvent> simulated(const SimulationOptions& options) {
-  const std::filesystem::path world =
-      std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/eight_rooms";
-  std::vector<MissionEvent> events;
-  simulate(read_plan(world.string() + ".geojson"), read_drive(world.string() + ".drive"), options,
-           [&](const SimulatedStep& step) {
-             events.emplace_back(step.reading);
-             events.emplace_back(step.truth);
-           });
-  return events;
 }
 
 CheckpointsKept undisturbed(const std::vector<MissionEvent>& events, MapSummary& summary) {
@@ -103,7 +90,7 @@ TEST(MapMissionBehindACheckpoint, IsBitByBitTheSameWithALaser) {
   laser.sensor = SensorKind::laser;
   laser.laser_beams = 61;
   laser.odometry = odometry_errors(OdometryPreset::typical);
-  expect_same_behind_checkpoints(simulated(laser), 13);
+  expect_same_behind_checkpoints(three_rounds(laser), 13);
 }
 
 TEST(MapMissionBehindACheckpoint, IsTheSameWhereOdometryIsLateAndHasHabits) {
@@ -111,7 +98,7 @@ TEST(MapMissionBehindACheckpoint, IsTheSameWhereOdometryIsLateAndHasHabits) {
   late.sensor = SensorKind::laser;
   late.odometry = odometry_errors(OdometryPreset::hard);
   late.faults.lag_s = 0.3;
-  const auto events = simulated(late);
+  const auto events = three_rounds(late);
   MapSummary whole;
   const CheckpointsKept kept = undisturbed(events, whole);
   ASSERT_TRUE(whole.habits);
@@ -125,12 +112,12 @@ TEST(MapMissionBehindACheckpoint, IsTheSameWhereOdometryIsLateAndHasHabits) {
 TEST(MapMissionBehindACheckpoint, IsTheSameWithSonarsThatDecideDirections) {
   SimulationOptions sonars;
   sonars.rate_hz = 2.0;  // steps are no stops: readings wait for their drive's direction
-  expect_same_behind_checkpoints(simulated(sonars), 3);
+  expect_same_behind_checkpoints(three_rounds(sonars), 3);
 }
 
 TEST(MapMissionBehindACheckpoint, InterruptedPutsNoCheckpointOfItsEnd) {
   SimulationOptions sonars;
-  const auto events = simulated(sonars);
+  const auto events = three_rounds(sonars);
   MapSummary whole;
   const CheckpointsKept first = undisturbed(events, whole);
   for (const double stop_at : {0.2, 0.5, 0.8}) {
@@ -152,7 +139,7 @@ TEST(MapMissionBehindACheckpoint, InterruptedPutsNoCheckpointOfItsEnd) {
 }
 
 TEST(MapMissionBehindACheckpoint, InterruptedWhileItReadsWhatWasMappedPutsNothing) {
-  const auto events = simulated({});
+  const auto events = three_rounds(SimulationOptions{});
   MapSummary whole;
   const CheckpointsKept first = undisturbed(events, whole);
   CheckpointsKept again;
@@ -164,7 +151,7 @@ TEST(MapMissionBehindACheckpoint, InterruptedWhileItReadsWhatWasMappedPutsNothin
 }
 
 TEST(MapMissionBehindACheckpoint, OfALongerMissionIsRefused) {
-  auto events = simulated({});
+  auto events = three_rounds(SimulationOptions{});
   MapSummary whole;
   const CheckpointsKept first = undisturbed(events, whole);
   events.resize(events.size() / 2);
@@ -180,7 +167,7 @@ TEST(MapMissionBehindACheckpoint, OfALongerMissionIsRefused) {
 
 TEST(MapCheckpoint, CutShortOrChangedIsRefusedOrInRange) {
   MapSummary whole;
-  const CheckpointsKept first = undisturbed(simulated({}), whole);
+  const CheckpointsKept first = undisturbed(three_rounds(SimulationOptions{}), whole);
   const std::string& bytes = first.checkpoints.front();
   EXPECT_EQ(to_bytes(map_checkpoint_of(bytes)), bytes);
   for (std::size_t length = 0; length < bytes.size(); length += 1 + bytes.size() / 200) {

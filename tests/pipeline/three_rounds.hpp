@@ -11,12 +11,9 @@
 
 namespace roomatlas::test {
 
-/// Three times round eight rooms and a corridor, with a laser that looks ahead.
-inline std::vector<MissionEvent> three_rounds(OdometryPreset odometry) {
+/// Three times round eight rooms and a corridor.
+inline std::vector<MissionEvent> three_rounds(const SimulationOptions& options) {
   const Path world = Path(ROOMATLAS_SOURCE_DIR) / "data/worlds/eight_rooms";
-  SimulationOptions options;
-  options.sensor = SensorKind::laser;
-  options.odometry = odometry_errors(odometry);
   std::vector<MissionEvent> events;
   simulate(read_plan(world.string() + ".geojson"), read_drive(world.string() + ".drive"), options,
            [&](const SimulatedStep& step) {
@@ -24,6 +21,14 @@ inline std::vector<MissionEvent> three_rounds(OdometryPreset odometry) {
              events.emplace_back(step.truth);
            });
   return events;
+}
+
+/// The same with a laser that looks ahead.
+inline std::vector<MissionEvent> three_rounds(OdometryPreset odometry) {
+  SimulationOptions options;
+  options.sensor = SensorKind::laser;
+  options.odometry = odometry_errors(odometry);
+  return three_rounds(options);
 }
 
 inline double rmse_m(const MemoryStore& store, const Trajectory& estimate) {

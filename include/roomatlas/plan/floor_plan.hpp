@@ -83,6 +83,8 @@ struct FloorPlan {
   Issues issues;
 };
 
+/// The room of that number, null where the plan has none.
+[[nodiscard]] const PlanRoom* find_room(const FloorPlan& plan, RoomId id);
 [[nodiscard]] bool has_room(const FloorPlan& plan, RoomId id);
 
 }  // namespace roomatlas

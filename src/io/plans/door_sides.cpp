@@ -34,12 +34,6 @@ Ring half_of(const PlanDoor& door, double side) {
   return ring;
 }
 
-const PlanRoom* find(const FloorPlan& plan, const std::optional<RoomId>& id) {
-  const auto found = std::find_if(plan.rooms.begin(), plan.rooms.end(),
-                                  [&](const PlanRoom& room) { return id && room.id == *id; });
-  return found == plan.rooms.end() ? nullptr : &*found;
-}
-
 /// +1 where the room lies left of the way from jamb a to b, -1 right of it, 0 where neither is
 /// seen.
 int side_of(const PlanRoom& room, const PlanDoor& door) {
@@ -74,7 +68,7 @@ DoorSides sides_of(const PlanDoor& door, const FloorPlan& plan) {
     for (const PlanRoom& room : plan.rooms) place(room);
   }
   for (const std::optional<RoomId>& id : {door.room_a, door.room_b}) {
-    if (const PlanRoom* room = find(plan, id)) place(*room);
+    if (const PlanRoom* room = id ? find_room(plan, *id) : nullptr) place(*room);
   }
   return sides;
 }

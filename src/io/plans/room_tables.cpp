@@ -63,10 +63,7 @@ std::string rooms_csv(const FloorPlan& plan) {
 }
 
 std::string rooms_graphml(const FloorPlan& plan) {
-  const auto has = [&](const std::optional<RoomId>& id) {
-    return id && std::any_of(plan.rooms.begin(), plan.rooms.end(),
-                             [&](const PlanRoom& room) { return room.id == *id; });
-  };
+  const auto has = [&](const std::optional<RoomId>& id) { return id && has_room(plan, *id); };
   std::string text = kGraphmlHead;
   for (const PlanRoom& room : plan.rooms) {
     text += "<node id=\"r" + std::to_string(room.id) + "\">" + data("name", room.name) +

@@ -6,20 +6,20 @@
 #include <cstddef>
 #include <vector>
 
-#include "obstacles.hpp"
+#include "roomatlas/core/geometry.hpp"
 #include "roomatlas/grid/cells.hpp"
 
 namespace roomatlas {
 
-/// Visits the cells of the box whose middle lies in the polygon (even-odd).
+/// Visits the cells of the box whose middle lies in the polygon (even-odd), row by row. Costs what
+/// the polygon's edges and cells are, not their product.
 template <typename Visit>
 void for_each_cell_in(const Polygon& polygon, const CellFrame& frame, const CellBox& box,
                       Visit visit) {
   std::vector<std::vector<double>> crossings(static_cast<std::size_t>(box.height()));
-  for (const Segment2& edge : edges_of({polygon})) {
-    const bool rises = edge.a.y() < edge.b.y();
-    const Point2& low = rises ? edge.a : edge.b;
-    const Point2& high = rises ? edge.b : edge.a;
+  const auto add = [&](const Point2& a, const Point2& b) {
+    const Point2& low = a.y() < b.y() ? a : b;
+    const Point2& high = a.y() < b.y() ? b : a;
     const double first = std::ceil(low.y() / frame.cell_m - 0.5);
     const double last = std::ceil(high.y() / frame.cell_m - 0.5) - 1.0;
     const int from = static_cast<int>(std::max<double>(first, box.min.y));
@@ -29,7 +29,12 @@ void for_each_cell_in(const Polygon& polygon, const CellFrame& frame, const Cell
       crossings[static_cast<std::size_t>(y - box.min.y)].push_back(low.x() +
                                                                    share * (high.x() - low.x()));
     }
-  }
+  };
+  const auto add_ring = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) add(ring[i], ring[(i + 1) % ring.size()]);
+  };
+  add_ring(polygon.outer);
+  for (const Ring& hole : polygon.holes) add_ring(hole);
   for (int y = box.min.y; y < box.max.y; ++y) {
     auto& row = crossings[static_cast<std::size_t>(y - box.min.y)];
     std::sort(row.begin(), row.end());
