@@ -158,7 +158,10 @@ Nav2Map read_nav2_map(const std::filesystem::path& file) {
   scale.occupied_threshold = threshold(yaml, "occupied_thresh", scale.occupied_threshold);
   scale.free_threshold = threshold(yaml, "free_thresh", scale.free_threshold);
   if (scale.free_threshold > scale.occupied_threshold) {
-    yaml.fail("free_thresh", *yaml.find("free_thresh"), "at most occupied_thresh");
+    const bool is_free_given = yaml.find("free_thresh") != nullptr;
+    const char* at_fault = is_free_given ? "free_thresh" : "occupied_thresh";
+    yaml.fail(at_fault, *yaml.find(at_fault),
+              is_free_given ? "at most occupied_thresh" : "at least free_thresh, which is 0.196");
   }
   scale.mode = read_mode(yaml);
   return map;

@@ -9,6 +9,9 @@
 
 namespace roomatlas {
 
+/// Of any coordinate: what a building, or a map of the earth in metres, has.
+inline constexpr double kFarthest_m = 1e8;
+
 /// Rounds to the millimetre, the resolution of a plan file. Throws InputError where not finite.
 [[nodiscard]] double to_millimetre(double value_m);
 

@@ -72,9 +72,10 @@ RoomKind kind_of(const Tags& tags) {
 
 /// "0.9", "0.9 m"; as usual where the file says nothing that is a width.
 double width_of(const Tags& tags) {
+  constexpr double kNarrowest_m = 0.01;
   constexpr double kWidest_m = 20.0;
   const double width_m = std::strtod(tags.first({"width_m", "width"}).c_str(), nullptr);
-  return width_m > 0.0 && width_m < kWidest_m ? width_m : kUsualDoor_m;
+  return width_m >= kNarrowest_m && width_m < kWidest_m ? width_m : kUsualDoor_m;
 }
 
 /// All positions, of any depth.
@@ -298,7 +299,14 @@ FloorPlan read_rooms(const Json& json, const Path& file) {
       add_positions(geometry.at("coordinates"), points);
     }
   }
-  for (const Point2& point : points) box.extend(point);
+  for (const Point2& point : points) {
+    if (!(point.cwiseAbs().maxCoeff() <= kFarthest_m)) {
+      throw InputError(file.string() +
+                       ": coordinates: expected places within 100,000 km, found one beyond: is the "
+                       "file damaged?");
+    }
+    box.extend(point);
+  }
   Issues issues;
   const ToMetres metres = points.empty() ? ToMetres{} : metres_of(json, box, file, issues);
   Building building(metres, file.string());

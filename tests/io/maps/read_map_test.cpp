@@ -99,6 +99,9 @@ TEST_F(ReadMap, ErrorsNameTheFileAndTheRemedy) {
   EXPECT_THAT(
       message_of<InputError>(write("a.yaml", "image: bare.pgm\n" + rest + "free_thresh: 2\n"), 0.0),
       HasSubstr("a.yaml:4: free_thresh: expected a share from 0 to 1"));
+  EXPECT_THAT(message_of<InputError>(
+                  write("a.yaml", "image: bare.pgm\n" + rest + "occupied_thresh: 0.1\n"), 0.0),
+              HasSubstr("a.yaml:4: occupied_thresh: expected at least free_thresh"));
   EXPECT_THAT(message_of<UsageError>(write("a.yaml", "image: bare.pgm\n" + rest), 0.05),
               HasSubstr("leave --resolution out"));
 }

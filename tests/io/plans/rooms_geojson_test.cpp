@@ -166,6 +166,17 @@ TEST_F(RoomsGeojson, ThatTellNoBuildingAreRefused) {
   EXPECT_THAT(complaint(R"({"type":"FeatureCollection"})"), HasSubstr("features: expected a list"));
 }
 
+TEST_F(RoomsGeojson, WithNumbersThatCannotBeMeantAreRefusedOrTakenAsUsual) {
+  const std::string two = room(0, 0, 4, 4, "{}") + "," + room(4, 0, 4, 4, "{}") + ",";
+  const FloorPlan plan =
+      read(collection(two + feature("Point", "[4,2]", R"({"door":"yes","width":"1e-320 m"})")));
+  ASSERT_EQ(plan.doors.size(), 1U);
+  EXPECT_NEAR(plan.doors[0].width_m, 0.9, 1e-9);
+  EXPECT_THAT(complaint(collection(two + feature("Point", "[4,1e300]", R"({"door":"yes"})"))),
+              HasSubstr("coordinates: expected places within 100,000 km"));
+  EXPECT_THAT(complaint(collection(room(0, 0, 1e12, 4, "{}"))), HasSubstr("100,000 km"));
+}
+
 TEST_F(RoomsGeojson, WithoutDoorsSaySo) {
   const FloorPlan plan = read(collection(room(0, 0, 4, 4, "{}") + "," + room(5, 0, 4, 4, "{}")));
   EXPECT_TRUE(plan.doors.empty());
