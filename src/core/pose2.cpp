@@ -6,15 +6,24 @@
 #include "roomatlas/core/floored.hpp"
 
 namespace roomatlas {
+namespace {
+
+/// Beyond it, and of what is no number, there are no turns to be counted.
+bool is_far(double angle_rad) { return !(std::abs(angle_rad) < 1e15); }
+
+}  // namespace
 
 double wrap_from_afar(double angle_rad) {
   const double wrapped =
-      angle_rad - 2.0 * kPi * static_cast<double>(floored((angle_rad + kPi) / (2.0 * kPi)));
+      is_far(angle_rad)
+          ? std::remainder(angle_rad, 2.0 * kPi)
+          : angle_rad - 2.0 * kPi * static_cast<double>(floored((angle_rad + kPi) / (2.0 * kPi)));
   return wrapped >= kPi ? -kPi : wrapped;  // rounding may land on +pi
 }
 
 double wrap_quarter(double angle_rad) {
   constexpr double kQuarter = kPi / 2.0;  // of a turn
+  if (is_far(angle_rad)) return std::remainder(angle_rad, kQuarter);
   return angle_rad - kQuarter * static_cast<double>(floored(angle_rad / kQuarter + 0.5));
 }
 

@@ -39,5 +39,15 @@ TEST(Pose2, InterpolatesAlongTheShorterArc) {
   EXPECT_NEAR(std::abs(middle.theta_rad), kPi, 1e-12);
 }
 
+TEST(WrapAngle, TakesAnglesThatNobodyCanHaveTurned) {
+  for (const double angle : {1e16, -1e20, 1e300, 3e15}) {
+    EXPECT_GE(wrap_angle(angle), -kPi) << angle;
+    EXPECT_LT(wrap_angle(angle), kPi) << angle;
+    EXPECT_LE(std::abs(wrap_quarter(angle)), kPi / 4.0) << angle;
+  }
+  EXPECT_TRUE(std::isnan(wrap_angle(std::nan(""))));
+  EXPECT_TRUE(std::isnan(wrap_quarter(std::nan(""))));
+}
+
 }  // namespace
 }  // namespace roomatlas
