@@ -51,7 +51,8 @@ std::size_t JsonField::size() const {
 double JsonField::number() const {
   const double number = value_->is_number() ? value_->get<double>() : std::nan("");
   constexpr double kLargest = 1e15;  // what is reckoned from it is a number, too
-  if (!(std::abs(number) <= kLargest)) fail("a finite number, of at most 1e15");
+  if (!std::isfinite(number)) fail("a finite number");
+  if (std::abs(number) > kLargest) fail("a number of at most 1e15");
   return number;
 }
 
