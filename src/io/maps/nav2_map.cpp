@@ -128,7 +128,7 @@ MapMode read_mode(const FlatYaml& yaml) {
 
 /// The picture that the file names, or the same packed.
 std::filesystem::path picture_of(const std::filesystem::path& file, const std::string& image) {
-  const std::filesystem::path picture = file.parent_path() / image;
+  std::filesystem::path picture = file.parent_path() / image;
   if (std::filesystem::exists(picture)) return picture;
   const std::filesystem::path packed = picture.string() + ".gz";
   return std::filesystem::exists(packed) ? packed : picture;

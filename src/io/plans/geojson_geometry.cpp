@@ -93,7 +93,7 @@ Json to_json(const Point2& point) {
 
 Point2 read_position(const JsonField& position) {
   if (position.size() < 2) position.fail("a position [x, y]");
-  const Point2 point(position.element(0).number(), position.element(1).number());
+  Point2 point(position.element(0).number(), position.element(1).number());
   if (point.cwiseAbs().maxCoeff() > kFarthest_m) position.fail("a place within 100,000 km");
   return point;
 }
