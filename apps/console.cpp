@@ -4,6 +4,7 @@
 #include "roomatlas/core/counted.hpp"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
@@ -100,11 +101,29 @@ class ProgressLine {
   Clock::time_point told_;
 };
 
+/// Gives back what the stages before have freed: pieces between what is still held, which the
+/// C library keeps (of a large building a fifth of all).
+class FreedMemory {
+ public:
+  void give_back_before(const std::string& stage) {
+    if (stage == stage_) return;
+    stage_ = stage;
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+  }
+
+ private:
+  std::string stage_;
+};
+
 }  // namespace
 
 Progress console_progress(const Settings& settings) {
   return [quiet = settings.quiet, watch = std::make_shared<SignalWatch>(),
-          line = std::make_shared<ProgressLine>()](const std::string& stage, double done) {
+          line = std::make_shared<ProgressLine>(),
+          freed = std::make_shared<FreedMemory>()](const std::string& stage, double done) {
+    freed->give_back_before(stage);
     if (!quiet) line->show(stage, done);
     return stop_requested == 0;
   };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "roomatlas/polyline/small_part.hpp"
 #include "wall_lines.hpp"
 
 namespace roomatlas {
@@ -90,26 +91,10 @@ double least_extent(const std::vector<Cell>& cells) {
   return least;
 }
 
-/// The component of what is neither floor nor wall around a cell; marks it as done.
-std::vector<Cell> part_around(const Cell& start, const CellMask& walls, const CellMask& floor,
-                              CellMask& is_done) {
-  std::vector<Cell> part = {start};
-  is_done.set(start, true);
-  for (std::size_t i = 0; i < part.size(); ++i) {
-    const Cell at = part[i];
-    for_each_cell({{at.x - 1, at.y - 1}, {at.x + 2, at.y + 2}}, [&](const Cell& near) {
-      if (!floor.domain.contains(near) || is_done.at(near)) return;
-      if (floor.at(near) || walls.at(near)) return;
-      is_done.set(near, true);
-      part.push_back(near);
-    });
-  }
-  return part;
-}
-
 /// Whether a part may be furniture: small, off the mask's rim, and beside floor, which the core of
 /// a wall is not.
 bool may_be_furniture(const std::vector<Cell>& part, int most_cells, const CellMask& floor) {
+  if (part.empty()) return false;
   CellBox around{part.front(), part.front()};
   for (const Cell& at : part) {
     around.min = {std::min(around.min.x, at.x), std::min(around.min.y, at.y)};
@@ -130,10 +115,13 @@ bool may_be_furniture(const std::vector<Cell>& part, int most_cells, const CellM
 /// @param thicker_than_m only those that are thicker, as walls are not
 void add_small(const CellMask& walls, double side_m, double thicker_than_m, Occupancy& bare) {
   const int most_cells = static_cast<int>(side_m / bare.frame.cell_m);
+  const auto most = static_cast<std::size_t>(std::max(0, most_cells));
   CellMask is_done(bare.free.domain);
   for_each_cell(bare.free.domain, [&](const Cell& start) {
     if (is_done.at(start) || bare.free.at(start) || walls.at(start)) return;
-    const std::vector<Cell> part = part_around(start, walls, bare.free, is_done);
+    const std::vector<Cell> part = small_part(
+        start, most * most,
+        [&](const Cell& cell) { return !bare.free.at(cell) && !walls.at(cell); }, is_done);
     if (!may_be_furniture(part, most_cells, bare.free)) return;
     if (least_extent(part) * bare.frame.cell_m < thicker_than_m) return;
     for (const Cell& cell : part) bare.free.set(cell, true);

@@ -32,14 +32,16 @@ RoomPartition partitioned(const DraftedBuilding& drafted, const BuildingEvidence
     const Occupancy& map = drafted.occupancy;
     return partition_rooms({map.frame, map.free, map.obstacle, {}, {}}, options.partition);
   }
-  const Occupancy bare = bare_floor(drafted.walls, drafted.occupancy, options.bare);
+  Occupancy bare = bare_floor(drafted.walls, drafted.occupancy, options.bare);
   PartitionEvidence known;
   known.frame = bare.frame;
-  known.free = bare.free;
-  known.obstacle = bare.obstacle;
+  known.free = std::move(bare.free);  // lent: masks of a large building are large
+  known.obstacle = std::move(bare.obstacle);
   known.building_from_robot = evidence.building_from_robot;
   known.wall_gaps = find_wall_gaps(drafted.walls, drafted.occupancy, options.gaps);
   RoomPartition partition = partition_rooms(known, options.partition);
+  bare.free = std::move(known.free);
+  bare.obstacle = std::move(known.obstacle);
   join_rooms(bare, options.join, partition);
   return partition;
 }

@@ -153,6 +153,7 @@ std::vector<SurfacePoint> thinned(std::vector<SurfacePoint> points) {
     }
     kept.push_back({sum / weight, std::atan2(normal.y(), normal.x()), weight});
   }
+  kept.shrink_to_fit();
   return kept;
 }
 

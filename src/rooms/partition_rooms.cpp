@@ -128,14 +128,14 @@ std::vector<Opening> openings_of(const RegionGraph& graph, const DoorQueue& door
   return openings;
 }
 
-RoomPartition named_rooms(const PartitionEvidence& evidence, const CutBuilding& cut,
+RoomPartition named_rooms(const PartitionEvidence& evidence, CutBuilding cut,
                           const RegionGraph& graph, const DoorQueue& doors, double min_room_m2) {
   const std::set<std::int32_t> not_known =
       regions_not_known(cut, graph, evidence.building_from_robot);
   const auto is_room = [&](std::int32_t region) {
     return graph.region(region).area_m2 >= min_room_m2 && !not_known.contains(region);
   };
-  Raster<std::int32_t> region_of_cell = cut.pieces.piece_of_cell;
+  Raster<std::int32_t> region_of_cell = std::move(cut.pieces.piece_of_cell);
   for (std::int32_t& value : region_of_cell.values) {
     value = graph.region_of(value);
     if (!is_room(value)) value = 0;
@@ -161,11 +161,11 @@ RoomPartition named_rooms(const PartitionEvidence& evidence, const CutBuilding& 
 
 RoomPartition partition_rooms(const PartitionEvidence& evidence, const PartitionOptions& options) {
   check(evidence);
-  const CutBuilding cut = cut_building(evidence, options);
+  CutBuilding cut = cut_building(evidence, options);
   RegionGraph graph(cut.pieces, cut.floor.frame, cut.openings);
   const JoinOptions join = join_options(options, !evidence.building_from_robot.empty());
   const DoorQueue doors = join_to_rooms(graph, learned_door_weights(), join);
-  return named_rooms(evidence, cut, graph, doors, join.min_room_m2);
+  return named_rooms(evidence, std::move(cut), graph, doors, join.min_room_m2);
 }
 
 }  // namespace roomatlas

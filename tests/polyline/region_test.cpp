@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <random>
 
 #include "polyline/drawing.hpp"
+#include "roomatlas/polyline/small_part.hpp"
 #include "support/spotty_domain.hpp"
 
 namespace roomatlas {
@@ -170,6 +172,51 @@ TEST(CellMask, OfAnEmptyBoxStaysEmpty) {
   EXPECT_EQ(eroded(none, 2).count(), 0);
   EXPECT_EQ(connected_to(none, {{0, 0}}).count(), 0);
   EXPECT_EQ(holes_filled(none, 9).count(), 0);
+}
+
+/// The cells that hang together with `start` over edges and corners: those of a mask that touch
+/// one of them, until there are no more.
+std::vector<Cell> hanging_together(const CellMask& mask, const Cell& start) {
+  CellMask part(mask.domain);
+  part.set(start, true);
+  for (std::int64_t before = 0; before != part.count();) {
+    before = part.count();
+    for_each_cell(mask.domain, [&](const Cell& cell) {
+      if (mask.at(cell) && count_in_square(part, cell, 1) > 0) part.set(cell, true);
+    });
+  }
+  std::vector<Cell> cells;
+  for_each_cell(part.domain, [&](const Cell& cell) {
+    if (part.at(cell)) cells.push_back(cell);
+  });
+  return cells;
+}
+
+TEST(SmallPart, IsWhatHangsTogetherWhereThatIsFewCells) {
+  std::mt19937 random(53);
+  constexpr std::size_t kMost = 6;
+  std::size_t large = 0;
+  std::size_t small = 0;
+  for (int round = 0; round < 20; ++round) {
+    CellMask mask(test::spotty_domain(random, {{-5, -3}, {15, 11}}));
+    for (auto& bit : mask.bits) bit = random() % 3 == 0 ? 1 : 0;
+    CellMask is_done(mask.domain);
+    for_each_cell(mask.domain, [&](const Cell& start) {
+      if (!mask.at(start) || is_done.at(start)) return;
+      std::vector<Cell> part = small_part(
+          start, kMost, [&](const Cell& cell) { return mask.at(cell); }, is_done);
+      const std::vector<Cell> all = hanging_together(mask, start);
+      for (const Cell& cell : all) EXPECT_TRUE(is_done.at(cell));
+      ++(all.size() > kMost ? large : small);
+      std::sort(part.begin(), part.end(), [](const Cell& a, const Cell& b) {
+        return std::pair(a.y, a.x) < std::pair(b.y, b.x);
+      });
+      EXPECT_EQ(part, all.size() > kMost ? std::vector<Cell>{} : all);
+    });
+    EXPECT_EQ(is_done.count(), mask.count());
+  }
+  EXPECT_GT(large, 10U);
+  EXPECT_GT(small, 10U);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ CutBuilding cut_building(const PartitionEvidence& evidence, const PartitionOptio
   cut.floor = open_floor(evidence, options);
   const std::vector<WallChord> chords =
       find_wall_chords(cut.floor, find_floor_sides(cut.floor), evidence.wall_gaps);
-  const Raster<std::int32_t> cuts = chord_of_cell(cut.floor, chords);
+  const ChordCells cuts(cut.floor, chords);
   cut.pieces = cut_floor(cut.floor, cuts);
   cut.openings = find_piece_openings(cut.floor, cut.pieces, chords, cuts);
   count_crossings(evidence.building_from_robot, cut.floor.frame, cut.pieces, cut.openings);

@@ -15,8 +15,8 @@ constexpr double kLevelM = 0.002;     // clearances that differ by less are one
 // Over edges alone: neither thin walls nor chords let through at corners.
 constexpr std::array<Cell, 4> kSides = {Cell{1, 0}, Cell{0, 1}, Cell{-1, 0}, Cell{0, -1}};
 
-/// Cells of a field from the highest down, row by row within a level.
-std::vector<Cell> by_height(const Raster<float>& field) {
+/// The numbers of a field's cells from the highest down, row by row within a level.
+std::vector<std::uint32_t> by_height(const Raster<float>& field) {
   const float highest =
       field.values.empty() ? 0.0F : *std::max_element(field.values.begin(), field.values.end());
   const auto level_of = [&](float value) {
@@ -27,12 +27,36 @@ std::vector<Cell> by_height(const Raster<float>& field) {
     if (value > 0.0F) ++begin[level_of(value) + 1];
   }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Cell> cells(begin.back());
-  for_each_cell(field.domain, [&](const Cell& cell) {
-    if (field[cell] > 0.0F) cells[begin[level_of(field[cell])]++] = cell;
-  });
+  std::vector<std::uint32_t> cells(begin.back());
+  for (std::size_t i = 0; i < field.values.size(); ++i) {
+    const float value = field.values[i];
+    if (value > 0.0F) cells[begin[level_of(value)]++] = static_cast<std::uint32_t>(i);
+  }
   return cells;
 }
+
+/// From the number of a domain's cell back to the cell: an order of all cells takes a word for
+/// each.
+class NumberedCells {
+ public:
+  explicit NumberedCells(const CellDomain& domain) {
+    for (int y = domain.bounds().min.y; y < domain.bounds().max.y; ++y) {
+      domain.for_each_span(y, [&](const CellDomain::Span& span) {
+        first_.push_back(span.first);
+        cell_.push_back({span.from, y});
+      });
+    }
+  }
+  [[nodiscard]] Cell at(std::size_t number) const {
+    const auto span = static_cast<std::size_t>(
+        std::upper_bound(first_.begin(), first_.end(), number) - first_.begin() - 1);
+    return {cell_[span].x + static_cast<int>(number - first_[span]), cell_[span].y};
+  }
+
+ private:
+  std::vector<std::size_t> first_;  ///< number of each span's first cell
+  std::vector<Cell> cell_;          ///< each span's first cell
+};
 
 /// Basins that grow together.
 class Basins {
@@ -105,8 +129,10 @@ void give_cut_cells_away(const OpenFloor& floor, Raster<std::int32_t>& piece_of_
 Raster<std::int32_t> flooded(const Raster<float>& field, double saddle_share) {
   Raster<std::int32_t> basin_of(field.domain, 0);
   Basins basins(saddle_share);
-  for (const Cell& cell : by_height(field)) {
-    const float height = field[cell];
+  const NumberedCells cells(field.domain);
+  for (const std::uint32_t number : by_height(field)) {
+    const Cell cell = cells.at(number);
+    const float height = field.values[number];
     std::array<std::int32_t, 4> met{};
     std::size_t meeting = 0;
     std::int32_t highest = 0;
@@ -123,7 +149,7 @@ Raster<std::int32_t> flooded(const Raster<float>& field, double saddle_share) {
       const auto end = met.begin() + meeting;
       if (std::find(met.begin(), end, basin) == end) met[meeting++] = basin;
     }
-    basin_of[cell] = meeting == 0 ? basins.add(height) : highest;
+    basin_of.values[number] = meeting == 0 ? basins.add(height) : highest;
     for (std::size_t i = 0; i < meeting; ++i) basins.meet(met[i], highest, height);
   }
   std::vector<std::int32_t> number(basins.size(), 0);
@@ -137,12 +163,8 @@ Raster<std::int32_t> flooded(const Raster<float>& field, double saddle_share) {
   return basin_of;
 }
 
-FloorPieces cut_floor(const OpenFloor& floor, const Raster<std::int32_t>& chord_of_cell) {
-  CellMask uncut = floor.open;
-  for (std::size_t i = 0; i < uncut.bits.size(); ++i) {
-    if (chord_of_cell.values[i] != 0) uncut.bits[i] = 0;
-  }
-  const Raster<float> field = clearance_m(uncut, floor.frame);
+FloorPieces cut_floor(const OpenFloor& floor, const ChordCells& chords) {
+  const Raster<float> field = clearance_m(chords.cut_out_of(floor.open), floor.frame);
   FloorPieces pieces;
   pieces.piece_of_cell = flooded(field, kSaddleShare);
   for (const std::int32_t piece : pieces.piece_of_cell.values) {

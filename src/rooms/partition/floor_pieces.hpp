@@ -19,7 +19,6 @@ struct FloorPieces {
 [[nodiscard]] Raster<std::int32_t> flooded(const Raster<float>& field, double saddle_share);
 
 /// Cuts along chords, then at narrow places. Cells under a chord go to the piece beside them.
-[[nodiscard]] FloorPieces cut_floor(const OpenFloor& floor,
-                                    const Raster<std::int32_t>& chord_of_cell);
+[[nodiscard]] FloorPieces cut_floor(const OpenFloor& floor, const ChordCells& chords);
 
 }  // namespace roomatlas

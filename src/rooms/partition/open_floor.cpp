@@ -2,11 +2,11 @@
 #include "open_floor.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "roomatlas/polyline/distance_field.hpp"
+#include "roomatlas/polyline/small_part.hpp"
 
 namespace roomatlas {
 namespace {
@@ -15,27 +15,15 @@ constexpr double kNearObstacleM = 0.15;  // what was cleaned away in front of a 
 constexpr double kWallNoiseM = 0.08;     // of walls that a moving robot saw
 constexpr int kTurns = 9;                // in which an island is measured, 10 degrees apart
 
-constexpr std::array<Cell, 8> kAround = {Cell{1, 0},  Cell{1, 1},   Cell{0, 1},  Cell{-1, 1},
-                                         Cell{-1, 0}, Cell{-1, -1}, Cell{0, -1}, Cell{1, -1}};
-
-/// Visits each 8-connected component of the cells that are not in the mask.
+/// Visits each 8-connected component of at most `most` cells that are not in the mask.
 template <typename Visit>
-void for_each_gap(const CellMask& mask, Visit visit) {
+void for_each_gap(const CellMask& mask, std::size_t most, Visit visit) {
   CellMask seen = mask;
-  std::vector<Cell> component;
   for_each_cell(mask.domain, [&](const Cell& start) {
     if (seen.at(start)) return;
-    component.assign(1, start);
-    seen.set(start, true);
-    for (std::size_t i = 0; i < component.size(); ++i) {
-      for (const Cell& step : kAround) {
-        const Cell next{component[i].x + step.x, component[i].y + step.y};
-        if (!mask.domain.contains(next) || seen.at(next)) continue;
-        seen.set(next, true);
-        component.push_back(next);
-      }
-    }
-    visit(component);
+    const std::vector<Cell> gap = small_part(
+        start, most, [](const Cell&) { return true; }, seen);
+    if (!gap.empty()) visit(gap);
   });
 }
 
@@ -53,6 +41,8 @@ double square_side_cells(const std::vector<Cell>& cells) {
   }
   return smallest;
 }
+
+std::size_t cells_up_to(double count) { return static_cast<std::size_t>(std::max(0.0, count)); }
 
 CellMask cropped(const CellMask& mask) {
   const CellBox& all = mask.domain.bounds();
@@ -73,12 +63,15 @@ CellMask cropped(const CellMask& mask) {
 /// Cells that a disc of `radius_m` covers which fits into the mask (a morphological opening).
 CellMask opened_by_disc(const CellMask& mask, const CellFrame& frame, double radius_m) {
   const auto reach_cells = static_cast<float>(radius_m / frame.cell_m);
-  const Raster<float> inside = distance_inside(mask);
-  CellMask away_from_centres(mask.domain);
-  for (std::size_t i = 0; i < inside.values.size(); ++i) {
-    away_from_centres.bits[i] = inside.values[i] > reach_cells ? 0 : 1;
-  }
-  const Raster<float> off = distance_inside(away_from_centres);
+  const auto away_from_centres = [&] {
+    CellMask away(mask.domain);
+    const Raster<float> inside = distance_inside(mask);
+    for (std::size_t i = 0; i < inside.values.size(); ++i) {
+      away.bits[i] = inside.values[i] > reach_cells ? 0 : 1;
+    }
+    return away;
+  };
+  const Raster<float> off = distance_inside(away_from_centres());
   CellMask result(mask.domain);
   for (std::size_t i = 0; i < off.values.size(); ++i) {
     result.bits[i] = off.values[i] <= reach_cells && mask.bits[i] != 0 ? 1 : 0;
@@ -98,9 +91,9 @@ Raster<float> clearance_m(const CellMask& mask, const CellFrame& frame) {
 CellMask without_beam_traces(const PartitionEvidence& evidence, const PartitionOptions& options) {
   const CellFrame& frame = evidence.frame;
   CellMask filled = evidence.free;
-  const double cell_m2 = frame.cell_m * frame.cell_m;
-  for_each_gap(evidence.free, [&](const std::vector<Cell>& gap) {
-    if (static_cast<double>(gap.size()) * cell_m2 >= options.speck_m2) return;
+  const double speck_cells = options.speck_m2 / (frame.cell_m * frame.cell_m);
+  for_each_gap(evidence.free, cells_up_to(speck_cells), [&](const std::vector<Cell>& gap) {
+    if (static_cast<double>(gap.size()) >= speck_cells) return;
     for (const Cell& cell : gap) filled.set(cell, true);
   });
   std::vector<Cell> on_path;
@@ -116,8 +109,7 @@ CellMask without_beam_traces(const PartitionEvidence& evidence, const PartitionO
 CellMask islands_filled(const CellMask& mask, const CellFrame& frame, double side_m) {
   CellMask result = mask;
   const double most_cells = side_m / frame.cell_m;
-  for_each_gap(mask, [&](const std::vector<Cell>& gap) {
-    if (static_cast<double>(gap.size()) > 2.0 * most_cells * most_cells) return;
+  for_each_gap(mask, cells_up_to(2.0 * most_cells * most_cells), [&](const std::vector<Cell>& gap) {
     const bool stands_free = std::none_of(
         gap.begin(), gap.end(), [&](const Cell& cell) { return mask.domain.is_at_rim(cell); });
     if (!stands_free || square_side_cells(gap) >= most_cells) return;

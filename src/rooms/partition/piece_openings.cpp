@@ -134,14 +134,14 @@ class JambFinder {
 };
 
 /// The chord that most of a border's cells touch; 0: none does.
-std::int32_t chord_beside(const Border& border, const Raster<std::int32_t>& chord_of_cell) {
+std::int32_t chord_beside(const Border& border, const ChordCells& chord_cells) {
   std::map<std::int32_t, std::size_t> touching;
   std::size_t any = 0;
   for (const Cell& cell : border) {
     std::int32_t chord = 0;
     for (int dy = -1; dy <= 1; ++dy) {
       for (int dx = -1; dx <= 1; ++dx) {
-        chord = std::max(chord, chord_of_cell.get({cell.x + dx, cell.y + dy}));
+        chord = std::max(chord, chord_cells.at({cell.x + dx, cell.y + dy}));
       }
     }
     if (chord == 0) continue;
@@ -208,14 +208,14 @@ void finish(const OpenFloor& floor, const PiecePair& pair, PieceOpening& opening
 
 std::vector<PieceOpening> find_piece_openings(const OpenFloor& floor, const FloorPieces& pieces,
                                               const std::vector<WallChord>& chords,
-                                              const Raster<std::int32_t>& chord_of_cell) {
+                                              const ChordCells& chord_cells) {
   const JambFinder finder(floor);
   std::vector<PieceOpening> openings;
   for (const auto& [pair, border] : borders_of(pieces.piece_of_cell)) {
     std::map<std::int32_t, Border> on_chord;  // all that lies on one chord is one opening
     std::vector<Border> elsewhere;
     for (Border& part : connected_parts(border)) {
-      const std::int32_t chord = chord_beside(part, chord_of_cell);
+      const std::int32_t chord = chord_beside(part, chord_cells);
       if (chord == 0) {
         elsewhere.push_back(std::move(part));
       } else {

@@ -21,9 +21,10 @@ struct PieceOpening {
 };
 
 /// All openings, by their pieces' numbers.
-[[nodiscard]] std::vector<PieceOpening> find_piece_openings(
-    const OpenFloor& floor, const FloorPieces& pieces, const std::vector<WallChord>& chords,
-    const Raster<std::int32_t>& chord_of_cell);
+[[nodiscard]] std::vector<PieceOpening> find_piece_openings(const OpenFloor& floor,
+                                                            const FloorPieces& pieces,
+                                                            const std::vector<WallChord>& chords,
+                                                            const ChordCells& chord_cells);
 
 /// Counts how often a path goes through each opening.
 void count_crossings(const std::vector<Pose2>& path, const CellFrame& frame,

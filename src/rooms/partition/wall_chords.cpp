@@ -115,19 +115,22 @@ std::vector<WallChord> find_wall_chords(const OpenFloor& floor, const std::vecto
   return chords;
 }
 
-Raster<std::int32_t> chord_of_cell(const OpenFloor& floor, const std::vector<WallChord>& chords) {
-  Raster<std::int32_t> result(floor.open.domain, 0);
+ChordCells::ChordCells(const OpenFloor& floor, const std::vector<WallChord>& chords)
+    : domain_(floor.open.domain) {
   for (std::size_t i = 0; i < chords.size(); ++i) {
     const Point2 beyond = kBeyondM * (chords[i].line.b - chords[i].line.a).normalized();
     for_each_cell_on_line(floor.frame.cell_of(chords[i].line.a - beyond),
                           floor.frame.cell_of(chords[i].line.b + beyond), [&](const Cell& cell) {
-                            if (floor.open.at(cell)) {
-                              result[cell] = static_cast<std::int32_t>(i) + 1;
-                            }
+                            if (floor.open.at(cell))
+                              chord_[domain_.find(cell)] = static_cast<std::int32_t>(i) + 1;
                             return true;
                           });
   }
-  return result;
+}
+
+CellMask ChordCells::cut_out_of(CellMask mask) const {
+  for (const auto& [cell, chord] : chord_) mask.bits[cell] = 0;
+  return mask;
 }
 
 }  // namespace roomatlas

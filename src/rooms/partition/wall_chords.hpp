@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 #include "floor_sides.hpp"
@@ -24,8 +27,23 @@ struct WallChord {
                                                       const std::vector<FloorSide>& faces,
                                                       const std::vector<Segment2>& known);
 
-/// Of each open cell the chord that runs over it, 1, 2, 3 ...; 0: none does.
-[[nodiscard]] Raster<std::int32_t> chord_of_cell(const OpenFloor& floor,
-                                                 const std::vector<WallChord>& chords);
+/// The chords of the few open cells that chords run over.
+class ChordCells {
+ public:
+  /// Cells under several chords belong to the last one.
+  ChordCells(const OpenFloor& floor, const std::vector<WallChord>& chords);
+
+  /// The chord that runs over a cell, 1, 2, 3 ...; 0: none does.
+  [[nodiscard]] std::int32_t at(const Cell& cell) const {
+    const auto found = chord_.find(domain_.find(cell));
+    return found != chord_.end() ? found->second : 0;
+  }
+  /// The mask without the cells under chords; it has the floor's domain.
+  [[nodiscard]] CellMask cut_out_of(CellMask mask) const;
+
+ private:
+  CellDomain domain_;
+  std::unordered_map<std::size_t, std::int32_t> chord_;  ///< by number of the cell
+};
 
 }  // namespace roomatlas
