@@ -13,6 +13,21 @@
 #include "truth_files.hpp"
 
 namespace roomatlas::apps {
+namespace {
+
+/// Where the robot was in the middle of each visit.
+std::map<AsrId, StampedPose> middles_of(const AsrSource& source, const Correction& correction) {
+  std::map<AsrId, StampedPose> middles;
+  for (const AsrCorrection& visit : correction.asrs) {
+    const std::vector<PathSample> path = source.get(visit.asr, AsrDetail::path).path;
+    if (path.empty()) continue;
+    const PathSample& middle = path[path.size() / 2];
+    middles[visit.asr] = {middle.timestamp_s, visit.building_from_asr * middle.asr_from_robot};
+  }
+  return middles;
+}
+
+}  // namespace
 
 void write_report(const Settings& settings, const Path& store_file, const Evaluation& evaluation,
                   const Path& out) {
@@ -35,7 +50,9 @@ void write_report(const Settings& settings, const Path& store_file, const Evalua
     from.missions.push_back(std::move(path));
   }
   const CorrectOptions correct = as_corrected(settings, from.metadata, store_file).assemble.correct;
-  from.uncertainty = uncertainty_of(from.graph, store.closures(), from.correction, correct);
+  from.closures = store.closures();
+  from.uncertainty = uncertainty_of(from.graph, from.closures, from.correction, correct);
+  from.middles = middles_of(store, from.correction);
   from.evaluation = evaluation;
   const std::string title = from.plan.title.empty() ? "Floor plan" : from.plan.title;
   write_file(out, report_page(title, report_data(from)));

@@ -4,106 +4,71 @@
 function makeEditor(data, view) {
   const element = (id) => document.getElementById(id);
   const { map } = view;
-  const rounded = (value) => Math.round(value * 1000) / 1000;
-  const place = ([x, y]) => [rounded(x), rounded(y)];
-  const marks = L.layerGroup();
-  let edits = [...data.edits];  // those that the store keeps come first
-  const undone = [];
+  const container = map.getContainer();
+  const latLng = ([x, y]) => [y, x];
+  const point = ({ lng, lat }) => [lng, lat];
+  const forms = ['edit-room', 'edit-wall', 'edit-match', 'edit-pin'];
+  const marks = L.layerGroup();     // of the statements
+  const previews = L.layerGroup();  // of what is being chosen
+  let edits = [...data.edits];      // those that the store keeps come first
+  const undone = [];                // lists, as each was before it was undone
+  const done = [];
   let tool = 'name';
-  let picked = [];  // what was tapped for a statement that needs two
 
-  const inside = (ring, [x, y]) => ring.reduce((is, a, i) => {
-    const b = ring[(i + 1) % ring.length];
-    return (a[1] > y) !== (b[1] > y) && x < a[0] + (b[0] - a[0]) * (y - a[1]) / (b[1] - a[1]) ? !is : is;
-  }, false);
-  const covers = (rings, at) => rings.filter((ring) => inside(ring, at)).length % 2 === 1;
-  const roomAt = (at) => data.rooms.find((room) => room.parts.some((part) => covers(part, at)));
-  const toSegment = ([[ax, ay], [bx, by]], [x, y]) => {
-    const [dx, dy] = [bx - ax, by - ay];
-    const t = Math.max(0, Math.min(1, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1)));
-    return Math.hypot(x - ax - t * dx, y - ay - t * dy);
+  const desk = {
+    edits: () => edits,
+    say(text) { element('edit-hint').textContent = text; },
+    roomAt: (at) => data.rooms.find((room) => room.parts.some((part) => shapes.covers(part, at))),
+    anchor: (room) => ({ id: room.id, at_m: shapes.place(room.label), outline_m: room.parts[0][0].map(shapes.place) }),
+    reach: () => Math.max(0.5, 22 / Math.pow(2, map.getZoom())),  // a finger's width
+    open(form) { for (const id of forms) element(id).hidden = id !== form; },
+    /// Draws what would be: { lines, thick, dots, text of the first line, thin }, all in metres.
+    preview({ lines = [], thick = [], dots = [], text = '', thin = false }) {
+      const style = { pane: 'missions', color: '#a2337c', interactive: false };
+      previews.clearLayers();
+      for (const line of lines) L.polyline(line.map(latLng), { ...style, weight: thin ? 1 : 3, opacity: thin ? 0.5 : 1, dashArray: thin ? '' : '6 4' }).addTo(previews);
+      for (const line of thick) L.polyline(line.map(latLng), { ...style, weight: 6, opacity: 0.6 }).addTo(previews);
+      for (const dot of dots) L.circleMarker(latLng(dot), { ...style, radius: 5 }).addTo(previews);
+      if (text) L.tooltip({ permanent: true, direction: 'center' }).setLatLng(latLng(shapes.middle(lines[0]))).setContent(text).addTo(previews);
+    },
+    /// Statements that are undone together.
+    add(...made) {
+      if (made.length) change([...edits, ...made]);
+      reset();
+      if (made.length) desk.say(`${made.map(words).join(', ')}: done. ${tools[tool].hint}`);
+    },
+    reset: () => reset(),
   };
-  const reach = () => Math.max(0.5, 22 / Math.pow(2, map.getZoom()));  // a finger's width
-  const nearest = (things, distance, at) => things.map((thing) => [distance(thing, at), thing])
-    .filter(([apart]) => apart <= reach()).sort((a, b) => a[0] - b[0]).map(([, thing]) => thing)[0];
-  const anchor = (room) => ({ id: room.id, at_m: place(room.label), outline_m: room.parts[0][0].map(place) });
-
-  const tools = {
-    name: { hint: 'Choose a room, then write its name or set its kind.', pick(at) {
-      const room = roomAt(at);
-      if (!room) return say('No room is there.');
-      picked = [room];
-      element('edit-name').value = room.name === String(room.id) ? '' : room.name;
-      element('edit-kind').value = room.kind;
-      element('edit-room').hidden = false;
-      element('edit-name').focus();
-      return say(`Room ${room.name}.`);
-    } },
-    join: { hint: 'Choose two rooms that are one.', pick(at) {
-      const room = roomAt(at);
-      if (!room || room === picked[0]) return say(room ? 'Choose another room.' : 'No room is there.');
-      picked.push(room);
-      if (picked.length < 2) return say(`Room ${room.name}, and which other?`);
-      return add({ edit: 'join_rooms', rooms: picked.map(anchor) });
-    } },
-    split: { hint: 'Choose both ends of the cut, at two walls of one room.', pick: ends((line) => {
-      const room = roomAt([(line[0][0] + line[1][0]) / 2, (line[0][1] + line[1][1]) / 2]);
-      return room ? { edit: 'split_room', room: anchor(room), line_m: line } : 'No room lies between.';
-    }) },
-    shut: { hint: 'Choose a door or passage that is wall.', pick: atDoor('shut_door') },
-    open: { hint: 'Choose a window that is a door, or a door that was shut.', pick: atDoor('open_door') },
-    door: { hint: 'Choose both jambs of the new door.', pick: ends((line) => ({ edit: 'add_door', jambs_m: line })) },
-    furniture: { hint: 'Choose furniture that is wall.', pick(at) {
-      const piece = data.furniture.find((one) => covers(one.rings, at));
-      return piece ? add({ edit: 'furniture_to_wall', at_m: place(at) }) : say('No furniture is there.');
-    } },
-    pillar: { hint: 'Choose a pillar that is furniture.', pick(at) {
-      const is = data.rooms.some((room) => room.parts.some((part) => part.slice(1).some((hole) => inside(hole, at))));
-      return is ? add({ edit: 'wall_to_furniture', at_m: place(at) }) : say('No pillar stands there.');
-    } },
-  };
-  function ends(statement) {
-    return (at) => {
-      picked.push(place(at));
-      if (picked.length < 2) return say('And the other end?');
-      const [a, b] = picked;
-      if (Math.hypot(a[0] - b[0], a[1] - b[1]) < 0.05) { picked.pop(); return say('Too near: choose another end.'); }
-      const made = statement([a, b]);
-      if (typeof made === 'string') { picked = []; return say(made); }
-      return add(made);
-    };
-  }
-  function atDoor(edit) {
-    return (at) => {
-      const door = nearest(data.doors, (one, point) => toSegment(one.jambs, point), at);
-      return door ? add({ edit, at_m: place(door.at) }) : say('No door is there.');
-    };
-  }
+  const tools = { ...roomTools(data, desk), wall: wallTool(data, desk), ...matchTools(data, desk) };
 
   const words = (one) => {
     const rooms = (one.rooms || (one.room ? [one.room] : [])).map((room) => room.id || '?').join(' and ');
-    return [one.edit.replace(/_/g, ' '), rooms, one.name || one.kind || ''].filter(Boolean).join(' ');
+    const by = typeof one.by_m === 'number' ? `by ${one.by_m.toFixed(2)} m` : '';
+    const at = typeof one.from_time_s === 'number' ? `at ${one.from_time_s} s and ${one.to_time_s} s` : '';
+    return [one.edit.replace(/_/g, ' '), rooms, one.name || one.kind || by || at].filter(Boolean).join(' ');
   };
-  function say(text) { element('edit-hint').textContent = text; }
-  function add(one) {
-    edits.push(one);
+  function change(now) {
+    done.push(edits);
     undone.length = 0;
-    picked = [];
+    edits = now;
+  }
+  function reset() {
+    if (tools[tool].reset) tools[tool].reset();
+    desk.open('');
+    previews.clearLayers();
+    if (isOn() && tools[tool].show) tools[tool].show();
     redraw();
-    say(`${words(one)}: done. ${tools[tool].hint}`);
   }
   function redraw() {
     const style = { pane: 'missions', color: '#a2337c', weight: 3, interactive: false };
-    const latLng = ([x, y]) => [y, x];
     marks.clearLayers();
-    for (const one of edits.slice(data.edits.length)) {
-      const line = one.line_m || one.jambs_m;
+    for (const one of edits.filter((each) => !data.edits.includes(each))) {
+      const line = one.line_m || one.jambs_m || (one.wall_m && one.wall_m.map((end) => shapes.plus(end, shapes.axes(one.wall_m).left, one.by_m)));
       if (line) L.polyline(line.map(latLng), style).addTo(marks);
       for (const at of [one.at_m, ...(one.rooms || (one.room ? [one.room] : [])).map((room) => room.at_m)]) {
         if (at) L.circleMarker(latLng(at), { ...style, radius: 8 }).addTo(marks);
       }
     }
-    for (const at of picked) if (Array.isArray(at)) L.circleMarker(latLng(at), { ...style, radius: 4 }).addTo(marks);
     element('edit-list').replaceChildren(...edits.map((one) => {
       const item = document.createElement('li');
       item.textContent = words(one);
@@ -111,10 +76,21 @@ function makeEditor(data, view) {
     }));
     element('edit-undo').disabled = edits.length === 0;
     element('edit-redo').disabled = undone.length === 0;
-    element('edit-room').hidden = tool !== 'name' || !picked.length;
   }
-  function undo() { if (edits.length) { undone.push(edits.pop()); picked = []; redraw(); say('Undone.'); } }
-  function redo() { if (undone.length) { edits.push(undone.pop()); redraw(); say('Done again.'); } }
+  function undo() {
+    if (!edits.length) return desk.say('Nothing is left to undo.');
+    undone.push(edits);
+    edits = done.length ? done.pop() : edits.slice(0, -1);
+    reset();
+    return desk.say(`Undone: ${words(undone[undone.length - 1][edits.length])}.`);
+  }
+  function redo() {
+    if (!undone.length) return desk.say('Nothing is left to do again.');
+    done.push(edits);
+    edits = undone.pop();
+    reset();
+    return desk.say(`Done again: ${words(edits[edits.length - 1])}.`);
+  }
   const text = () => `{"format": "roomatlas-edits", "version": 1, "frame": "building", "edits": [${
     edits.map((one) => `\n ${JSON.stringify(one)}`).join(',')}\n]}\n`;
   function save() {
@@ -123,51 +99,94 @@ function makeEditor(data, view) {
     link.download = 'edits.json';
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-    say('Saved: roomatlas assemble STORE --edits edits.json draws the plan so.');
+    desk.say('Saved: roomatlas assemble STORE --edits edits.json draws the plan so.');
   }
 
   const isOn = () => !element('edit-bar').hidden;
-  function pick(at) {
-    if (!isOn()) return;
-    tools[tool].pick(at);
-    if (picked.length) redraw();
-  }
   element('edit').addEventListener('click', () => {
     element('edit-bar').hidden = !element('edit-bar').hidden;
     element('edit').setAttribute('aria-expanded', String(isOn()));
-    element('map').classList.toggle('editing', isOn());
-    if (isOn()) marks.addTo(map); else marks.remove();
-    redraw();
-    say(tools[tool].hint);
+    container.classList.toggle('editing', isOn());
+    for (const layer of [marks, previews]) if (isOn()) layer.addTo(map); else layer.remove();
+    reset();
+    desk.say(tools[tool].hint);
   });
   for (const choice of document.querySelectorAll('input[name="edit-tool"]')) {
-    choice.addEventListener('change', () => { tool = choice.value; picked = []; redraw(); say(tools[tool].hint); });
+    choice.addEventListener('change', () => {
+      if (tools[tool].reset) tools[tool].reset();
+      tool = choice.value;
+      reset();
+      desk.say(tools[tool].hint);
+    });
   }
-  element('edit-room').addEventListener('submit', (event) => {
-    event.preventDefault();
-    const [room] = picked;
-    const [name, kind] = [element('edit-name').value.trim(), element('edit-kind').value];
-    const isNamed = name && name !== room.name;
-    if (isNamed) edits.push({ edit: 'name_room', room: anchor(room), name });
-    if (kind !== room.kind) edits.push({ edit: 'set_room_kind', room: anchor(room), kind });
-    undone.length = 0;
-    picked = [];
-    redraw();
-    say(isNamed || kind !== room.kind ? `Room ${room.id}: done.` : 'Nothing was changed.');
-  });
   element('edit-undo').addEventListener('click', undo);
   element('edit-redo').addEventListener('click', redo);
   element('edit-save').addEventListener('click', save);
-  map.on('click', (event) => pick([event.latlng.lng, event.latlng.lat]));
-  // By keyboard: arrows move the map below the cross, Enter chooses what it is on.
-  element('map').addEventListener('keydown', (event) => {
+
+  // By pointer: a tap chooses; what a tool takes hold of is dragged instead of the map.
+  let held = null;  // where a drag began, in pixels, and whether something was chosen before
+  let isDropped = false;  // the click that ends a drag chooses nothing
+  const at = (event) => point(map.mouseEventToLatLng(event));
+  map.on('click', (event) => {
+    if (!isOn() || isDropped) return;
+    tools[tool].pick(point(event.latlng));
+  });
+  map.on('mousemove', (event) => { if (isOn() && !held && tools[tool].hover) tools[tool].hover(point(event.latlng)); });
+  container.addEventListener('pointerdown', (event) => {
+    isDropped = false;
+    const isOnMap = !event.target.closest('.leaflet-control');
+    if (!isOn() || !event.isPrimary || !isOnMap || !tools[tool].drag) return;
+    const wasPicking = tools[tool].isPicking();
+    if (!tools[tool].drag(at(event))) return;
+    held = { from: [event.clientX, event.clientY], wasPicking };
+    map.dragging.disable();
+  }, true);
+  const release = () => {
+    held = null;
+    map.dragging.enable();
+  };
+  window.addEventListener('pointermove', (event) => { if (held && event.isPrimary) tools[tool].hover(at(event)); });
+  window.addEventListener('pointerup', (event) => {
+    if (!held || !event.isPrimary) return;
+    const isDragged = shapes.apart(held.from, [event.clientX, event.clientY]) > 6;
+    isDropped = isDragged || !held.wasPicking;
+    if (isDragged) tools[tool].drop(at(event));
+    release();
+  });
+  window.addEventListener('pointercancel', () => { if (held) { release(); reset(); } });
+
+  // By keyboard: arrows move the map below the cross, by little with Shift; Enter chooses what it is on, Esc lets go.
+  const ways = { arrowleft: [-1, 0], arrowright: [1, 0], arrowup: [0, -1], arrowdown: [0, 1] };
+  container.addEventListener('keydown', (event) => {
+    const way = ways[event.key.toLowerCase()];
+    if (!isOn() || !way || event.target !== container) return;
+    map.panBy(way.map((one) => one * (event.shiftKey ? 3 : 24)), { animate: false });
+    event.preventDefault();
+    event.stopPropagation();
+  }, true);
+  element('map-section').addEventListener('keydown', (event) => {
     if (!isOn()) return;
     const key = event.key.toLowerCase();
-    if (key === 'enter') pick([map.getCenter().lng, map.getCenter().lat]);
-    else if ((event.ctrlKey || event.metaKey) && key === 'z') (event.shiftKey ? redo : undo)();
-    else if ((event.ctrlKey || event.metaKey) && key === 'y') redo();
+    const isCommand = event.ctrlKey || event.metaKey;
+    const isWriting = /^(text|number)$/.test(event.target.type || '');
+    if (key === 'escape') {
+      const was = tools[tool].isPicking && tools[tool].isPicking();
+      reset();
+      container.focus({ preventScroll: true });
+      desk.say(`${was ? 'Let go. ' : ''}${tools[tool].hint}`);
+    } else if (key === 'enter' && event.target === container) {
+      tools[tool].pick(point(map.getCenter()));
+      if (tools[tool].byKeyboard && tools[tool].isPicking()) tools[tool].byKeyboard();
+    } else if (isCommand && key === 'z' && !isWriting) (event.shiftKey ? redo : undo)();
+    else if (isCommand && key === 'y' && !isWriting) redo();
     else return;
     event.preventDefault();
   });
-  return { text };
+  return {
+    text,
+    /// A room that was chosen in the table.
+    chooseRoom(room) {
+      if (isOn() && tools[tool].pickRoom) tools[tool].pickRoom(room);
+    },
+  };
 }

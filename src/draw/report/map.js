@@ -221,6 +221,14 @@ function makeMap(data, onSelect) {
     container.style.width = '';
     refit();
   });
+  // To who does not see it the plan is one picture; its rooms are in the table.
+  map.getPane('tooltipPane').setAttribute('aria-hidden', 'true');
+  map.getPane('missions').setAttribute('aria-hidden', 'true');
+  const picture = planPane.firstElementChild;
+  if (picture) {
+    picture.setAttribute('role', 'img');
+    picture.setAttribute('aria-label', `Floor plan; rooms: ${data.rooms.length}, doors: ${data.doors.length}. The table of rooms lists them.`);
+  }
   setMoment(1);
   return { map, layers, show, select, setMoment };
 }

@@ -48,20 +48,32 @@
   let roomTable = null;
   const view = makeMap(data, selectRoom);
   window.roomatlasMap = view.map;  // for scripts of others
-  window.roomatlasEdits = makeEditor(data, view).text;
+  const editor = makeEditor(data, view);
+  window.roomatlasEdits = editor.text;
   function selectRoom(id, isFromMap) {
     view.select(id, isFromMap);
+    if (!isFromMap) editor.chooseRoom(roomOf.get(id));
     for (const [room, tr] of roomTable.rows) {
       const isIt = room.id === id;
       tr.classList.toggle('selected', isIt);
       tr.setAttribute('aria-selected', String(isIt));
+      if (isIt) holdTab(tr);
       if (isIt && isFromMap) tr.scrollIntoView({ block: 'nearest' });
     }
+  }
+  // The tab key stops at one row, the arrow keys go on from there.
+  let tabRow = null;
+  function holdTab(tr) {
+    if (tabRow) tabRow.tabIndex = -1;
+    tabRow = tr;
+    tr.tabIndex = 0;
   }
   function moveFocus(tr, step) {
     let next = tr;
     do next = step > 0 ? next.nextElementSibling : next.previousElementSibling; while (next && next.hidden);
-    if (next) next.focus();
+    if (!next) return;
+    holdTab(next);
+    next.focus();
   }
   roomTable = fillTable(element('rooms'), [
     { label: 'No.', value: (room) => room.id, number: true },
@@ -72,7 +84,8 @@
   ], data.rooms, {
     onRow(tr, room) {
       tr.className = 'clickable';
-      tr.tabIndex = 0;
+      tr.tabIndex = -1;
+      tr.setAttribute('aria-selected', 'false');
       tr.dataset.room = room.id;
       tr.addEventListener('click', () => selectRoom(room.id, false));
       tr.addEventListener('keydown', (event) => {
@@ -84,12 +97,15 @@
       });
     },
   });
+  const firstRow = () => element('rooms').querySelector('tbody tr:not([hidden])');
+  if (firstRow()) holdTab(firstRow());
   element('search').addEventListener('input', (event) => {
     const words = event.target.value.toLowerCase().split(/\s+/).filter(Boolean);
     const shown = roomTable.filter((room) => {
       const text = `${room.id} ${room.name} ${room.kind}`.toLowerCase();
       return words.every((word) => text.includes(word));
     });
+    if ((!tabRow || tabRow.hidden) && firstRow()) holdTab(firstRow());
     element('found').textContent = words.length ? `${shown} of ${data.rooms.length}` : '';
   });
 

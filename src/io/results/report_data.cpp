@@ -132,20 +132,38 @@ Json cause_of(const AsrCorrection& asr) {
   return {{"kind", to_string(*asr.cause)}, {"asr", asr.cause_asr}};
 }
 
-Json visits_of(const Correction& correction, const RoomGraph& graph,
-               const VisitUncertainty& uncertainty) {
+/// When and where the robot was in the middle of a visit: what statements on closures speak of.
+Json middle_of(const std::map<AsrId, StampedPose>& middles, AsrId asr) {
+  const auto middle = middles.find(asr);
+  if (middle == middles.end()) return nullptr;
+  return {{"time_s", middle->second.timestamp_s}, {"at", to_json(middle->second.pose.position())}};
+}
+
+Json closures_of(const std::vector<Closure>& closures) {
+  Json list = Json::array();
+  for (const Closure& closure : closures) {
+    if (closure.verdict != ClosureVerdict::accepted) continue;
+    list.push_back({{"from", closure.from}, {"to", closure.to}, {"score", closure.score()}});
+  }
+  return list;
+}
+
+Json visits_of(const ReportSources& from) {
+  const Correction& correction = from.correction;
   std::map<AsrId, Json> ellipse;
-  for (const VisitEstimate& visit : uncertainty.visits) {
+  for (const VisitEstimate& visit : from.uncertainty.visits) {
     ellipse[visit.asr] = ellipse_of(visit.covariance_m2);
   }
   std::map<AsrId, RoomId> room_of;
-  for (const AsrVertex& vertex : graph.vertices) room_of[vertex.asr] = vertex.room;
+  for (const AsrVertex& vertex : from.graph.vertices) room_of[vertex.asr] = vertex.room;
   Json visits = Json::array();
   for (const AsrCorrection& asr : correction.asrs) {
     visits.push_back({{"asr", asr.asr},
                       {"room", room_of[asr.asr]},
                       {"before", to_json(asr.building_from_asr_before.position())},
                       {"after", to_json(asr.building_from_asr.position())},
+                      {"heading_rad", asr.building_from_asr.theta_rad},
+                      {"middle", middle_of(from.middles, asr.asr)},
                       {"moved_m", to_millimetre(asr.moved_m)},
                       {"turned_deg", degrees(asr.turned_rad)},
                       {"chi_square_before", asr.chi_square_before},
@@ -280,7 +298,8 @@ std::string report_data(const ReportSources& from) {
       data["unexplored"].push_back(json_of(line));
     }
   }
-  data["visits"] = visits_of(from.correction, from.graph, from.uncertainty);
+  data["visits"] = visits_of(from);
+  data["closures"] = closures_of(from.closures);
   data["accuracy"] = accuracy_of(plan_accuracy(from.plan, judgement_of(text("judgement_json"))));
   data["charts"] = charts_of(from.evaluation);
   add_mission(from, data);

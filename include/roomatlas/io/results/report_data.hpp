@@ -8,6 +8,7 @@
 
 #include "roomatlas/correct/place.hpp"
 #include "roomatlas/evaluate/evaluation.hpp"
+#include "roomatlas/loops/closures.hpp"
 #include "roomatlas/loops/visit_graph.hpp"
 #include "roomatlas/plan/floor_plan.hpp"
 
@@ -30,6 +31,8 @@ struct ReportSources {
   PlacedMission placed;
   std::vector<ReportedPath> missions;  ///< of several missions: instead of the one path
   VisitUncertainty uncertainty;
+  std::map<AsrId, StampedPose> middles;  ///< of the visits' paths; building metres
+  std::vector<Closure> closures;
   std::optional<Evaluation> evaluation;
 };
 
