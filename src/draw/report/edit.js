@@ -18,7 +18,7 @@ function makeEditor(data, view) {
   const desk = {
     edits: () => edits,
     say(text) { element('edit-hint').textContent = text; },
-    roomAt: (at) => data.rooms.find((room) => room.parts.some((part) => shapes.covers(part, at))),
+    roomAt: view.roomAt,
     anchor: (room) => ({ id: room.id, at_m: shapes.place(room.label), outline_m: room.parts[0][0].map(shapes.place) }),
     reach: () => Math.max(0.5, 22 / Math.pow(2, map.getZoom())),  // a finger's width
     open(form) { for (const id of forms) element(id).hidden = id !== form; },
@@ -26,7 +26,7 @@ function makeEditor(data, view) {
     preview({ lines = [], thick = [], dots = [], text = '', thin = false }) {
       const style = { pane: 'missions', color: '#a2337c', interactive: false };
       previews.clearLayers();
-      for (const line of lines) L.polyline(line.map(latLng), { ...style, weight: thin ? 1 : 3, opacity: thin ? 0.5 : 1, dashArray: thin ? '' : '6 4' }).addTo(previews);
+      if (lines.length) L.polyline(lines.map((line) => line.map(latLng)), { ...style, weight: thin ? 1 : 3, opacity: thin ? 0.5 : 1, dashArray: thin ? '' : '6 4' }).addTo(previews);
       for (const line of thick) L.polyline(line.map(latLng), { ...style, weight: 6, opacity: 0.6 }).addTo(previews);
       for (const dot of dots) L.circleMarker(latLng(dot), { ...style, radius: 5 }).addTo(previews);
       if (text) L.tooltip({ permanent: true, direction: 'center' }).setLatLng(latLng(shapes.middle(lines[0]))).setContent(text).addTo(previews);

@@ -45,7 +45,7 @@ function matchTools(data, desk) {
     isPicking: () => chosen !== null,
     byKeyboard() { list.focus({ preventScroll: true }); },
     pick(at) {  // again at the same place: the next one there
-      const near = nearest(matches.filter((one) => !isRejected(one)), ({ line }) => toSegment(line, at), at, desk.reach());
+      const near = nearest(matches.filter((one) => !isRejected(one)), ({ line }) => toSegment(line, at), desk.reach());
       return near.length ? choose(near[(near.indexOf(chosen) + 1) % near.length]) : desk.say('No match is drawn there.');
     },
   };

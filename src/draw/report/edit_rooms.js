@@ -22,7 +22,7 @@ function roomTools(data, desk) {
   }
   function atDoor(hint, edit) {
     return { hint, pick(at) {
-      const [door] = nearest(data.doors, (one) => toSegment(one.jambs, at), at, desk.reach());
+      const [door] = nearest(data.doors, (one) => toSegment(one.jambs, at), desk.reach());
       return door ? desk.add({ edit, at_m: place(door.at) }) : desk.say('No door is there.');
     } };
   }

@@ -9,7 +9,7 @@ function wallTool(data, desk) {
   const field = document.getElementById('edit-by');
   const edges = data.rooms.flatMap((room) => room.parts.flatMap((part) => part.flatMap((ring) =>
     straightOf(ring).map((line) => ({ room, line }))))).filter(({ line }) => apart(...line) > 0.05);
-  let wall = null;  // { line, left, rooms: [left, right], faces: m to the left of the line, moved: m by statements before }
+  let wall = null;  // { line, left, rooms: [left, right], faces: m to the left of the line, inLine }
 
   /// The straight stretches of a ring, through doors and through corners that are none.
   function straightOf(ring) {
@@ -38,10 +38,10 @@ function wallTool(data, desk) {
     });
     const t = project(along, origin, at);
     return nearest(behind.filter(({ offset, from, to }) => offset < 0.005 && to - from > 0.3 && from - 0.1 <= t && t <= to + 0.1),
-      ({ offset }) => -offset, at, thickest)[0];
+      ({ offset }) => -offset, thickest)[0];
   }
   function wallAt(at) {
-    const [face] = nearest(edges, ({ line }) => toSegment(line, at), at, desk.reach());
+    const [face] = nearest(edges, ({ line }) => toSegment(line, at), desk.reach());
     if (!face) return null;
     const { along, left } = axes(face.line);
     const other = back(face, at);
@@ -49,6 +49,13 @@ function wallTool(data, desk) {
     const half = other.offset / 2;
     const line = [other.from, other.to].map((t) => place(plus(plus(face.line[0], along, t), left, half)));
     return { line, left, along, rooms: [face.room, other.edge.room], faces: [-half, half] };
+  }
+  /// By how much it would have to be moved to be in line with other walls, by a face on the same side.
+  function linesOf({ line: told, left, along, faces }) {
+    return edges.map(({ room, line }) => [room, parallel(line, along), project(left, told[0], middle(line))])
+      .filter(([, way, offset]) => way !== 0 && Math.abs(offset) < farthest + thickest)
+      .flatMap(([room, way, offset]) => faces.filter((face, i) => (i === 0) === (way > 0)).map((face) => ({ room, by: offset - face })))
+      .filter(({ by }) => Math.abs(by) > 0.02);
   }
   const shifted = (by) => wall.line.map((end) => plus(end, wall.left, by));
   /// What statements before have moved it by.
@@ -62,10 +69,7 @@ function wallTool(data, desk) {
   /// How far to its left the wall would be at a place, snapped; and to the wall of which room.
   function snapped(at) {
     const raw = Math.max(-farthest, Math.min(farthest, project(wall.left, wall.line[0], at)));
-    const lines = edges.map(({ room, line }) => [room, parallel(line, wall.along), project(wall.left, wall.line[0], middle(line))])
-      .filter(([, way]) => way !== 0)
-      .flatMap(([room, way, offset]) => wall.faces.filter((face, i) => (i === 0) === (way > 0)).map((face) => ({ room, by: offset - face })));
-    const [near] = nearest(lines.filter(({ by }) => Math.abs(by) > 0.02), ({ by }) => Math.abs(by - raw), at, Math.min(0.3, desk.reach() / 2));
+    const [near] = nearest(wall.inLine, ({ by }) => Math.abs(by - raw), Math.min(0.3, desk.reach() / 2));
     return near || { by: Math.round(raw * 20) / 20, room: null };
   }
   const name = (room) => (room ? `room ${room.name}` : 'outside');
@@ -75,6 +79,7 @@ function wallTool(data, desk) {
   function choose(at) {
     wall = wallAt(at);
     if (!wall) return desk.say('No wall is there.');
+    wall.inLine = linesOf(wall);
     field.value = '0.00';
     document.getElementById('edit-towards').textContent = `Move the wall (m), positive towards ${name(wall.rooms[0])}, negative towards ${name(wall.rooms[1])}`;
     desk.open('edit-wall');

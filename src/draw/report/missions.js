@@ -17,7 +17,7 @@ function fillMissions(missions, rooms) {
     const style = missionStyle(mission.number - 1);
     const line = document.createElement('span');
     line.className = 'swatch';
-    line.style.borderTop = `3px ${style.dash === '' ? 'solid' : style.dash === '8 3' ? 'dashed' : 'dotted'} ${style.color}`;
+    line.style.borderTop = `3px ${!style.dash ? 'solid' : style.dash[0] === 8 ? 'dashed' : 'dotted'} ${style.color}`;
     td.append(line, ` ${mission.name}`);
   };
   const columns = [

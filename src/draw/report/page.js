@@ -53,13 +53,16 @@
   function selectRoom(id, isFromMap) {
     view.select(id, isFromMap);
     if (!isFromMap) editor.chooseRoom(roomOf.get(id));
-    for (const [room, tr] of roomTable.rows) {
-      const isIt = room.id === id;
-      tr.classList.toggle('selected', isIt);
-      tr.setAttribute('aria-selected', String(isIt));
-      if (isIt) holdTab(tr);
-      if (isIt && isFromMap) tr.scrollIntoView({ block: 'nearest' });
-    }
+    if (selectedRow) markRow(selectedRow, false);
+    selectedRow = roomTable.rows.get(roomOf.get(id));
+    markRow(selectedRow, true);
+    holdTab(selectedRow);
+    if (isFromMap) selectedRow.scrollIntoView({ block: 'nearest' });
+  }
+  let selectedRow = null;
+  function markRow(tr, isIt) {
+    tr.classList.toggle('selected', isIt);
+    tr.setAttribute('aria-selected', String(isIt));
   }
   // The tab key stops at one row, the arrow keys go on from there.
   let tabRow = null;
@@ -111,12 +114,12 @@
 
   // Slider and layers
   const boxes = new Map();
-  for (const [id, label, layer, isShown] of view.layers) {
+  for (const [id, label, isShown] of view.layers) {
     const box = document.createElement('input');
     box.type = 'checkbox';
     box.id = `layer-${id}`;
     box.checked = isShown;
-    box.addEventListener('change', () => view.show(layer, box.checked));
+    box.addEventListener('change', () => view.show(id, box.checked));
     const text = document.createElement('label');
     text.append(box, ` ${label}`);
     element('layers').appendChild(text);
@@ -221,7 +224,7 @@
     { label: 'Chi-square before', value: (visit) => visit.chi_square_before, text: (visit) => fixed(visit.chi_square_before, 1), number: true },
     { label: 'after', value: (visit) => visit.chi_square_after, text: (visit) => fixed(visit.chi_square_after, 1), number: true },
     { label: 'Because of', value: (visit) => because(visit.cause) },
-  ], data.visits);
+  ], data.visits, { isLong: true });
   const chi = (value) => (value < 0 ? '–' : fixed(value, 2));
   const rejected = correction.factors.filter((factor) => factor.weight < 0.1).length;
   element('ledger-count').textContent = `${correction.factors.length} measurements, ${rejected} of them rejected; on the screen each has a line.`;
@@ -232,7 +235,7 @@
     { label: 'Chi-square before', value: (factor) => factor.chi_square_before, text: (factor) => chi(factor.chi_square_before), number: true },
     { label: 'after', value: (factor) => factor.chi_square_after, text: (factor) => chi(factor.chi_square_after), number: true },
     { label: 'Weight', value: (factor) => factor.weight, text: (factor) => fixed(factor.weight, 2), number: true },
-  ], correction.factors, { onRow(tr, factor) { if (factor.weight < 0.1) tr.className = 'rejected'; } });
+  ], correction.factors, { isLong: true, onRow(tr, factor) { if (factor.weight < 0.1) tr.className = 'rejected'; } });
 
   element('parameters').textContent = data.configuration;
 })();

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fills a table and makes its columns sortable.
 // columns: [{ label, value(row), text(row)?, cell(td, row)?, number? }]
-// options: { onRow(tr, row)? }
+// options: { onRow(tr, row)?, isLong? }: of a long table come the next rows when the last is in sight,
+// and all when it is sorted or printed
 // Returns { filter(predicate), rows: Map(row -> tr) }.
 function fillTable(table, columns, rows, options) {
   const collator = new Intl.Collator('en', { numeric: true, sensitivity: 'base' });
@@ -10,7 +11,7 @@ function fillTable(table, columns, rows, options) {
   const body = document.createElement('tbody');
   const rowElements = new Map();
 
-  for (const row of rows) {
+  function add(row) {
     const tr = document.createElement('tr');
     for (const column of columns) {
       const td = document.createElement('td');
@@ -22,6 +23,20 @@ function fillTable(table, columns, rows, options) {
     onRow(tr, row);
     rowElements.set(row, tr);
     body.appendChild(tr);
+  }
+  function fill(upTo) {
+    while (rowElements.size < Math.min(upTo, rows.length)) add(rows[rowElements.size]);
+  }
+  fill(options && options.isLong ? 200 : rows.length);
+  if (rowElements.size < rows.length) {
+    const watch = new IntersectionObserver((seen) => {
+      if (!seen.some((one) => one.isIntersecting)) return;
+      watch.disconnect();
+      fill(rowElements.size + 200);
+      if (rowElements.size < rows.length) watch.observe(body.lastElementChild);
+    });
+    watch.observe(body.lastElementChild);
+    window.addEventListener('beforeprint', () => fill(rows.length));
   }
 
   function compare(column, a, b) {
@@ -42,6 +57,7 @@ function fillTable(table, columns, rows, options) {
       button.type = 'button';
       button.textContent = column.label;
       button.addEventListener('click', () => {
+        fill(rows.length);
         const isAscending = th.getAttribute('aria-sort') === 'ascending';
         for (const other of headRow.children) other.removeAttribute('aria-sort');
         th.setAttribute('aria-sort', isAscending ? 'descending' : 'ascending');

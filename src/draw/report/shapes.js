@@ -7,7 +7,7 @@ const shapes = {
   apart: (a, b) => Math.hypot(b[0] - a[0], b[1] - a[1]),
   middle: ([a, b]) => [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2],
   plus: (point, by, share = 1) => [point[0] + share * by[0], point[1] + share * by[1]],
-  /// How far a line goes along its way, and what is to the left of it: unit vectors.
+  /// The way along a line, and what is to the left of it: unit vectors.
   axes([a, b]) {
     const length = shapes.apart(a, b) || 1;
     const along = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
@@ -24,7 +24,7 @@ const shapes = {
     const share = Math.max(0, Math.min(1, (dx * (at[0] - a[0]) + dy * (at[1] - a[1])) / (dx * dx + dy * dy || 1)));
     return shapes.apart(at, [a[0] + share * dx, a[1] + share * dy]);
   },
-  /// Those within reach of a place, the nearest first.
-  nearest: (things, distance, at, reach) => things.map((thing) => [distance(thing), thing])
+  /// Those within reach, the nearest first.
+  nearest: (things, distance, reach) => things.map((thing) => [distance(thing), thing])
     .filter(([apart]) => apart <= reach).sort((a, b) => a[0] - b[0]).map(([, thing]) => thing),
 };
