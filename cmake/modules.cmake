@@ -3,7 +3,10 @@
 
 # -Wno-restrict: g++ 12 warns falsely on "text" + std::string (its bug 105651). With precompiled
 # headers the same falsehoods come under two more names, since its marks of system headers are lost.
-set(ROOMATLAS_WARNINGS -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Wno-restrict)
+set(ROOMATLAS_WARNINGS -Wall -Wextra -Wconversion -Wshadow -Wpedantic)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  list(APPEND ROOMATLAS_WARNINGS -Wno-restrict)
+endif()
 if(ROOMATLAS_PRECOMPILED_HEADERS AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   list(APPEND ROOMATLAS_WARNINGS -Wno-stringop-overflow -Wno-array-bounds)
 endif()

@@ -3,7 +3,7 @@
 # twice.
 set(ROOMATLAS_SHARED_OBJECTS OFF)
 # Python itself is not built with the sanitizers, and would not load what is.
-if(NOT ROOMATLAS_PYTHON OR NOT ROOMATLAS_PROGRAM OR ROOMATLAS_ASAN)
+if(NOT ROOMATLAS_PYTHON OR NOT ROOMATLAS_PROGRAM OR ROOMATLAS_SANITIZER)
   return()
 endif()
 if(NOT DEFINED Python_EXECUTABLE AND EXISTS /usr/bin/python3)

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 // g++ 12 takes the end of an empty list of edges for uninitialised (boost/optional).
+#ifndef __clang__
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <cmath>

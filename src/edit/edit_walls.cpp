@@ -69,7 +69,7 @@ void move_doors(const Segment2& wall, double low_m, double high_m, const Point2&
     const Polygon in = band(wall, high_m + kBeside_m, kBeside_m - low_m, 0.0);
     if (!contains(in, middle)) continue;
     door.jambs = moved(door.jambs, by);
-    door.frame_from_pivot = Pose2(by.x(), by.y(), 0.0) * door.frame_from_pivot;
+    door.frame_from_pivot = Pose2{by.x(), by.y(), 0.0} * door.frame_from_pivot;
     if (door.leaf) door.leaf = moved(*door.leaf, by);
   }
 }

@@ -45,7 +45,7 @@ std::vector<PlacedWall> walls_of(const Asr& asr, const Pose2& pose, std::size_t 
 /// Takes the visits of a mission, in their order.
 class Observer {
  public:
-  Observer(const FloorPlan& plan, const RoomRaster& raster) : plan_(plan), raster_(raster) {
+  Observer(const FloorPlan& plan, const RoomRaster& raster) : raster_(raster) {
     for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
       for (const AsrId id : plan.rooms[i].asrs) room_of_[id] = i;
       rooms_.push_back({plan.rooms[i].id, 0, 0.0, 0.0, 0.0,
@@ -87,7 +87,6 @@ class Observer {
     last_ = found->second;
   }
 
-  const FloorPlan& plan_;
   const RoomRaster& raster_;
   std::map<AsrId, std::size_t> room_of_;
   std::vector<RoomOfMission> rooms_;  ///< parallel to the plan's

@@ -15,7 +15,6 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kCellM = 0.1;            // larger misses doors
 constexpr float kTightPrice = 3.0F;       // what a metre there costs
 constexpr int kBesideCells = 4;           // how far a place that is walked on may be looked for
 constexpr std::size_t kLongestCut = 200;  // cells of a way that one straight line may replace

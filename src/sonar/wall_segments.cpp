@@ -184,7 +184,9 @@ std::vector<WallSegment> wall_segments(std::span<const RangeReading> readings,
                                        std::span<const double> path_m,
                                        const WallSegmentOptions& options, int jobs) {
   std::vector<WallSegment> segments;
-  for (const auto& [sensor, keys] : key_readings(readings, map_from_robot, options)) {
+  for (const auto& entry : key_readings(readings, map_from_robot, options)) {
+    const auto& sensor = entry.first;
+    const auto& keys = entry.second;
     std::vector<PointTransform> places;
     places.reserve(keys.size());
     for (const std::size_t i : keys) places.emplace_back(map_from_robot[i]);
