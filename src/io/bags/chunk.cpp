@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "chunk.hpp"
+#include "files/unpack_bounds.hpp"
 
 #include "crc32.hpp"
 
@@ -55,6 +56,14 @@ std::string ChunkLoader::load(const Chunk& chunk, Buffer& content) {
   if (std::max(chunk.unpacked_bytes, chunk.packed_bytes) > kLargestChunk_bytes) {
     return "it claims more than 1 GiB";
   }
+  if (chunk.unpacked_bytes > most_unpacked_bytes(chunk.packed_bytes, kMostGrowth)) {
+    return "it claims to grow to more than " + std::to_string(kMostGrowth) +
+           " times its size: nothing that was recorded does";
+  }
+  if (unpacked_bytes_ > most_unpacked_bytes(file_.size(), kMostGrowthStreamed)) {
+    return "the chunks before it are more than " + std::to_string(kMostGrowthStreamed) +
+           " times the file's size: nothing that was recorded is";
+  }
   const auto packed_bytes = static_cast<std::size_t>(
       std::min(chunk.packed_bytes, file_.size() - std::min(file_.size(), chunk.offset)));
   Buffer& packed = *packing == Packing::none ? content : packed_;
@@ -64,6 +73,7 @@ std::string ChunkLoader::load(const Chunk& chunk, Buffer& content) {
   if (*packing != Packing::none && chunk.unpacked_bytes > 0) {
     fault = unpacker_.unpack(*packing, packed.view(), chunk.unpacked_bytes, content);
   }
+  unpacked_bytes_ += content.size();
   if (packed.size() < chunk.packed_bytes) return "the file ends inside it";
   if (!fault.empty()) return fault;
   if (content.size() != chunk.unpacked_bytes) return "it unpacks to fewer bytes than it claims";

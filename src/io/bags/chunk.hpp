@@ -87,6 +87,7 @@ class ChunkLoader {
 
  private:
   BagFile& file_;
+  std::uint64_t unpacked_bytes_ = 0;  ///< of all chunks so far
   Unpacker unpacker_;
   Buffer packed_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rosbag2_folder.hpp"
 
+#include "files/place_inside.hpp"
 #include "rosbag2_metadata.hpp"
 #include "wrapped_readers.hpp"
 
@@ -73,7 +74,8 @@ fs::path place_of(const fs::path& folder, const std::string& listed) {
   const fs::path file(listed);
   std::string unpacked = file.filename().string();
   if (unpacked.ends_with(".zstd")) unpacked.resize(unpacked.size() - 5);
-  for (const fs::path& place : {folder / file, folder / file.filename(), folder / unpacked}) {
+  for (const fs::path& place :
+       {place_inside(folder, listed), folder / file.filename(), folder / unpacked}) {
     std::error_code error;
     if (fs::is_regular_file(place, error)) return place;
   }

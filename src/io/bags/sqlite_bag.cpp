@@ -6,6 +6,8 @@
 #include "rosbag2_metadata.hpp"
 #include "topic_table.hpp"
 
+#include "files/sqlite_defences.hpp"
+
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <algorithm>
@@ -14,6 +16,8 @@
 
 namespace roomatlas::io {
 namespace {
+
+constexpr int kLargestMessage_bytes = 1 << 28;  // clouds take some 10 MB
 
 /// A recording that was not closed has its last messages there.
 bool has_write_ahead_log(const std::filesystem::path& file) {
@@ -43,6 +47,7 @@ std::string uri_of(const std::filesystem::path& file, const char* parameters) {
 std::unique_ptr<SQLite::Database> open_database(const std::filesystem::path& file, bool has_log) {
   const std::string uri = uri_of(file, has_log ? "?mode=ro&vfs=unix-none" : "?immutable=1");
   auto database = std::make_unique<SQLite::Database>(uri, SQLite::OPEN_READONLY | SQLite::OPEN_URI);
+  defend(database->getHandle(), kLargestMessage_bytes);
   if (has_log) database->exec("PRAGMA locking_mode = EXCLUSIVE");
   return database;
 }

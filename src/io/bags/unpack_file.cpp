@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "unpack_file.hpp"
+#include "files/unpack_bounds.hpp"
 
 #include "roomatlas/core/issue.hpp"
 
@@ -60,6 +61,7 @@ bool unpack_file(BagFile& packed, TemporaryFile& unpacked,
   out.resize(kBlock_bytes);
   bool is_asked = false;
   std::size_t state = 1;
+  std::uint64_t unpacked_bytes = 0;
   for (std::uint64_t offset = 0; offset < packed.size();) {
     in.resize(kBlock_bytes);
     in.resize(packed.read(offset, in.span()));
@@ -81,6 +83,13 @@ bool unpack_file(BagFile& packed, TemporaryFile& unpacked,
         is_asked = true;
       }
       if (is_asked) unpacked.write(got);
+      unpacked_bytes += got.size();
+      if (unpacked_bytes > most_unpacked_bytes(offset, kMostGrowthStreamed)) {
+        throw InputError(packed.name() + ": its zstd data grows to more than " +
+                         std::to_string(kMostGrowthStreamed) +
+                         " times its size: expected a recording. If it is one, unpack it with "
+                         "`unzstd`");
+      }
     }
   }
   if (state != 0) fault = "its zstd data ends early: it was cut short";

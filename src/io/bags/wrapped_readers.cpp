@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "wrapped_readers.hpp"
+#include "files/unpack_bounds.hpp"
 
 #include "bag_issues.hpp"
 #include "chunk.hpp"
@@ -35,8 +36,7 @@ class MessageUnpacker final : public Wrapper {
       const bool is_packed =
           is_zstd(message->bytes) && topics()[message->topic].encoding == BagEncoding::cdr;
       if (!is_packed) return message;
-      const std::string fault =
-          unpacker_.unpack(Packing::zstd, message->bytes, kLargestChunk_bytes, content_);
+      const std::string fault = unpack(message->bytes);
       if (fault.empty()) {
         message->bytes = content_.view();
         return message;
@@ -52,6 +52,20 @@ class MessageUnpacker final : public Wrapper {
   }
 
  private:
+  /// Into `content_`; what is wrong, for people.
+  std::string unpack(ByteSpan packed) {
+    packed_bytes_ += packed.size();
+    const std::uint64_t in_all = most_unpacked_bytes(packed_bytes_, kMostGrowthStreamed);
+    const std::uint64_t most =
+        std::min({most_unpacked_bytes(packed.size(), kMostGrowth), kLargestChunk_bytes,
+                  in_all - std::min(in_all, unpacked_bytes_)});
+    std::string fault = unpacker_.unpack(Packing::zstd, packed, most, content_);
+    unpacked_bytes_ += content_.size();
+    return fault;
+  }
+
+  std::uint64_t packed_bytes_ = 0;
+  std::uint64_t unpacked_bytes_ = 0;
   Unpacker unpacker_;
   Buffer content_;
   BagIssues issues_{""};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "nav2_map.hpp"
 
+#include "files/place_inside.hpp"
 #include "text/line_reader.hpp"
 #include "text/numbers.hpp"
 #include "text/tokens.hpp"
@@ -126,12 +127,13 @@ MapMode read_mode(const FlatYaml& yaml) {
   yaml.fail("mode", *value, "trinary, scale or raw: save the map again in one of these modes");
 }
 
-/// The picture that the file names, or the same packed.
+/// The picture that the file names, or the same packed, in its folder or below.
 std::filesystem::path picture_of(const std::filesystem::path& file, const std::string& image) {
-  std::filesystem::path picture = file.parent_path() / image;
-  if (std::filesystem::exists(picture)) return picture;
+  std::filesystem::path picture = place_inside(file.parent_path(), image);
+  std::error_code error;
+  if (std::filesystem::is_regular_file(picture, error)) return picture;
   const std::filesystem::path packed = picture.string() + ".gz";
-  return std::filesystem::exists(packed) ? packed : picture;
+  return std::filesystem::is_regular_file(packed, error) ? packed : picture;
 }
 
 }  // namespace
@@ -141,10 +143,13 @@ Nav2Map read_nav2_map(const std::filesystem::path& file) {
   Nav2Map map;
   const Value& image = yaml.at("image", "the name of the picture");
   map.picture = picture_of(file, image.text);
-  if (!std::filesystem::exists(map.picture)) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(map.picture, error)) {
     yaml.fail("image", image,
-              "the name of a picture beside this file (there is no " + map.picture.string() +
-                  ", nor the same with .gz): put it there, or correct the name");
+              "the name of a picture beside this file or below (there is no " +
+                  map.picture.string() +
+                  ", nor the same with .gz; names that lead elsewhere are not followed): put it "
+                  "there, or correct the name");
   }
   const char* metres = "metres a pixel, from 0.001 to 10";
   OccupancyScale& scale = map.scale;

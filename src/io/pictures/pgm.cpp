@@ -10,9 +10,6 @@
 namespace roomatlas::io {
 namespace {
 
-// A damaged header must not take all memory.
-constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;
-
 /// Walks over the words of a PGM; `#` comments reach to the end of the line.
 class Words {
  public:
@@ -68,10 +65,12 @@ Picture parse_pgm(const std::string& bytes, const std::string& name) {
   const std::size_t bytes_per_pixel = picture.white > 255 ? 2 : 1;
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const std::size_t begin = words.at() + 1;  // one blank ends the header of a P5
-  if (!is_text && begin + pixels * bytes_per_pixel > bytes.size()) {
+  // In text a pixel is a digit and a blank, but for the last one's.
+  const std::size_t least_bytes = is_text ? 2 * pixels - 1 : pixels * bytes_per_pixel;
+  if (begin + least_bytes > bytes.size()) {
     throw InputError(name + ": cut short: " + std::to_string(width) + " x " +
-                     std::to_string(height) + " pixels need " +
-                     std::to_string(pixels * bytes_per_pixel) + " bytes, and there are " +
+                     std::to_string(height) + " pixels need " + (is_text ? "at least " : "") +
+                     std::to_string(least_bytes) + " bytes, and there are " +
                      std::to_string(bytes.size() - std::min(begin, bytes.size())));
   }
   picture.values = CellGrid<int>(width, height);

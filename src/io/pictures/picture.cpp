@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture.hpp"
+#include "files/unpack_bounds.hpp"
+#include "text/line_reader.hpp"
 
 #include "roomatlas/core/issue.hpp"
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <memory>
@@ -28,6 +31,7 @@ std::string read_unpacked(const std::filesystem::path& file, std::size_t most_by
   if (std::filesystem::is_directory(file)) {
     throw InputError(name + ": is a directory; name a file inside it");
   }
+  require_regular_file(file);
   const std::unique_ptr<gzFile_s, GzClose> stream(gzopen(name.c_str(), "rb"));
   if (stream == nullptr) throw InputError(name + ": cannot be opened");
   std::string bytes;
@@ -36,6 +40,12 @@ std::string read_unpacked(const std::filesystem::path& file, std::size_t most_by
   while (bytes.size() < most_bytes &&
          (count = gzread(stream.get(), block.data(), block.size())) > 0) {
     bytes.append(block.data(), static_cast<std::size_t>(count));
+    const auto packed = static_cast<std::uint64_t>(std::max<z_off_t>(0, gzoffset(stream.get())));
+    if (bytes.size() > most_unpacked_bytes(packed, kMostGrowth)) {
+      throw InputError(
+          name + ": its gzip data grows to more than " + std::to_string(kMostGrowth) +
+          " times its size: expected a picture. If it is one, unpack it with `gunzip`");
+    }
   }
   int error = Z_OK;
   gzerror(stream.get(), &error);

@@ -3,11 +3,16 @@
 
 #include "maps/cell_grid.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <string>
 
 namespace roomatlas::io {
+
+/// A damaged or ill-meant header must not take all memory: no more pixels are read, and of a PNG,
+/// whose pixels may take no bytes, a quarter of them.
+inline constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;
 
 /// A grey picture as cells: row 0 is the lowest.
 struct Picture {
@@ -30,7 +35,8 @@ struct Picture {
 /// PGM (P2 and P5, 8 or 16 bits) or PNG; colours become the mean of red, green and blue, and a
 /// pixel that is less than half opaque is transparent.
 /// @param name of the file, for messages
-/// Throws InputError when it is neither, is cut short, or has more than 2^28 pixels.
+/// Throws InputError when it is neither, is cut short, or has more pixels than `kMostPixels`
+/// allows.
 [[nodiscard]] Picture parse_picture(const std::string& bytes, const std::string& name);
 
 /// The two kinds; `parse_picture` chooses.

@@ -22,6 +22,27 @@ cairo_status_t take_bytes(void* from, unsigned char* to, unsigned int length) {
   return CAIRO_STATUS_SUCCESS;
 }
 
+/// Width and height stand at fixed places (PNG specification, 11.2.1): cairo would take memory for
+/// whatever they say.
+void require_size(const std::string& bytes, const std::string& name) {
+  constexpr std::size_t kWidth = 16;
+  constexpr std::size_t kHeight = 20;
+  constexpr std::int64_t kMost = kMostPixels / 4;
+  if (bytes.size() < kHeight + 4) return;  // cairo says so
+  const auto number = [&](std::size_t at) {
+    std::int64_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      value = 256 * value + static_cast<unsigned char>(bytes[at + i]);
+    return value;
+  };
+  const std::int64_t width = number(kWidth);
+  const std::int64_t height = number(kHeight);
+  if (width == 0 || height <= kMost / width) return;
+  throw InputError(name + ": has " + std::to_string(width) + " x " + std::to_string(height) +
+                   " pixels, expected at most " + std::to_string(kMost) +
+                   ": save it with larger pixels, or as PGM");
+}
+
 void require(cairo_status_t status, const std::string& name) {
   if (status == CAIRO_STATUS_SUCCESS) return;
   throw InputError(name + ": not a PNG that can be read (" + cairo_status_to_string(status) +
@@ -31,6 +52,7 @@ void require(cairo_status_t status, const std::string& name) {
 }  // namespace
 
 Picture parse_png(const std::string& bytes, const std::string& name) {
+  require_size(bytes, name);
   std::string_view rest = bytes;
   const Surface read(cairo_image_surface_create_from_png_stream(take_bytes, &rest));
   require(cairo_surface_status(read.get()), name);

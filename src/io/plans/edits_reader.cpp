@@ -9,6 +9,7 @@
 #include "text/json.hpp"
 #include "text/json_field.hpp"
 #include "text/nearest_name.hpp"
+#include "text/parse_json.hpp"
 
 namespace roomatlas {
 namespace {
@@ -144,20 +145,10 @@ Edit edit_of(const Json& json, const JsonField& statement) {
   word.fail("a kind of statement; the nearest is \"" + io::nearest_name(word.text(), words) + "\"");
 }
 
-Json parsed(const std::string& text, const std::string& file) {
-  try {
-    return Json::parse(text);
-  } catch (const Json::exception& error) {
-    std::string what = error.what();  // "[json.exception.parse_error.101] parse error at ..."
-    what.erase(0, std::min(what.size(), what.find("] ") + 2));
-    throw InputError(file + ": not valid JSON: " + what);
-  }
-}
-
 }  // namespace
 
 std::vector<Edit> edits_of(const std::string& text, const std::string& file) {
-  const Json json = parsed(text, file);
+  const Json json = io::parse_json(text, file);
   const JsonField document(json, file, "");
   const JsonField format = document.at("format");
   if (format.text() != edits_schema::kFormat) format.fail("\"roomatlas-edits\"");

@@ -4,6 +4,7 @@
 #include "roomatlas/core/issue.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
 #include "text/json.hpp"
+#include "text/parse_json.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -18,13 +19,7 @@ Json parse(const Path& file) {
   if (!stream || std::filesystem::is_directory(file)) {
     throw InputError(file.string() + ": cannot be opened");
   }
-  try {
-    return Json::parse(stream);
-  } catch (const Json::exception& error) {
-    std::string what = error.what();  // "[json.exception.parse_error.101] parse error at ..."
-    what.erase(0, std::min(what.size(), what.find("] ") + 2));
-    throw InputError(file.string() + ": not valid JSON: " + what);
-  }
+  return io::parse_json({std::istreambuf_iterator<char>(stream), {}}, file.string());
 }
 
 std::string read_header(const JsonField& document) {

@@ -13,6 +13,7 @@
 #include "roomatlas/io/plans/georeference.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
 #include "text/json.hpp"
+#include "text/parse_json.hpp"
 #include "walls_of_rooms.hpp"
 
 namespace roomatlas {
@@ -321,7 +322,9 @@ FloorPlan read_rooms(const Json& json, const Path& file) {
 
 FloorPlan read_any_plan(const Path& file) {
   std::ifstream in(file, std::ios::binary);
-  const Json json = Json::parse(in, nullptr, false);
+  const std::string text(std::istreambuf_iterator<char>(in), {});
+  const bool is_deep = io::nests_too_deep(text);
+  const Json json = is_deep ? Json(nullptr) : Json::parse(text, nullptr, false);
   if (!json.is_object() || json.value("type", Json()) != "FeatureCollection") {
     return read_plan(file);  // which says what is wrong
   }

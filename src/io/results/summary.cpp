@@ -201,9 +201,14 @@ std::string to_json(const Evaluation& evaluation, const std::optional<Judgement>
 Answers answers_in(const std::map<std::string, std::string>& metadata) {
   const auto text = metadata.find("answers_json");
   if (text == metadata.end() || text->second.empty()) return {};
-  const Json json = Json::parse(text->second);
-  return {json.at("drawn"), json.at("count"), json.at("first_score_m"), json.at("second_score_m"),
-          json.at("second")};
+  try {
+    const Json json = Json::parse(text->second);
+    return {json.at("drawn"), json.at("count"), json.at("first_score_m"), json.at("second_score_m"),
+            json.at("second")};
+  } catch (const Json::exception& error) {
+    throw InputError(std::string("the answers are damaged (") + error.what() +
+                     "): assemble the store again");
+  }
 }
 
 std::string summary_json(const std::map<std::string, std::string>& metadata,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database.hpp"
 
+#include "files/sqlite_defences.hpp"
+
 #include <sqlite3.h>
 
 #include <cmath>
@@ -120,14 +122,7 @@ void Binder::operator()(const std::optional<std::int64_t>& value) {
 
 Database::Database(const std::filesystem::path& file, int sqlite_flags)
     : connection_(file.string(), sqlite_flags, kBusyTimeout_ms) {
-  // A stranger's store may hold what was made to do harm: nothing in its schema is executed.
-  sqlite3* const handle = connection_.getHandle();
-  for (const int setting : {SQLITE_DBCONFIG_TRUSTED_SCHEMA, SQLITE_DBCONFIG_ENABLE_TRIGGER,
-                            SQLITE_DBCONFIG_ENABLE_VIEW, SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION}) {
-    sqlite3_db_config(handle, setting, 0, nullptr);
-  }
-  sqlite3_limit(handle, SQLITE_LIMIT_ATTACHED, 1);  // VACUUM INTO needs one
-  sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, kLargestValue_bytes);
+  io::defend(connection_.getHandle(), kLargestValue_bytes);
   set_defensive(true);
   execute("PRAGMA cell_size_check = ON");
 }

@@ -7,6 +7,9 @@
 #include "geopackage_tables.hpp"
 #include "member_missions.hpp"
 #include "roomatlas/io/results/judgement_json.hpp"
+#include "roomatlas/io/results/summary.hpp"
+#include "text/json.hpp"
+#include "text/parse_json.hpp"
 
 #include <charconv>
 
@@ -134,6 +137,24 @@ void GeoPackageStore::put_metadata(const std::map<std::string, std::string>& val
   state_->transaction([&](Database& db) { write_metadata(db, values); });
 }
 
+namespace {
+
+/// Values whose keys say so are JSON objects; who reads them relies on that.
+void require_json(const std::string& key, const std::string& value) {
+  if (!key.ends_with("_json") || value.empty()) return;
+  if (io::nests_too_deep(value) || !Json::parse(value, nullptr, false).is_object()) {
+    throw DamagedData(key + " is no JSON object");
+  }
+  try {
+    if (key == "judgement_json") (void)judgement_of(value);
+    if (key == "answers_json") (void)answers_in({{key, value}});
+  } catch (const InputError& error) {
+    throw DamagedData(key + ": " + error.what());
+  }
+}
+
+}  // namespace
+
 std::optional<Judgement> GeoPackageStore::judgement() const {
   const std::map<std::string, std::string> values = metadata();
   const auto judgement = values.find("judgement_json");
@@ -145,7 +166,9 @@ std::map<std::string, std::string> GeoPackageStore::metadata() const {
     std::map<std::string, std::string> values;
     db.for_each_row("SELECT key, value FROM metadata", [&](Row& row) {
       std::string key = row.text();
-      values[std::move(key)] = row.text();
+      std::string value = row.text();
+      require_json(key, value);
+      values[std::move(key)] = std::move(value);
     });
     return values;
   });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_reader.hpp"
+#include "files/unpack_bounds.hpp"
 
 #include "text/binary_files.hpp"
 
@@ -66,12 +67,12 @@ void require_regular_file(const std::filesystem::path& file) {
 }
 
 LineReader::LineReader(const std::filesystem::path& file)
-    : file_(new GzFile{open_or_throw(file)}), buffer_(kLongestLine) {
+    : name_(file.string()), file_(new GzFile{open_or_throw(file)}), buffer_(2 * kBlock) {
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(file, error);
   file_bytes_ = error ? 0 : bytes;
   fill();
-  check_first_block(file.string());
+  check_first_block();
   find_line_end();
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (std::string_view(buffer_.data(), filled_).starts_with(kByteOrderMark)) {
@@ -79,10 +80,10 @@ LineReader::LineReader(const std::filesystem::path& file)
   }
 }
 
-void LineReader::check_first_block(const std::string& name) const {
+void LineReader::check_first_block() const {
   if (filled_ == 0) {
-    if (end_ == End::complete) throw InputError(name + ": is empty; nothing was recorded in it");
-    throw InputError(name +
+    if (end_ == End::complete) throw InputError(name_ + ": is empty; nothing was recorded in it");
+    throw InputError(name_ +
                      ": its gzip data is damaged or cut short at the very beginning; "
                      "copy the file again");
   }
@@ -90,9 +91,9 @@ void LineReader::check_first_block(const std::string& name) const {
   const bool has_nul = std::find(buffer_.begin(), end, '\0') != end;
   const auto controls = static_cast<std::size_t>(std::count_if(buffer_.begin(), end, is_control));
   const std::string kind = binary_kind({buffer_.data(), filled_}, gzdirect(file_->handle) == 0);
-  if (!kind.empty()) throw InputError(name + ": " + kind);
+  if (!kind.empty()) throw InputError(name_ + ": " + kind);
   if (has_nul || controls * kTextPerControl > filled_) {
-    throw InputError(name + ": is a binary file; expected text, plain or gzip");
+    throw InputError(name_ + ": is a binary file; expected text, plain or gzip");
   }
 }
 
@@ -116,12 +117,22 @@ void LineReader::fill() {
   const int got = gzread(file_->handle, buffer_.data() + filled_, static_cast<unsigned>(room));
   if (got > 0) {
     filled_ += static_cast<std::size_t>(got);
+    unpacked_bytes_ += static_cast<std::uint64_t>(got);
+    check_growth();
     return;
   }
   int error = Z_OK;
   const std::string_view message = gzerror(file_->handle, &error);
   end_ = error == Z_BUF_ERROR ? End::cut_short : got < 0 ? End::damaged : End::complete;
   if (end_ == End::damaged && message.ends_with("check")) end_ = End::wrong_checksum;
+}
+
+void LineReader::check_growth() const {
+  const auto packed = static_cast<std::uint64_t>(std::max<z_off_t>(0, gzoffset(file_->handle)));
+  if (unpacked_bytes_ <= most_unpacked_bytes(packed, kMostGrowth)) return;
+  throw InputError(name_ + ": its gzip data grows to more than " + std::to_string(kMostGrowth) +
+                   " times its size: expected a text that somebody wrote. If it is one, unpack it "
+                   "with `gunzip`");
 }
 
 std::optional<std::string_view> LineReader::next() {
@@ -133,7 +144,8 @@ std::optional<std::string_view> LineReader::next() {
     if (found != nullptr) {
       return take(static_cast<std::size_t>(static_cast<const char*>(found) - start), true);
     }
-    if (available == buffer_.size()) return skip_long_line();
+    if (available == kLongestLine) return skip_long_line();
+    if (available == buffer_.size()) buffer_.resize(std::min(2 * available, kLongestLine));
     if (end_ != End::not_reached) {
       if (available == 0) return std::nullopt;
       return take(available, false);

@@ -36,7 +36,8 @@ class LineReader {
   /// text (its first block has NUL or many control characters).
   explicit LineReader(const std::filesystem::path& file);
 
-  /// The next line without its end, valid until the next call; nothing at the end.
+  /// The next line without its end, valid until the next call; nothing at the end. Throws
+  /// InputError for gzip data that unpacks to more than anybody wrote.
   [[nodiscard]] std::optional<std::string_view> next();
   /// 1-based number of the line that `next` returned last.
   [[nodiscard]] std::int64_t line_number() const { return line_number_; }
@@ -56,16 +57,19 @@ class LineReader {
 
   void fill();
   void find_line_end();
-  void check_first_block(const std::string& name) const;
+  void check_growth() const;
+  void check_first_block() const;
   std::string_view take(std::size_t length, bool terminated);
   std::string_view skip_long_line();
 
+  std::string name_;
   std::unique_ptr<GzFile, GzFileDelete> file_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0;  ///< of what has not been handed out
   std::size_t filled_ = 0;
   char line_end_ = '\n';
   std::uintmax_t file_bytes_ = 0;
+  std::uint64_t unpacked_bytes_ = 0;
   std::int64_t line_number_ = 0;
   bool line_is_terminated_ = true;
   bool line_is_too_long_ = false;

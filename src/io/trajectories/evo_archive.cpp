@@ -47,7 +47,7 @@ std::string info_json(const EvoResult& result) {
 std::string stats_json(const EvoResult& result) {
   Json json = Json::object();
   for (const auto& [name, value] : named(result.statistics)) json[name] = value;
-  return json.dump();
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace

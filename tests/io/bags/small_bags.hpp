@@ -4,6 +4,8 @@
 #include "bag_bytes.hpp"
 #include "read_bag.hpp"
 
+#include <algorithm>
+
 #include <string>
 #include <vector>
 

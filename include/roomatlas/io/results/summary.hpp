@@ -23,7 +23,7 @@ namespace roomatlas {
 /// Which of several answers a map is, as one JSON object.
 [[nodiscard]] std::string to_json(const Answers& answers);
 /// What a store keeps of them, one answer where it keeps nothing.
-/// @throws nlohmann::json::exception where its text is none of `to_json`
+/// @throws InputError where its text is none of `to_json`
 [[nodiscard]] Answers answers_in(const std::map<std::string, std::string>& metadata);
 
 /// What had to be done about odometry, as one JSON object.
