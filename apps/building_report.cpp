@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "evaluation_report.hpp"
+#include "printable.hpp"
 #include "roomatlas/core/counted.hpp"
 #include "roomatlas/evaluate/plan_accuracy.hpp"
 #include "roomatlas/io/results/summary.hpp"
@@ -39,15 +40,15 @@ void print_rooms(const FloorPlan& plan) {
     area_m2 += room.area_m2;
     if (is_named(room)) width = std::max(width, 2 + columns_of(room.name));
   }
-  fmt::print("{}, {:.1f} m2\n", counted(plan.rooms.size(), "room"), area_m2);
+  say("{}, {:.1f} m2\n", counted(plan.rooms.size(), "room"), area_m2);
   for (std::size_t i = 0; i < std::min(kMostRooms, plan.rooms.size()); ++i) {
     const PlanRoom& room = plan.rooms[i];
     const std::string name = is_named(room) ? "  " + room.name : "";
-    fmt::print("  {:>4}{}  {:<8}  {:>8.1f} m2\n", room.id, padded(name, width),
-               to_string(room.kind), room.area_m2);
+    say("  {:>4}{}  {:<8}  {:>8.1f} m2\n", room.id, padded(name, width), to_string(room.kind),
+        room.area_m2);
   }
   if (plan.rooms.size() > kMostRooms) {
-    fmt::print("  ... and {} more: rooms.csv has all\n", plan.rooms.size() - kMostRooms);
+    say("  ... and {} more: rooms.csv has all\n", plan.rooms.size() - kMostRooms);
   }
 }
 
@@ -68,7 +69,7 @@ void print_doors(const FloorPlan& plan) {
   if (passages > 0) text += fmt::format(", {} of them without leaf and frame", passages);
   if (leading_on > 0) text += fmt::format(", {} to where the robot was not", leading_on);
   if (windows > 0) text += "; " + counted(windows, "window");
-  fmt::print("{}\n", text);
+  say("{}\n", text);
 }
 
 /// How well it is measured, by itself and by truth where there is some.
@@ -85,12 +86,12 @@ void print_accuracy(const FloorPlan& plan, const std::optional<Judgement>& judge
                     "{:.1f} deg",
                     judgement->place_m, 100.0 * judgement->scale_share, judgement->heading_deg));
   }
-  if (!text.empty()) fmt::print("accuracy: {}\n", text);
+  if (!text.empty()) say("accuracy: {}\n", text);
   if (!evaluation.true_poses) return;
   const TruePosesBeforeAfter& poses = *evaluation.true_poses;
   if (poses.after.position_m.count == 0) return;
-  fmt::print("against true poses: {:.3f} m off on average, odometry alone {:.3f} m\n",
-             poses.after.fitted_position_m.mean, poses.before.fitted_position_m.mean);
+  say("against true poses: {:.3f} m off on average, odometry alone {:.3f} m\n",
+      poses.after.fitted_position_m.mean, poses.before.fitted_position_m.mean);
 }
 
 /// The one sentence.
@@ -115,12 +116,12 @@ bool has(const Names& files, const char* name) {
 
 void print_files(const MadeOf& made) {
   if (has(made.files, "report.html")) {
-    fmt::print("open first: {} (in a browser)\n", (made.folder / "report.html").string());
+    say("open first: {} (in a browser)\n", (made.folder / "report.html").string());
   }
   if (has(made.files, "plan.pdf")) {
-    fmt::print("to print:   {}\n", (made.folder / "plan.pdf").string());
+    say("to print:   {}\n", (made.folder / "plan.pdf").string());
   }
-  fmt::print("{} in {}\n", counted(made.files.size(), "file"), made.folder.string());
+  say("{} in {}\n", counted(made.files.size(), "file"), made.folder.string());
 }
 
 Json json_of(const PlanDoor& door) {
@@ -143,6 +144,12 @@ void print(const Json& json) {
   fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
+Json texts_of(const Issues& issues) {
+  Json texts = Json::array();
+  for (const Issue& issue : issues) texts.push_back(to_string(issue));
+  return texts;
+}
+
 void print_json(const GeoPackageStore& store, const FloorPlan& plan,
                 const std::optional<Judgement>& judgement, const MadeOf& made) {
   Json json = Json::parse(to_json(made.evaluation, judgement, store.metadata()["answers_json"]));
@@ -155,6 +162,10 @@ void print_json(const GeoPackageStore& store, const FloorPlan& plan,
   }
   json["doors"] = Json::array();
   for (const PlanDoor& door : plan.doors) json["doors"].push_back(json_of(door));
+  json["plan_issues"] = texts_of(plan.issues);
+  // What was read, with its warnings; none in a store of several missions.
+  const Json mission = Json::parse(store.metadata()["mission_json"], nullptr, false);
+  if (mission.is_object()) json["mission"] = mission;
   json["trust"] = trust_in(plan, judgement);
   json["files"] = made.files;
   json["gone_on"] = Json::array();
@@ -178,7 +189,7 @@ void report_building(const Settings& settings, const GeoPackageStore& store, con
   print_rooms(plan);
   print_doors(plan);
   print_accuracy(plan, judgement, made.evaluation);
-  fmt::print("{}\n", trust_in(plan, judgement));
+  say("{}\n", trust_in(plan, judgement));
   print_files(made);
 }
 
@@ -192,8 +203,8 @@ void tell_files(const Settings& settings, const std::filesystem::path& folder, c
     print(Json{{"files", files}});
     return;
   }
-  fmt::print("{} in {}:\n", counted(files.size(), "file"), folder.string());
-  for (const std::string& file : files) fmt::print("  {}\n", file);
+  say("{} in {}:\n", counted(files.size(), "file"), folder.string());
+  for (const std::string& file : files) say("  {}\n", file);
 }
 
 }  // namespace roomatlas::apps

@@ -23,6 +23,7 @@
 #include "limits.hpp"
 #include "man_page.hpp"
 #include "output_places.hpp"
+#include "printable.hpp"
 #include "wrong_usage.hpp"
 
 namespace roomatlas::apps {
@@ -323,7 +324,7 @@ int run_command_line(int argc, char** argv) {
   } catch (const CLI::Success& success) {
     return app.exit(success);  // --help and --version
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "{}", explain(app, error));
+    fmt::print(stderr, "{}", printable_lines(explain(app, error)));
     return kUsage;
   }
   complete(settings, app);

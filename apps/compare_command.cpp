@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "output_places.hpp"
+#include "printable.hpp"
 #include "roomatlas/changes/find_changes.hpp"
 #include "roomatlas/changes/lay_on.hpp"
 #include "roomatlas/correct/correct.hpp"
@@ -105,23 +106,22 @@ std::string place_of(const Change& change) {
 }
 
 void print(const PlanChanges& found) {
-  fmt::print(
-      "new building in the old one: {:.2f} m, {:.2f} m, {:.2f} deg; {:.0f} m2 seen by both\n",
+  say("new building in the old one: {:.2f} m, {:.2f} m, {:.2f} deg; {:.0f} m2 seen by both\n",
       found.old_from_new.x_m, found.old_from_new.y_m, degrees(found.old_from_new.theta_rad),
       found.compared_m2);
   if (!found.tells_changes) {
-    fmt::print("sonars: what stands where is not told by echoes, rooms alone are compared\n");
+    say("sonars: what stands where is not told by echoes, rooms alone are compared\n");
   }
   for (const Change& change : found.changes) {
-    fmt::print("{:4}  {:<17} {:5.2f} m  at {:7.2f}, {:7.2f}  in {}; readings {} then, {} now\n",
-               change.id, to_string(change.kind), change.size_m, change.at.x(), change.at.y(),
-               place_of(change), change.before.readings(), change.after.readings());
+    say("{:4}  {:<17} {:5.2f} m  at {:7.2f}, {:7.2f}  in {}; readings {} then, {} now\n", change.id,
+        to_string(change.kind), change.size_m, change.at.x(), change.at.y(), place_of(change),
+        change.before.readings(), change.after.readings());
   }
   for (const OneSidedRoom& room : found.rooms) {
-    fmt::print("      {}: {}, {:.1f} m2, {:.0f} % of it seen from outside\n", to_string(room),
-               room.name, room.area_m2, 100.0 * room.seen_share);
+    say("      {}: {}, {:.1f} m2, {:.0f} % of it seen from outside\n", to_string(room), room.name,
+        room.area_m2, 100.0 * room.seen_share);
   }
-  if (found.tells_changes && found.changes.empty()) fmt::print("nothing changed\n");
+  if (found.tells_changes && found.changes.empty()) say("nothing changed\n");
 }
 
 }  // namespace

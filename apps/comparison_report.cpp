@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "console.hpp"
+#include "printable.hpp"
 #include "roomatlas/core/counted.hpp"
 #include "roomatlas/evaluate/figures.hpp"
 
@@ -31,41 +32,38 @@ std::string heading_of(const Figure& figure) {
 
 void print_row(const Figure& figure, std::size_t width) {
   const Statistics& s = figure.statistics;
-  fmt::print("  {:<{}} {:>6} {:>4.0f} % {:>9} {:>22}", figure.run, width, s.count,
-             100.0 * figure.share(), short_text(s.mean),
-             figure.interval ? interval_text(*figure.interval) : "");
+  say("  {:<{}} {:>6} {:>4.0f} % {:>9} {:>22}", figure.run, width, s.count, 100.0 * figure.share(),
+      short_text(s.mean), figure.interval ? interval_text(*figure.interval) : "");
   for (const double value :
        {s.rmse, s.standard_deviation, s.median, s.minimum, s.maximum, s.mean_square}) {
-    fmt::print(" {:>9}", short_text(value));
+    say(" {:>9}", short_text(value));
   }
-  fmt::print("\n");
+  say("\n");
   if (!figure.against_first) return;
   const ConfidenceInterval& less = *figure.against_first;
   const char* verdict = less.high < 0.0  ? "better"
                         : less.low > 0.0 ? "worse"
                                          : "no clear difference";
-  fmt::print("  {:<{}} {:>6} {:>6} {:>9} {:>22}  than the first run: {}\n", "", width,
-             figure.shared, "", (less.mean > 0.0 ? "+" : "") + short_text(less.mean),
-             interval_text(less), verdict);
+  say("  {:<{}} {:>6} {:>6} {:>9} {:>22}  than the first run: {}\n", "", width, figure.shared, "",
+      (less.mean > 0.0 ? "+" : "") + short_text(less.mean), interval_text(less), verdict);
 }
 
 void print_used(const Comparison& comparison, const std::vector<std::string>& steps) {
-  fmt::print("truth: {}", comparison.truth);
-  if (comparison.relations > 0) fmt::print(", {}", counted(comparison.relations, "relation"));
-  if (comparison.true_poses > 0) fmt::print(", {}", counted(comparison.true_poses, "pose"));
-  fmt::print("\ntimes: {}\n", describe(comparison.options.match, comparison.carried));
-  for (const std::string& step : steps) fmt::print("used: {}\n", step);
+  say("truth: {}", comparison.truth);
+  if (comparison.relations > 0) say(", {}", counted(comparison.relations, "relation"));
+  if (comparison.true_poses > 0) say(", {}", counted(comparison.true_poses, "pose"));
+  say("\ntimes: {}\n", describe(comparison.options.match, comparison.carried));
+  for (const std::string& step : steps) say("used: {}\n", step);
   for (const JudgedRun& run : comparison.runs) {
     if (run.relations) {
-      fmt::print("{}: relations from {}\n", run.name, to_string(run.relations->errors.use));
+      say("{}: relations from {}\n", run.name, to_string(run.relations->errors.use));
     }
     if (run.true_poses) {
-      fmt::print("{}: true poses with {}\n", run.name, to_string(run.true_poses->matched.use));
+      say("{}: true poses with {}\n", run.name, to_string(run.true_poses->matched.use));
     }
   }
   if (comparison.true_poses > 0) {
-    fmt::print(
-        "APE: {}; RPE: {}\n", to_string(comparison.options.ape.alignment),
+    say("APE: {}; RPE: {}\n", to_string(comparison.options.ape.alignment),
         title_of(comparison.options.rpe).substr(title_of(comparison.options.rpe).find('\n') + 1));
   }
 }
@@ -81,16 +79,15 @@ void print(const Comparison& comparison, const std::vector<std::string>& steps) 
   for (const Figure& figure : all) {
     if (heading_of(figure) != heading) {
       heading = heading_of(figure);
-      fmt::print("\n{}\n  {:<{}} {:>6} {:>6} {:>9} {:>22} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n",
-                 heading, "run", width, "count", "share", "mean", "95 % interval", "rmse", "std",
-                 "median", "min", "max", "squared");
+      say("\n{}\n  {:<{}} {:>6} {:>6} {:>9} {:>22} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", heading,
+          "run", width, "count", "share", "mean", "95 % interval", "rmse", "std", "median", "min",
+          "max", "squared");
     }
     print_row(figure, width);
   }
   if (all.empty()) return;
   const BootstrapOptions& bootstrap = comparison.options.bootstrap;
-  fmt::print(
-      "\nintervals: circular block bootstrap of the mean, {} resamples, seed {}, blocks of "
+  say("\nintervals: circular block bootstrap of the mean, {} resamples, seed {}, blocks of "
       "the root of the count\n",
       bootstrap.resamples, bootstrap.seed);
 }

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "console.hpp"
+#include "printable.hpp"
 #include "progress_text.hpp"
 #include "roomatlas/core/counted.hpp"
 
 #include <fmt/format.h>
 #include <malloc.h>
+#include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include <cctype>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <stdexcept>
 
@@ -50,6 +54,19 @@ class SignalWatch {
   struct sigaction terminate_before_ = {};
 };
 
+/// The message without anything that a terminal obeys.
+class PrintablePayload : public spdlog::custom_flag_formatter {
+ public:
+  void format(const spdlog::details::log_msg& message, const std::tm&,
+              spdlog::memory_buf_t& to) override {
+    const std::string text = printable_lines({message.payload.data(), message.payload.size()});
+    to.append(text.data(), text.data() + text.size());
+  }
+  [[nodiscard]] std::unique_ptr<custom_flag_formatter> clone() const override {
+    return std::make_unique<PrintablePayload>();
+  }
+};
+
 }  // namespace
 
 void set_up_console(const Settings& settings) {
@@ -58,7 +75,9 @@ void set_up_console(const Settings& settings) {
     throw std::runtime_error("/dev/null cannot be opened");
   }
   auto logger = spdlog::stderr_color_st("roomatlas");
-  logger->set_pattern("%^%l%$: %v");
+  auto formatter = std::make_unique<spdlog::pattern_formatter>();
+  formatter->add_flag<PrintablePayload>('*').set_pattern("%^%l%$: %*");
+  logger->set_formatter(std::move(formatter));
   logger->set_level(settings.quiet     ? spdlog::level::err
                     : settings.verbose ? spdlog::level::debug
                                        : spdlog::level::info);
@@ -76,9 +95,9 @@ class ProgressLine {
       stage_ = stage;
       began_ = now;
       told_ = now;
-      if (!is_terminal_) std::fprintf(stderr, "%s ...\n", stage.c_str());
+      if (!is_terminal_) std::fprintf(stderr, "%s ...\n", printable(stage).c_str());
     }
-    const std::string text = progress_text(stage, done, seconds(now - began_));
+    const std::string text = printable(progress_text(stage, done, seconds(now - began_)));
     if (is_terminal_) {
       std::fprintf(stderr, "\r\033[K%s\r", text.c_str());
     } else if (seconds(now - told_) >= kBetweenLines_s) {
@@ -134,21 +153,58 @@ std::string describe(const OdometryHabits& habits) {
                      degrees(habits.bias_rad_per_m), habits.turn_gain, habits.length_scale);
 }
 
-void show(const Issues& issues, std::int64_t not_listed, std::size_t limit) {
+namespace {
+
+/// What issues of one kind have in common: all but numbers and what stands in quotes.
+std::string kind_of(const Issue& issue) {
+  std::string kind = issue.field + ": ";
+  bool is_quoted = false;
+  for (const char c : issue.message) {
+    if (c == '\'' || c == '"') is_quoted = !is_quoted;
+    const bool is_number = std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-';
+    if (!is_quoted && !is_number) kind += c;
+  }
+  return kind;
+}
+
+/// Shows the first of a kind, and counts the others.
+class Shown {
+ public:
+  void take(const Issue& issue) {
+    if (++kinds_[kind_of(issue)] > kMostOfAKind || shown_ >= kMostInAll) {
+      ++hidden_;
+      return;
+    }
+    ++shown_;
+    spdlog::log(issue.severity == Severity::error ? spdlog::level::err : spdlog::level::warn, "{}",
+                to_string(issue));
+  }
+  [[nodiscard]] std::int64_t hidden() const { return hidden_; }
+
+ private:
+  static constexpr int kMostOfAKind = 3;
+  static constexpr int kMostInAll = 30;
+  std::map<std::string, int> kinds_;
+  int shown_ = 0;
+  std::int64_t hidden_ = 0;
+};
+
+}  // namespace
+
+void show(const Issues& issues, std::int64_t not_listed) {
   std::size_t notes = 0;
-  std::size_t shown = 0;
+  Shown shown;
   for (const Issue& issue : issues) {
     if (issue.severity == Severity::note) {
       spdlog::debug("{}", to_string(issue));
       ++notes;
-    } else if (shown < limit) {
-      spdlog::log(issue.severity == Severity::error ? spdlog::level::err : spdlog::level::warn,
-                  "{}", to_string(issue));
-      ++shown;
+    } else {
+      shown.take(issue);
     }
   }
-  const auto more = std::ssize(issues) - static_cast<std::ptrdiff_t>(notes + shown) + not_listed;
-  if (more > 0) spdlog::warn("{} more of these", more);
+  if (const std::int64_t more = shown.hidden() + not_listed; more > 0) {
+    spdlog::warn("{} more like these", more);
+  }
   if (notes > 0)
     spdlog::info("{} (-v shows {})", counted(notes, "note"), notes == 1 ? "it" : "them");
 }

@@ -18,9 +18,9 @@ void set_up_console(const Settings& settings);
 /// does where nobody asks.
 [[nodiscard]] Progress console_progress(const Settings& settings);
 
-/// Shows warnings and errors, the first `limit` of them, and how many more there are. Notes are
-/// counted, and shown with --verbose.
-void show(const Issues& issues, std::int64_t not_listed = 0, std::size_t limit = 10);
+/// Shows warnings and errors, the first three of a kind (those that differ by numbers and names
+/// alone), and how many more there are. Notes are counted, and shown with --verbose.
+void show(const Issues& issues, std::int64_t not_listed = 0);
 
 /// Bias, gain and scale in words.
 [[nodiscard]] std::string describe(const OdometryHabits& habits);

@@ -10,6 +10,7 @@
 #include "roomatlas/core/counted.hpp"
 #include "roomatlas/io/logs/mission_writer.hpp"
 #include "roomatlas/io/logs/open_mission.hpp"
+#include "roomatlas/io/results/summary.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -103,6 +104,7 @@ void convert(const Settings& settings, const Path& log, const Path& out) {
   if (info.readings == 0) throw NotEnoughError(log.string() + ": has no range readings");
   converted.finish();
   show(info.issues, info.issues_not_listed);
+  if (settings.json) fmt::print("{}", to_json(info));
   tell_what_is_lost(info, out);
   spdlog::info("{}: {}, {:.0f} m, {} -> {}", log.filename().string(),
                counted(info.readings, "reading"), info.path_length_m,

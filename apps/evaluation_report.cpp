@@ -8,14 +8,14 @@
 
 #include "console.hpp"
 #include "plan_report.hpp"
+#include "printable.hpp"
 
 namespace roomatlas::apps {
 namespace {
 
 void print_row(const char* subject, const char* when, const char* unit, const Statistics& errors) {
   if (errors.count == 0) return;
-  fmt::print(
-      "  {:<20} {:<8} {:>6}  mean {:>8.3f} {:<3}  std {:>8.3f}  median {:>8.3f}  max {:>8.3f}\n",
+  say("  {:<20} {:<8} {:>6}  mean {:>8.3f} {:<3}  std {:>8.3f}  median {:>8.3f}  max {:>8.3f}\n",
       subject, when, errors.count, errors.mean, unit, errors.standard_deviation, errors.median,
       errors.maximum);
 }
@@ -29,9 +29,9 @@ void print_subset(const char* subject, const RelationSubset& before, const Relat
 }
 
 void print(const RelationsBeforeAfter& relations) {
-  fmt::print("relations: {} of {} matched ({:.0f} %), {}\n", relations.after.matched,
-             relations.after.relations, 100.0 * relations.after.coverage(),
-             to_string(relations.after.use));
+  say("relations: {} of {} matched ({:.0f} %), {}\n", relations.after.matched,
+      relations.after.relations, 100.0 * relations.after.coverage(),
+      to_string(relations.after.use));
   print_subset("all", relations.before.all, relations.after.all);
   print_subset("local", relations.before.local, relations.after.local);
   print_subset("loop", relations.before.loop, relations.after.loop);
@@ -39,8 +39,8 @@ void print(const RelationsBeforeAfter& relations) {
 }
 
 void print(const TruePosesBeforeAfter& poses) {
-  fmt::print("true poses: {} of {} matched, aligned at the first\n", poses.after.matched,
-             poses.after.poses);
+  say("true poses: {} of {} matched, aligned at the first\n", poses.after.matched,
+      poses.after.poses);
   print_row("position", "odometry", "m", poses.before.position_m);
   print_row("position", "corrected", "m", poses.after.position_m);
   print_row("position, fitted", "odometry", "m", poses.before.fitted_position_m);
@@ -75,33 +75,32 @@ void print_rooms(const MissionsFigures& figures) {
     }
   }
   const std::size_t columns = std::min(kMostColumns, figures.missions.size());
-  fmt::print("  visits x floor seen, by room and mission\n  {:>6}", "room");
-  for (std::size_t i = 0; i < columns; ++i) fmt::print("  {:>10}", i + 1);
-  fmt::print("{}\n",
-             columns < figures.missions.size() ? "  ... (--json and the report have all)" : "");
+  say("  visits x floor seen, by room and mission\n  {:>6}", "room");
+  for (std::size_t i = 0; i < columns; ++i) say("  {:>10}", i + 1);
+  say("{}\n", columns < figures.missions.size() ? "  ... (--json and the report have all)" : "");
   for (const auto& [room, line] : cells) {
-    fmt::print("  {:>6}", room);
-    for (std::size_t i = 0; i < columns; ++i) fmt::print("  {:>10}", line[i]);
-    fmt::print("\n");
+    say("  {:>6}", room);
+    for (std::size_t i = 0; i < columns; ++i) say("  {:>10}", line[i]);
+    say("\n");
   }
 }
 
 void print(const MissionsEvaluation& missions) {
   const MissionsFigures& figures = missions.figures;
-  fmt::print("missions: {}, {:.0f} m2 of floor\n", figures.missions.size(), figures.floor_m2);
+  say("missions: {}, {:.0f} m2 of floor\n", figures.missions.size(), figures.floor_m2);
   for (std::size_t i = 0; i < figures.missions.size(); ++i) {
     const MissionFigures& mission = figures.missions[i];
     const auto rooms = std::count_if(mission.rooms.begin(), mission.rooms.end(),
                                      [](const RoomOfMission& room) { return room.visits > 0; });
-    fmt::print("  {} {} ({}): {:.0f} m in {:.0f} s, {} rooms, {:.0f} % of the floor seen", i + 1,
-               mission.name, mission.sensor == SensorKind::laser ? "laser" : "sonar",
-               mission.path_length_m, mission.last_s - mission.first_s, rooms,
-               figures.floor_m2 > 0.0 ? 100.0 * mission.seen_m2 / figures.floor_m2 : 0.0);
+    say("  {} {} ({}): {:.0f} m in {:.0f} s, {} rooms, {:.0f} % of the floor seen", i + 1,
+        mission.name, mission.sensor == SensorKind::laser ? "laser" : "sonar",
+        mission.path_length_m, mission.last_s - mission.first_s, rooms,
+        figures.floor_m2 > 0.0 ? 100.0 * mission.seen_m2 / figures.floor_m2 : 0.0);
     if (mission.walls_compared_m > 0.0) {
-      fmt::print("; walls {:.3f} m (rms) from the others' over {:.0f} m", mission.walls_rms_m,
-                 mission.walls_compared_m);
+      say("; walls {:.3f} m (rms) from the others' over {:.0f} m", mission.walls_rms_m,
+          mission.walls_compared_m);
     }
-    fmt::print("\n");
+    say("\n");
     print(missions.errors[i]);
   }
   if (missions.between) {
@@ -110,9 +109,8 @@ void print(const MissionsEvaluation& missions) {
   }
   for (const MissionPair& pair : figures.pairs) {
     if (pair.accepted == 0) continue;
-    fmt::print("  {} and {}: {} matches, {:.3f} m and {:.2f} deg (rms) off; {} refused\n",
-               pair.first + 1, pair.second + 1, pair.accepted, pair.rms_m, pair.rms_deg,
-               pair.refused);
+    say("  {} and {}: {} matches, {:.3f} m and {:.2f} deg (rms) off; {} refused\n", pair.first + 1,
+        pair.second + 1, pair.accepted, pair.rms_m, pair.rms_deg, pair.refused);
   }
   print_rooms(figures);
 }

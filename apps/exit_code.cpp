@@ -9,13 +9,14 @@
 
 #include "command_line.hpp"
 #include "commands.hpp"
+#include "printable.hpp"
 #include "roomatlas/core/issue.hpp"
 
 namespace roomatlas::apps {
 
 int exit_code_of(const std::function<int()>& work) {
   const auto fail = [](const std::exception& error, ExitCode code) {
-    fmt::print(stderr, "error: {}\n", error.what());
+    fmt::print(stderr, "error: {}\n", printable_lines(error.what()));
     return code;
   };
   try {
@@ -29,7 +30,7 @@ int exit_code_of(const std::function<int()>& work) {
   } catch (const GateFailed& error) {
     return fail(error, kGateFailed);
   } catch (const Interrupted& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    fmt::print(stderr, "{}\n", printable_lines(error.what()));
     return kInterrupted;
   } catch (const std::filesystem::filesystem_error& error) {
     return fail(error, kInput);

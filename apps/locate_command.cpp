@@ -8,6 +8,7 @@
 #include "console.hpp"
 #include "mission_parts.hpp"
 #include "output_places.hpp"
+#include "printable.hpp"
 #include "roomatlas/asr/memory_store.hpp"
 #include "roomatlas/core/geometry.hpp"
 #include "roomatlas/io/logs/open_mission.hpp"
@@ -114,26 +115,25 @@ void print_json(const std::vector<LocatedPart>& parts, const FloorPlan& plan) {
       json["parts"].push_back(std::move(one));
     }
   }
-  fmt::print("{}\n", json.dump(2));
+  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
 void print(const LocatedMission& located, const FloorPlan& plan) {
   constexpr std::size_t kShown = 5;
   if (located.verdict == PlaceVerdict::nothing_in_common) {
-    fmt::print("nowhere in this building, as far as these readings tell\n");
+    say("nowhere in this building, as far as these readings tell\n");
   } else if (located.verdict == PlaceVerdict::ambiguous) {
-    fmt::print("not sure: several places fit nearly as well; a longer way would tell\n");
+    say("not sure: several places fit nearly as well; a longer way would tell\n");
   }
   for (std::size_t i = 0; i < std::min(kShown, located.places.size()); ++i) {
     const Told place = told(located, i, plan);
     if (i > 0 && place.odds < 0.001) break;
-    fmt::print(
-        "{:5.1f} %  {:8.2f} m {:8.2f} m {:7.1f} deg  {}; {:.0f} % of what can be compared agrees\n",
+    say("{:5.1f} %  {:8.2f} m {:8.2f} m {:7.1f} deg  {}; {:.0f} % of what can be compared agrees\n",
         100.0 * place.odds, place.pose.x_m, place.pose.y_m, degrees(place.pose.theta_rad),
         place.room.empty() ? "in no room" : "room " + place.room,
         100.0 * located.places[i].agreement());
   }
-  fmt::print("{:5.1f} %  nowhere\n", 100.0 * located.nowhere_odds);
+  say("{:5.1f} %  nowhere\n", 100.0 * located.nowhere_odds);
 }
 
 /// Where the robot was in one part of the span. A part in which no wall was seen was nowhere.
@@ -188,7 +188,7 @@ void locate(const Settings& settings, const LocateArguments& arguments) {
     print_json(parts, plan);
   } else {
     for (const LocatedPart& part : parts) {
-      if (parts.size() > 1) fmt::print("from {} to {} s:\n", part.from_s, part.to_s);
+      if (parts.size() > 1) say("from {} to {} s:\n", part.from_s, part.to_s);
       print(part.located, plan);
     }
   }

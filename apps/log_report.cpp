@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "log_report.hpp"
+#include "printable.hpp"
 #include "roomatlas/core/counted.hpp"
 
 #include <fmt/format.h>
@@ -19,8 +20,8 @@ constexpr int kDeepest = 64;
 void print_topic(const RecordedTopic& topic, std::size_t name_width, std::size_t type_width) {
   const std::string messages = topic.messages ? fmt::format("{}", *topic.messages) : "?";
   const std::string rate = topic.rate_hz > 0.0 ? fmt::format("{:.1f} Hz", topic.rate_hz) : "";
-  fmt::print("  {:<{}}  {:<{}}  {:>8}  {:>10}  {:<10}  {}\n", topic.name, name_width, topic.type,
-             type_width, messages, rate, topic.use, fmt::join(topic.frames, " "));
+  say("  {:<{}}  {:<{}}  {:>8}  {:>10}  {:<10}  {}\n", topic.name, name_width, topic.type,
+      type_width, messages, rate, topic.use, fmt::format("{}", fmt::join(topic.frames, " ")));
 }
 
 void print_topics(const std::vector<RecordedTopic>& topics) {
@@ -30,12 +31,12 @@ void print_topics(const std::vector<RecordedTopic>& topics) {
     name_width = std::max(name_width, topic.name.size());
     type_width = std::max(type_width, topic.type.size());
   }
-  fmt::print("topics\n");
+  say("topics\n");
   for (std::size_t i = 0; i < std::min(topics.size(), kMostTopics); ++i) {
     print_topic(topics[i], name_width, type_width);
   }
   if (topics.size() > kMostTopics) {
-    fmt::print("  ... and {} more; --json has them\n", topics.size() - kMostTopics);
+    say("  ... and {} more; --json has them\n", topics.size() - kMostTopics);
   }
 }
 
@@ -45,7 +46,7 @@ void print_below(const std::vector<RecordedFrame>& frames, const std::string& pa
   for (const RecordedFrame& frame : frames) {
     if (frame.parent != parent) continue;
     const std::string how = frame.is_fixed ? "fixed" : counted(frame.transforms, "transform");
-    fmt::print("  {:{}}{}  ({})\n", "", 2 * depth, frame.child, how);
+    say("  {:{}}{}  ({})\n", "", 2 * depth, frame.child, how);
     print_below(frames, frame.child, depth + 1);
   }
 }
@@ -54,9 +55,9 @@ void print_frames(const std::vector<RecordedFrame>& frames) {
   std::set<std::string> roots;
   for (const RecordedFrame& frame : frames) roots.insert(frame.parent);
   for (const RecordedFrame& frame : frames) roots.erase(frame.child);
-  fmt::print("frames\n");
+  say("frames\n");
   for (const std::string& root : roots) {
-    fmt::print("  {}\n", root);
+    say("  {}\n", root);
     print_below(frames, root, 1);
   }
 }
@@ -66,7 +67,7 @@ void print_frames(const std::vector<RecordedFrame>& frames) {
 void print(const RecordingInfo& recording) {
   print_topics(recording.topics);
   if (!recording.frames.empty()) print_frames(recording.frames);
-  fmt::print("mapped         {}\n", recording.choice);
+  say("mapped         {}\n", recording.choice);
 }
 
 }  // namespace roomatlas::apps

@@ -13,6 +13,7 @@
 #include "new_store.hpp"
 #include "open_log.hpp"
 #include "output_places.hpp"
+#include "printable.hpp"
 #include "roomatlas/core/counted.hpp"
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/logs/open_mission.hpp"
@@ -193,30 +194,28 @@ void info(const Settings& settings, const Path& log) {
     fmt::print("{}", to_json(info));
     return;
   }
-  fmt::print("{}: {}{}\n", log.string(), info.format, info.recording ? "" : " log");
+  say("{}: {}{}\n", log.string(), info.format, info.recording ? "" : " log");
   if (info.recording) print(*info.recording);
   for (const auto& [tag, count] : info.line_counts) {
-    if (!info.recording) fmt::print("  {:<14}{:>8}\n", tag, count);
+    if (!info.recording) say("  {:<14}{:>8}\n", tag, count);
   }
   for (const auto& [tag, count] : info.ignored_line_counts) {
-    fmt::print("  {:<14}{:>8}  (not used)\n", tag, count);
+    say("  {:<14}{:>8}  (not used)\n", tag, count);
   }
-  fmt::print("odometry       {}\n", info.odometry);
-  fmt::print("range readings {}\n", info.readings);
+  say("odometry       {}\n", info.odometry);
+  say("range readings {}\n", info.readings);
   for (const auto& sensor : info.sensors) {
-    fmt::print("  {} of {}, up to {:.1f} m\n",
-               sensor->kind == SensorKind::laser ? "laser" : "sonar ring",
-               counted(sensor->robot_from_beam.size(), "beam"), sensor->max_range_m);
+    say("  {} of {}, up to {:.1f} m\n", sensor->kind == SensorKind::laser ? "laser" : "sonar ring",
+        counted(sensor->robot_from_beam.size(), "beam"), sensor->max_range_m);
   }
-  fmt::print("path           {:.1f} m\n", info.path_length_m);
+  say("path           {:.1f} m\n", info.path_length_m);
   if (info.has_times && info.first_timestamp_s && info.last_timestamp_s) {
-    fmt::print("duration       {:.1f} s\n", *info.last_timestamp_s - *info.first_timestamp_s);
+    say("duration       {:.1f} s\n", *info.last_timestamp_s - *info.first_timestamp_s);
   }
-  fmt::print("robot          {:.2f} m x {:.2f} m\n", info.footprint.length_m,
-             info.footprint.width_m);
-  if (info.true_poses > 0) fmt::print("true poses     {}\n", info.true_poses);
+  say("robot          {:.2f} m x {:.2f} m\n", info.footprint.length_m, info.footprint.width_m);
+  if (info.true_poses > 0) say("true poses     {}\n", info.true_poses);
   if (info.malformed_lines > 0) {
-    fmt::print("malformed      {}\n", counted(info.malformed_lines, "line"));
+    say("malformed      {}\n", counted(info.malformed_lines, "line"));
   }
   show(info.issues, info.issues_not_listed);
 }

@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "output_places.hpp"
+#include "printable.hpp"
 #include "roomatlas/core/counted.hpp"
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/trajectories/pose_graph_file.hpp"
@@ -83,7 +84,7 @@ Json as_json(const Path& file, const PoseGraphFile& input, const OptimizeResult&
 /// Notes belong to the answer: they go to stdout, and warnings alone to stderr.
 void print_notes(const Issues& issues) {
   for (const Issue& issue : issues) {
-    if (issue.severity == Severity::note) fmt::print("note: {}\n", to_string(issue));
+    if (issue.severity == Severity::note) say("note: {}\n", to_string(issue));
   }
 }
 
@@ -142,20 +143,20 @@ void optimize(const Settings& settings, const OptimizeArguments& arguments) {
     write_file(arguments.covariance, covariance_table(input.graph, result));
   }
   const Issues warnings = warnings_of(result.issues);
-  show(warnings, 0, 10);
+  show(warnings);
   if (settings.json) {
     const auto json = as_json(arguments.graph, input, result, elapsed.count());
     fmt::print("{}\n", json.dump(2, ' ', false, decltype(json)::error_handler_t::replace));
   } else {
-    fmt::print("{}, {}, {}, {}\n", counted(input.graph.ids.size(), "node"),
-               counted(input.graph.edges.size(), "edge"),
-               counted(count_loops(input.graph), "of them a loop", "of them loops"),
-               counted(result.fixed.size(), "component"));
-    fmt::print("chi-square {:.6f} (before {:.6g}; expected {:.6g} to {:.6g})\n", result.chi_square,
-               result.initial_chi_square, result.expected.low, result.expected.high);
-    fmt::print("{}, {:.4f} s, {} rejected, {}\n", counted(result.iterations, "iteration"),
-               elapsed.count(), counted(count_rejected(result), "closure"),
-               result.trusted ? "trusted" : "NOT TO BE TRUSTED");
+    say("{}, {}, {}, {}\n", counted(input.graph.ids.size(), "node"),
+        counted(input.graph.edges.size(), "edge"),
+        counted(count_loops(input.graph), "of them a loop", "of them loops"),
+        counted(result.fixed.size(), "component"));
+    say("chi-square {:.6f} (before {:.6g}; expected {:.6g} to {:.6g})\n", result.chi_square,
+        result.initial_chi_square, result.expected.low, result.expected.high);
+    say("{}, {:.4f} s, {} rejected, {}\n", counted(result.iterations, "iteration"), elapsed.count(),
+        counted(count_rejected(result), "closure"),
+        result.trusted ? "trusted" : "NOT TO BE TRUSTED");
     print_notes(input.issues);
     print_notes(result.issues);
   }

@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "output_places.hpp"
+#include "printable.hpp"
 #include "roomatlas/core/counted.hpp"
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/logs/drive.hpp"
@@ -25,8 +26,6 @@
 
 namespace roomatlas::apps {
 namespace {
-
-constexpr std::size_t kIssuesShown = 10;
 
 std::optional<RandomWorldKind> kind_named(const std::string& name) {
   if (name.empty()) return std::nullopt;
@@ -45,8 +44,8 @@ FloorPlan sound_world(const SimulateArguments& arguments) {
                                         arguments.world_rooms})
                         : read_world(arguments.world, arguments.file);
   require_sound(world);
-  show(world.issues, 0, kIssuesShown);
-  show(check_world(world), 0, kIssuesShown);
+  show(world.issues);
+  show(check_world(world));
   return world;
 }
 
@@ -94,13 +93,13 @@ void report(const ExploreSummary& summary, const FloorPlan& world, bool json) {
     return;
   }
   if (world.rooms.empty()) {
-    fmt::print("{:.0f} s, {:.1f} m driven, {}; the world has no rooms to be counted\n",
-               summary.duration_s, summary.path_length_m, counted(summary.collisions, "collision"));
+    say("{:.0f} s, {:.1f} m driven, {}; the world has no rooms to be counted\n", summary.duration_s,
+        summary.path_length_m, counted(summary.collisions, "collision"));
     return tell_rest(summary);
   }
-  fmt::print("{} of {} entered in {:.0f} s over {:.1f} m, {}\n", summary.entered.size(),
-             counted(world.rooms.size(), "room"), summary.duration_s, summary.path_length_m,
-             counted(summary.collisions, "collision"));
+  say("{} of {} entered in {:.0f} s over {:.1f} m, {}\n", summary.entered.size(),
+      counted(world.rooms.size(), "room"), summary.duration_s, summary.path_length_m,
+      counted(summary.collisions, "collision"));
   tell_rest(summary);
 }
 

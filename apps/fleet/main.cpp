@@ -23,6 +23,7 @@
 #include "console.hpp"
 #include "exit_code.hpp"
 #include "fleet.hpp"
+#include "printable.hpp"
 #include "roomatlas/core/issue.hpp"
 
 namespace {
@@ -65,7 +66,9 @@ std::optional<int> read(int argc, char** argv, CommandLine& line) {
   } catch (const CLI::Success& success) {
     return speaks ? app.exit(success) : 0;
   } catch (const CLI::ParseError& error) {
-    if (speaks) fmt::print(stderr, "error: {}\nrun `roomatlas-fleet --help`\n", error.what());
+    if (speaks)
+      fmt::print(stderr, "error: {}\nrun `roomatlas-fleet --help`\n",
+                 printable_lines(error.what()));
     return kUsage;
   }
   complete(line.settings, app);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "svg.hpp"
 
+#include "roomatlas/draw/markup_text.hpp"
+
 #include <charconv>
 #include <cmath>
 #include <sstream>
@@ -31,6 +33,17 @@ const char* anchor_name(Anchor anchor) {
       break;
   }
   return "start";
+}
+
+/// Names come from files: without what XML cannot hold, of which pugixml would write a reference.
+void keep_characters(pugi::xml_node node) {
+  const std::string value = node.value();
+  if (std::string kept = xml_characters(value); kept != value) node.set_value(kept.c_str());
+  for (pugi::xml_attribute& attribute : node.attributes()) {
+    const std::string text = attribute.value();
+    if (std::string kept = xml_characters(text); kept != text) attribute.set_value(kept.c_str());
+  }
+  for (const pugi::xml_node& child : node.children()) keep_characters(child);
 }
 
 }  // namespace
@@ -72,6 +85,7 @@ pugi::xml_node add_page(pugi::xml_document& document, double width_mm, double he
 }
 
 std::string to_text(const pugi::xml_document& document) {
+  for (const pugi::xml_node& child : document.children()) keep_characters(child);
   std::ostringstream stream;
   document.save(stream, " ", pugi::format_indent, pugi::encoding_utf8);
   return stream.str();
