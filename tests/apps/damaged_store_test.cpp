@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stores that were damaged, through SQL and byte by byte. ROOMATLAS_MUTATIONS=N tries N of them
-// instead of a few.
+// instead of a few, ROOMATLAS_MUTATION_SEED=S others.
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 
@@ -20,6 +20,11 @@ namespace fs = std::filesystem;
 std::uint64_t count_of_mutations() {
   const char* wanted = std::getenv("ROOMATLAS_MUTATIONS");
   return wanted != nullptr ? std::stoull(wanted) : 25;
+}
+
+std::uint64_t first_seed() {
+  const char* wanted = std::getenv("ROOMATLAS_MUTATION_SEED");
+  return wanted != nullptr ? 1'000'000 * std::stoull(wanted) : 0;
 }
 
 /// Damages a store; the same number does the same.
@@ -108,7 +113,7 @@ class DamagedStore : public ::testing::Test {
 TEST_F(DamagedStore, NeverEndsACommandWithAnInternalError) {
   for (std::uint64_t seed = 1; seed <= count_of_mutations(); ++seed) {
     const std::string store = copy();
-    const std::string done = Damage(seed)(store);
+    const std::string done = Damage(first_seed() + seed)(store);
     const std::array commands = {
         "export " + store + " -f geojson,tum,g2o,nav2,json,csv,graphml,dot -o " + out(),
         "export " + store + " -f svg -o " + out(),
@@ -127,7 +132,7 @@ TEST_F(DamagedStore, NeverEndsACommandWithAnInternalError) {
 TEST_F(DamagedStore, WhatIsExportedCanBeRead) {
   for (std::uint64_t seed = 1001; seed <= 1000 + count_of_mutations() / 2; ++seed) {
     const std::string store = copy();
-    const std::string done = Damage(seed)(store);
+    const std::string done = Damage(first_seed() + seed)(store);
     if (run("-q export " + store + " -f geojson,g2o -o " + out()).exit_code != 0) continue;
     const std::string plan = (fs::path(out()) / "plan.local.geojson").string();
     const Outcome judged = run("-q evaluate " + whole_ + " --truth " + plan);

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Configurations: the file of --config, and what a store keeps of the parameters it was made with.
+#include <CLI/CLI.hpp>
+
+#include <sstream>
+
+#include "bind_parameters.hpp"
+#include "roomatlas/core/issue.hpp"
+#include "target.hpp"
+
+namespace roomatlas::fuzz {
+namespace {
+
+void read_file(const Path& file, const std::string&) {
+  apps::Settings settings;
+  CLI::App app;
+  apps::bind_parameters(app, settings);
+  app.set_config("--config", file.string());
+  app.config_formatter(std::make_shared<apps::ConfigurationFile>(app));
+  try {
+    app.parse(std::string());
+  } catch (const CLI::ParseError& wrong) {
+    throw UsageError(wrong.what());
+  }
+}
+
+void read_stored(const Path&, const std::string& toml) {
+  try {
+    (void)apps::with_configuration({}, toml, [](const std::string&, auto) { return true; });
+  } catch (const UsageError&) {  // the store's name is said by who reads it
+  }
+}
+
+std::vector<std::string> seeds() {
+  return {"# comment\ncell=0.1\nheading-bias=true\nsonar-cone = 30\n", "max-piece=8\njobs=1\n",
+          "cell=[0.1, 0.2]\n[section]\nlaser-max=\"50\"\nscan-topics='/a,/b'\n"};
+}
+
+}  // namespace
+
+std::vector<Target> configuration_targets() {
+  return {{"configuration", "settings.toml", seeds, read_file},
+          {"stored_configuration", "stored.toml", seeds, read_stored}};
+}
+
+}  // namespace roomatlas::fuzz

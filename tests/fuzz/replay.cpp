@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The targets as a test with any compiler: replay_readers NAME [COUNT [SEED]] gives the reader its
+// seeds and COUNT mutations of them. Each input has 10 s of processor time and 1 GiB of memory.
+// What fails is told by its number; replay_readers NAME FILE reads it again from a file, and
+// replay_readers --list names the targets.
+#include <sys/resource.h>
+#include <sys/time.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "mutate.hpp"
+#include "roomatlas/core/issue.hpp"
+#include "target.hpp"
+
+namespace {
+
+using namespace roomatlas::fuzz;
+
+constexpr long kMost_s = 10;
+constexpr std::size_t kMostBytes = std::size_t{1} << 20;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kIsSanitized = true;  // which takes terabytes of addresses
+#else
+constexpr bool kIsSanitized = false;
+#endif
+
+volatile std::sig_atomic_t number = 0;  // of the input, for the handler
+
+extern "C" void tell_and_end(int signal) {
+  std::fprintf(stderr, "replay_readers: input %d: %s\n", static_cast<int>(number),
+               signal == SIGVTALRM ? "more than 10 s" : "ended the program");
+  std::_Exit(1);
+}
+
+void bound_memory() {
+  if (kIsSanitized) return;
+  const rlimit limit{rlim_t{1} << 30, rlim_t{1} << 30};
+  setrlimit(RLIMIT_DATA, &limit);
+}
+
+void run_within_time(const Target& target, const std::string& bytes) {
+  const itimerval time{{0, 0}, {kMost_s, 0}};
+  setitimer(ITIMER_VIRTUAL, &time, nullptr);
+  run_input(target, bytes);
+}
+
+void replay(const Target& target, int count, std::uint64_t seed) {
+  const std::vector<std::string> seeds = target.seeds();
+  bound_memory();
+  for (const std::string& bytes : seeds) run_within_time(target, bytes);
+  for (int i = 1; i <= count; ++i) {
+    number = i;
+    Random random(seed * 1'000'003 + static_cast<std::uint64_t>(i));
+    const std::string& bytes = seeds[random() % seeds.size()];
+    const std::string& other = seeds[random() % seeds.size()];
+    const std::string input = mutated(bytes, other, random, kMostBytes);
+    if (const char* keep = std::getenv("ROOMATLAS_KEEP_INPUT")) {
+      std::ofstream(keep, std::ios::binary) << input;
+    }
+    run_within_time(target, input);
+  }
+  std::printf("%s: %zu seeds and %d mutations\n", target.name.c_str(), seeds.size(), count);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGVTALRM}) {
+    if (!kIsSanitized || signal == SIGVTALRM) (void)std::signal(signal, tell_and_end);
+  }
+  if (count > 1 && std::string(arguments[1]) == "--list") {
+    for (const Target& known : all_targets()) std::printf("%s\n", known.name.c_str());
+    return 0;
+  }
+  try {
+    const Target& target = target_named(count > 1 ? arguments[1] : "");
+    const std::string what = count > 2 ? arguments[2] : "2000";
+    if (std::filesystem::is_regular_file(what)) {
+      std::ifstream in(what, std::ios::binary);
+      run_within_time(target, std::string(std::istreambuf_iterator<char>(in), {}));
+    } else {
+      replay(target, std::atoi(what.c_str()),
+             count > 3 ? std::strtoull(arguments[3], nullptr, 10) : 1);
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "replay_readers: %s\n", error.what());
+    return 2;
+  }
+}
