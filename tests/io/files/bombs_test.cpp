@@ -31,14 +31,14 @@ std::string refusal_of(const Read& read) {
   return "nothing was refused";
 }
 
-/// A gzip file of `begin` and 100 MB of the same text.
+/// A gzip file of `begin` and 200 MB of the same text.
 Path gzip_bomb(const TemporaryFolder& folder, const std::string& begin, const std::string& text) {
   const Path file = folder / "bomb.gz";
   const gzFile out = gzopen(file.c_str(), "wb9");
   gzwrite(out, begin.data(), static_cast<unsigned>(begin.size()));
   std::string block;
   while (block.size() < kBlock) block += text;
-  for (int i = 0; i < 100; ++i) gzwrite(out, block.data(), static_cast<unsigned>(block.size()));
+  for (int i = 0; i < 200; ++i) gzwrite(out, block.data(), static_cast<unsigned>(block.size()));
   gzclose(out);
   return file;
 }

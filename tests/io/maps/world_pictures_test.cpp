@@ -257,7 +257,7 @@ TEST_F(WorldPicture, PicturesThatAreCutShortOrAllBlackAreRefused) {
                                      {0.1, {}}),
               HasSubstr("66 bytes, and there are 63"));
   EXPECT_THAT(message_of<InputError>(folder_.write("map.pgm", "P2 2 2 255\n0 0 0"), {0.1, {}}),
-              HasSubstr("pixel: expected a whole number"));
+              HasSubstr("need at least 7 bytes, and there are 5"));
   EXPECT_THAT(message_of<InputError>(folder_.write("map.pgm", pgm({"##", "##"})), {0.1, {}}),
               HasSubstr("no pixel is free"));
   EXPECT_THAT(message_of<InputError>(folder_.write("map.png", "\x89PNG\r\n\x1a\nrest"), {0.1, {}}),
