@@ -35,7 +35,6 @@ class Inventory : public RecordVisitor {
     std::sort(chunk_.messages.begin(), chunk_.messages.end(),
               [](const auto& a, const auto& b) { return a.connection < b.connection; });
     if (messages_.empty()) chunk_.start_ns = chunk_.end_ns = 0;
-    chunk_.messages_are_known = true;
   }
 
  private:
@@ -87,15 +86,17 @@ std::string ChunkLoader::load(const Chunk& chunk, Buffer& content) {
 void take_inventory(Chunk& chunk, const ChunkFormat& format, ChunkLoader& loader,
                     BagLayout& layout) {
   Buffer content;
-  // It is said once more when the chunk's messages are read.
   const std::string fault = loader.load(chunk, content);
   if (layout.first_fault.empty()) layout.first_fault = fault;
+  bool is_whole = fault.empty();
   Inventory inventory(chunk, layout.topics);
   try {
     format.visit(content.view(), inventory);
   } catch (const DamagedData&) {
+    is_whole = false;
   }
   inventory.finish();
+  chunk.messages_are_known = is_whole;  // else it is read whatever is wanted, and its fault is said
 }
 
 void require_topics(const BagLayout& layout, const std::string& file) {

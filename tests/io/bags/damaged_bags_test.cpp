@@ -136,6 +136,19 @@ TEST(DamagedBag, ClaimsOfGigabytesTakeNoMemory) {
   EXPECT_LT(peak_mb() - before_mb, 200);
 }
 
+TEST(DamagedBag, AChunkThatNobodyIndexedAndThatCannotBeReadIsSaid) {
+  const TemporaryFolder folder;
+  const auto chunk = [](const std::string& topics, std::uint32_t checksum) {
+    return mcap_chunk("", topics + mcap_message(1, 1, "x"), 1, 1, checksum);
+  };
+  const std::string topics = mcap_schema(1, "std_msgs/msg/String") + mcap_channel(1, 1, "/a");
+  std::string said;
+  const auto messages = survivors(
+      folder.write("a.mcap", kMcapMagic + mcap_header() + chunk(topics, 0) + chunk("", 7)), said);
+  EXPECT_EQ(messages.size(), 1U);
+  EXPECT_THAT(said, HasSubstr("a chunk was left out, or its rest behind what is whole: its CRC"));
+}
+
 TEST(DamagedBag, OtherFilesAreNotTakenForRecordings) {
   const TemporaryFolder folder;
   EXPECT_EQ(io::open_bag(folder.write("a.txt", "FLASER 0 0 0\n")), nullptr);

@@ -31,7 +31,7 @@ std::string refusal_of(const Read& read) {
   return "nothing was refused";
 }
 
-/// A gzip file of `begin` and 200 MB of the same text.
+/// A gzip file of `begin` and 200 MiB of the same text.
 Path gzip_bomb(const TemporaryFolder& folder, const std::string& begin, const std::string& text) {
   const Path file = folder / "bomb.gz";
   const gzFile out = gzopen(file.c_str(), "wb9");
