@@ -14,6 +14,7 @@
 #include "ogr_memory.hpp"
 #include "roomatlas/core/issue.hpp"
 #include "roomatlas/draw/dimensions.hpp"
+#include "roomatlas/draw/markup_text.hpp"
 #include "roomatlas/io/plans/ogr_export.hpp"
 
 namespace roomatlas {
@@ -68,8 +69,8 @@ class Drawing {
   /// Centred at the point. @param turn_deg counter-clockwise
   void add_text(const char* on, const Point2& at, const std::string& text, double height_m,
                 double turn_deg = 0.0) {
-    std::string escaped;
-    for (const char c : text) {
+    std::string escaped;  // a line end within it would begin a group of the file
+    for (const char c : xml_characters(text)) {
       if (c == '"' || c == '\\') escaped += '\\';
       escaped += c;
     }
