@@ -142,6 +142,27 @@ TEST_F(DamagedStore, WhatIsExportedCanBeRead) {
   }
 }
 
+TEST_F(DamagedStore, MetadataThatIsNotWhatItsKeySaysIsRefusedByItsKey) {
+  const std::string deep = std::string(2000, '[') + std::string(2000, ']');
+  for (const std::string key :
+       {"mission_json", "odometry_json", "judgement_json", "answers_json", "edits_json"}) {
+    for (const std::string& value : {std::string("{"), std::string("[]"), std::string("17"), deep,
+                                     std::string(R"({"count":"x","edits":5,"signals":[[]]})")}) {
+      const std::string store = copy("INSERT OR REPLACE INTO metadata (key, value) VALUES ('" +
+                                     key + "', '" + value + "')");
+      for (const std::string& command :
+           {"export " + store + " -f json,geojson -o " + out(), "assemble " + store,
+            "report " + store + " -o " + (*folder_ / "page.html").string()}) {
+        const Outcome outcome = run("-q " + command);
+        EXPECT_THAT(outcome.exit_code, AnyOf(0, 3)) << key << value << command << outcome.err;
+        if (outcome.exit_code != 0) {
+          EXPECT_THAT(outcome.err, HasSubstr(key)) << value << command;
+        }
+      }
+    }
+  }
+}
+
 TEST_F(DamagedStore, SaysTableRowFieldAndWhatIsExpected) {
   const auto error_of = [&](const std::string& sql) {
     const Outcome outcome = run("-q export " + copy(sql) + " -f geojson -o " + out());

@@ -62,7 +62,7 @@ const std::string kProgram = std::string(ROOMATLAS_PROGRAM) + " -q ";
 TEST_F(Scarce, OnAFullDiskACommandSaysSoAndEndsOnceThereIsSpace) {
   if (!has_own_mounts()) GTEST_SKIP() << "no mounts of its own for a test here";
   for (const std::string& command : writers()) {
-    for (const char* size : {"4k", "100k", "400k"}) {
+    for (const char* size : {"4k", "400k"}) {
       const Outcome outcome = run_on_disk(
           std::string("size=") + size,
           kProgram + command + "\nfirst=$?\nmount -o remount,size=64m " + path("small") + "\n" +
@@ -112,7 +112,7 @@ TEST_F(Scarce, WithoutMemoryACommandSaysSo) {
   std::vector<std::string> commands = writers();
   commands.push_back(large);
   for (const std::string& command : commands) {
-    for (int mebibytes = 256; mebibytes <= 640; mebibytes += 64) {
+    for (int mebibytes = 256; mebibytes <= 640; mebibytes += 128) {
       const std::string bound = "ulimit -v " + std::to_string(1024 * mebibytes) + "; ";
       const Outcome outcome = run_other(bound + kProgram + command);
       if (outcome.exit_code == 127) continue;  // its libraries found no place

@@ -68,7 +68,8 @@ TEST(Strangers, NamesOfRoomsAreTextInEveryFile) {
       "export " + store + " -f svg,pdf,png,geojson,graphml,csv,nav2,dot,json,ifc,imdf -o " + out);
   EXPECT_EQ(exported.exit_code, 0) << exported.err;
   expect_shown_as_text(exported);
-  for (const char* file : {"plan.svg", "plan.geojson", "plan.ifc", "rooms.graphml", "rooms.dot"}) {
+  for (const char* file :
+       {"plan.svg", "plan.local.geojson", "plan.ifc", "rooms.graphml", "rooms.dot"}) {
     const std::string content = content_of(out + "/" + file);
     EXPECT_NE(content, "") << file;
     EXPECT_TRUE(is_free_of_controls(content)) << file;

@@ -7,6 +7,7 @@
 #include <cairo-pdf.h>
 #include <cairo.h>
 #include <librsvg/rsvg.h>
+#include <sys/mman.h>
 
 #include <cmath>
 
@@ -32,7 +33,22 @@ std::string text_of(GError* error) {
   throw InputError(file.string() + ": cannot draw the picture: " + reason);
 }
 
+/// GLib and pango end the program where they get no memory and no thread for their fonts: so much
+/// is asked for before them, and given back.
+void require_memory(const Path& file) {
+  constexpr std::size_t kDrawing_bytes = std::size_t{256} << 20;
+  void* const space = mmap(nullptr, kDrawing_bytes, PROT_READ | PROT_WRITE,
+                           MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (space == MAP_FAILED) {
+    fail(file,
+         "it may need 256 MiB of memory, and there is less: allow more (ulimit -v), or leave "
+         "PDF and PNG out");
+  }
+  munmap(space, kDrawing_bytes);
+}
+
 Handle parsed(const Path& file, const std::string& svg) {
+  require_memory(file);
   GError* error = nullptr;
   Handle handle(
       rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(svg.data()), svg.size(), &error));
