@@ -95,16 +95,18 @@ void tell(const JoinedBuilding& building, const Path& store) {
 }
 
 void tell_alone(const JoinedBuilding& building) {
-  const std::string& name = building.members.front().name;
-  if (building.verdict == PlaceVerdict::ambiguous) {
-    spdlog::warn(
-        "{}: not joined: two places fit nearly as well; it stays a building of its own "
-        "until a mission shows more of what tells them apart",
-        name);
-  } else {
-    spdlog::warn("{}: not joined: nothing holds it to the others; it stays a building of its own",
-                 name);
-  }
+  const MemberMission& member = building.members.front();
+  const bool is_ambiguous = building.verdict == PlaceVerdict::ambiguous;
+  spdlog::warn("{}: not joined: {}", member.name,
+               is_ambiguous ? "two places fit nearly as well; it stays a building of its own until a "
+                              "mission shows more of what tells them apart"
+                            : "nothing holds it to the others; it stays a building of its own");
+  if (member.pieces == 0) return;
+  spdlog::info(
+      "{}: at its likeliest place {} of {} of its path fit, {:.0f} % of what can be compared agrees; "
+      "score {:.0f}, the next place {:.0f}",
+      member.name, member.pieces_fitting, counted(member.pieces, "piece"), 100.0 * member.agreement,
+      member.score, member.runner_up_score);
 }
 
 Path numbered(const Path& place, std::size_t number) {

@@ -93,7 +93,6 @@ MemberMission member_of(const AssemblyStore& store, const JoinedMission& joined,
   member.name = store.mission().file;
   member.sensor = sensor;
   member.is_base = joined.is_base;
-  if (joined.is_base) return member;
   member.score = joined.best.score;
   member.runner_up_score = joined.runner_up_score;
   member.agreement = joined.best.agreement();
