@@ -51,8 +51,15 @@ for (const [where, go] of [['whole building', whole], ['near', near]]) {
   }
 }
 await whole();
-await browser.click('#edit');
-await browser.click('input[value="wall"]');
-await measure('moving a wall', async () => { await browser.clickPlace(browser.data.doors[0].at); await hover(); });
+await evaluate("document.querySelectorAll('#layers input').forEach((box) => { if (!box.checked) box.click(); })");
+for (const [what, action] of [['drag', drag], ['wheel', wheel], ['point at', hover]]) {
+  await whole();
+  await measure(`all layers, ${what}`, action);
+}
+if (await evaluate("document.querySelector('input[value=wall]') !== null")) {
+  await browser.click('#edit');
+  await browser.click('input[value="wall"]');
+  await measure('moving a wall', async () => { await browser.clickPlace(browser.data.doors[0].at); await hover(); });
+}
 rmSync(profile, { recursive: true, force: true });
 browser.close();
