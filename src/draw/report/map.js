@@ -120,7 +120,7 @@ function makeMap(data, onSelect) {
   window.addEventListener('afterprint', () => { document.getElementById('printed').replaceChildren(); });
   // To who does not see it the plan is one picture; its rooms are in the table.
   for (const pane of ['tooltipPane', 'missions']) map.getPane(pane).setAttribute('aria-hidden', 'true');
-  plan.canvas.setAttribute('role', 'img');
-  plan.canvas.setAttribute('aria-label', `Floor plan; rooms: ${data.rooms.length}, doors: ${data.doors.length}. The table of rooms lists them.`);
+  plan.picture.setAttribute('role', 'img');
+  plan.picture.setAttribute('aria-label', `Floor plan; rooms: ${data.rooms.length}, doors: ${data.doors.length}. The table of rooms lists them.`);
   return { map, layers, show, select, setMoment, roomAt };
 }

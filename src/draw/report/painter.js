@@ -1,23 +1,25 @@
 'use strict';
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A layer of the map that paints many shapes on one canvas. Shapes of one style in one part of the
-// building are one path in metres, made once: a move or zoom only sets another transform.
+// A layer of the map that paints many shapes on a canvas. Shapes of one style in one part of the
+// building are one path in metres, made once: a move or zoom only sets another transform. What is much
+// is painted over several frames, on a second canvas that takes the first one's place when it is whole.
 // shape: { layer, lines: [[x, y] ...], isRing, fill, stroke, width, dash, cap }, px and metres; drawn
 // in the order of layers, and there of the styles' first shapes.
 function makePainter(map, pane, layers) {
   const margin = 0.2;     // of the map's size, painted beyond each side: it can be dragged in
   const parts = 12;       // of the building along each axis: what is out of sight is left out
-  const slow = 20;        // ms; what takes longer waits until the map rests
   const finestDash = 10;  // px a metre: below this dashes are no more than noise, and cost most
-  const canvas = L.DomUtil.create('canvas', 'leaflet-zoom-animated', map.getPane(pane));
-  const ink = canvas.getContext('2d');
+  const holder = L.DomUtil.create('div', '', map.getPane(pane));
+  let [front, back] = [0, 1].map(() => L.DomUtil.create('canvas', 'leaflet-zoom-animated', holder));
   const shown = new Set();
   const groupsOf = new Map(layers.map((id) => [id, []]));
   const shapesBy = new Map(layers.map((id) => [id, []]));
   let labels = [];
-  let painted = null;  // { zoom, corner, bounds }: what is on the canvas
-  let cost = 0;        // ms, of the last time
-  let timer = 0;
+  let painted = null;    // { zoom, corner, bounds }: what is on the front
+  let job = null;        // what paints the back; one at a time
+  let isStale = false;   // what the job paints is not the last any more
+  let perFrame = 6000;   // points that are painted in a frame
+  let last = 0;          // ms, when a frame of the job began
 
   const area = (ring) => ring.reduce((sum, [x, y], i) => {
     const [nextX, nextY] = ring[(i + 1) % ring.length];
@@ -42,15 +44,16 @@ function makePainter(map, pane, layers) {
       const { tiles } = groups.get(key);
       const box = boxOf(shape.lines);
       const tile = parts * place((box[0] + box[2]) / 2, whole[0], whole[2]) + place((box[1] + box[3]) / 2, whole[1], whole[3]);
-      if (!tiles.has(tile)) tiles.set(tile, { path: new Path2D(), box });
+      if (!tiles.has(tile)) tiles.set(tile, { path: new Path2D(), box, points: 0 });
       const one = tiles.get(tile);
       trace(one.path, shape);
+      one.points += shape.lines.reduce((sum, line) => sum + line.length, 0);
       one.box = boxOf([[one.box.slice(0, 2), one.box.slice(2), box.slice(0, 2), box.slice(2)]]);
     }
     groupsOf.set(id, [...groups.values()]);
     refresh();
   }
-  function paintLabels(scale, toX, toY, bounds) {
+  function paintLabels(ink, scale, toX, toY, bounds) {
     ink.font = 'bold 15px "DejaVu Sans", Verdana, sans-serif';
     ink.textAlign = 'center';
     ink.textBaseline = 'middle';
@@ -67,60 +70,79 @@ function makePainter(map, pane, layers) {
       ink.fillText(label.text, toX(x), toY(y));
     }
   }
-  function paint() {
-    const began = performance.now();
+  /// Paints the back as the map lies now; yields how many points it has painted since.
+  function* painting() {
     const sharpness = window.devicePixelRatio || 1;
     const size = map.getSize();
     const pad = size.multiplyBy(margin).round();
     const corner = map.containerPointToLayerPoint(pad.multiplyBy(-1)).round();
     const full = size.add(pad.multiplyBy(2));
     const [width, height] = [Math.round(full.x * sharpness), Math.round(full.y * sharpness)];
-    if (canvas.width !== width || canvas.height !== height) {
-      Object.assign(canvas, { width, height });
-      Object.assign(canvas.style, { width: `${full.x}px`, height: `${full.y}px` });
+    if (back.width !== width || back.height !== height) {
+      Object.assign(back, { width, height });
+      Object.assign(back.style, { width: `${full.x}px`, height: `${full.y}px` });
     }
-    L.DomUtil.setTransform(canvas, corner, 1);
     const scale = Math.pow(2, map.getZoom());
     const off = map.getPixelOrigin().add(corner);
     const bounds = [off.x / scale, -(off.y + full.y) / scale, (off.x + full.x) / scale, -off.y / scale];
+    const now = { zoom: map.getZoom(), corner: map.layerPointToLatLng(corner), bounds };
+    const ink = back.getContext('2d');
     ink.setTransform(1, 0, 0, 1, 0, 0);
     ink.clearRect(0, 0, width, height);
     const zoomed = sharpness * scale;
     ink.setTransform(zoomed, 0, 0, -zoomed, -off.x * sharpness, -off.y * sharpness);
-    for (const id of layers.filter((one) => shown.has(one))) {
-      for (const { style, tiles } of groupsOf.get(id)) {
-        ink.fillStyle = style.fill || '';
-        ink.strokeStyle = style.stroke || '';
-        ink.lineWidth = (style.width || 1) / scale;
-        ink.lineCap = style.cap || 'round';
-        ink.lineJoin = 'round';
-        ink.globalAlpha = style.opacity || 1;
-        ink.setLineDash(style.dash && scale >= finestDash ? style.dash.map((length) => length / scale) : []);
-        for (const { path, box } of tiles.values()) {
-          if (box[0] > bounds[2] || box[2] < bounds[0] || box[1] > bounds[3] || box[3] < bounds[1]) continue;
-          if (style.fill) ink.fill(path);
-          if (style.stroke) ink.stroke(path);
-        }
+    for (const { style, tiles } of layers.filter((one) => shown.has(one)).flatMap((id) => groupsOf.get(id))) {
+      ink.fillStyle = style.fill || '';
+      ink.strokeStyle = style.stroke || '';
+      ink.lineWidth = (style.width || 1) / scale;
+      ink.lineCap = style.cap || 'round';
+      ink.lineJoin = 'round';
+      ink.setLineDash(style.dash && scale >= finestDash ? style.dash.map((length) => length / scale) : []);
+      for (const { path, box, points } of tiles.values()) {
+        if (box[0] > bounds[2] || box[2] < bounds[0] || box[1] > bounds[3] || box[3] < bounds[1]) continue;
+        if (style.fill) ink.fill(path);
+        if (style.stroke) ink.stroke(path);
+        yield points;
       }
     }
-    ink.globalAlpha = 1;
     ink.setLineDash([]);
     if (labels.length && shown.has(labels[0].layer)) {
       ink.setTransform(sharpness, 0, 0, sharpness, 0, 0);
-      paintLabels(scale, (x) => x * scale - off.x, (y) => -y * scale - off.y, bounds);
+      paintLabels(ink, scale, (x) => x * scale - off.x, (y) => -y * scale - off.y, bounds);
     }
-    painted = { zoom: map.getZoom(), corner: map.layerPointToLatLng(corner), bounds };
-    cost = performance.now() - began;
+    painted = now;
   }
-  /// Paints before the next frame; what is slow, once the map rests.
+  /// A frame's share of the job; as much as keeps frames short.
+  function work(time) {
+    if (last) perFrame = time - last > 25 ? Math.max(500, perFrame / 2) : Math.min(20000, perFrame * 1.5);
+    last = time;
+    for (let points = 0; points < perFrame;) {
+      const { value, done } = job.next();
+      if (done) return finish();
+      points += value;
+    }
+    return requestAnimationFrame(work);
+  }
+  function finish() {
+    [front, back] = [back, front];
+    front.hidden = false;
+    back.hidden = true;
+    job = null;
+    last = 0;
+    follow();
+    if (isStale) refresh();
+  }
+  /// Paints anew, from the next frame on.
   function refresh() {
-    clearTimeout(timer);
-    timer = setTimeout(() => requestAnimationFrame(paint), cost > slow ? 120 : 0);
+    isStale = job !== null;
+    if (job) return;
+    job = painting();
+    requestAnimationFrame(work);
   }
-  /// What is on the canvas follows the map at once.
+  /// What is on the front follows the map at once.
   function follow() {
     if (!painted) return;
-    L.DomUtil.setTransform(canvas, map.latLngToLayerPoint(painted.corner), map.getZoomScale(map.getZoom(), painted.zoom));
+    L.DomUtil.setTransform(front, map.latLngToLayerPoint(painted.corner), map.getZoomScale(map.getZoom(), painted.zoom));
     const view = map.getBounds();
     const [west, south, east, north] = painted.bounds;
     if (map.getZoom() !== painted.zoom || view.getWest() < west || view.getEast() > east || view.getSouth() < south || view.getNorth() > north) refresh();
@@ -128,7 +150,7 @@ function makePainter(map, pane, layers) {
   map.on('move zoom viewreset', follow);
   map.on('moveend resize', refresh);
   return {
-    canvas, set,
+    picture: holder, set,
     /// What is shown, as elements of an SVG in metres with y downwards, to be printed; text of so many metres.
     svg(text_m) {
       const escaped = (text) => text.replace(/&/g, '&amp;').replace(/</g, '&lt;');

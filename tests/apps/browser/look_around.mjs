@@ -10,7 +10,7 @@ const { evaluate, data, click } = browser;
 const report = [];
 const rows = (what) => evaluate(`[...document.querySelectorAll('#rooms tbody tr')]${what}`);
 const selected = () => rows(".filter((row) => row.classList.contains('selected')).map((row) => row.dataset.room).join()");
-const painted = () => evaluate("document.querySelector('.leaflet-missions-pane canvas').toDataURL()");
+const painted = () => evaluate("document.querySelector('.leaflet-missions-pane canvas:not([hidden])').toDataURL()");
 async function isPaintedAnew(before) {
   for (let i = 0; i < 100 && await painted() === before; ++i) await browser.pause(50);
   return await painted() !== before;
