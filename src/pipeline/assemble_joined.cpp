@@ -226,8 +226,11 @@ Assembly assemble_joined(AssemblyStore& store, const JoinedBuilding& building,
     if (closure.verdict == ClosureVerdict::accepted) add_edge(corrected.graph, edge_of(closure));
   }
   corrected.closures = building.closures;
+  // The frame is that of the base, whose walls lie along the axes: turned anew by what is left
+  // over, the building would move whenever it is assembled, and statements by hand with it.
+  constexpr double kWalls_rad = 0.0;
   corrected.correction =
-      correct_to(asrs, corrected.graph, building.placement, options.assemble.correct);
+      correct_to(asrs, corrected.graph, building.placement, options.assemble.correct, kWalls_rad);
   corrected.correction.model = "joined";
   corrected.correction.message = "placed by matching several missions";
   const bool has_laser =

@@ -120,6 +120,7 @@ TEST_F(EditsReplayed, WithAnotherMissionJoinedFitOrAreSaid) {
   const Outcome join =
       run("join " + store() + " " + (*shared_ / "other.gpkg").string() + " -o " + joined);
   ASSERT_EQ(join.exit_code, 0) << join.err;
+  const std::string as_joined = plan_of(joined);
   const Outcome again = run("assemble " + joined);
   ASSERT_EQ(again.exit_code, 0) << again.err;
   for (const Outcome* outcome : {&join, &again}) {
@@ -127,6 +128,7 @@ TEST_F(EditsReplayed, WithAnotherMissionJoinedFitOrAreSaid) {
     EXPECT_THAT(outcome->err, HasSubstr("edits[12] pin_visits: has no effect"));
     EXPECT_THAT(outcome->err, Not(HasSubstr("no longer fits"))) << "all others do";
   }
+  EXPECT_EQ(plan_of(joined), as_joined);
   EXPECT_EQ(told(joined, "SELECT name FROM rooms WHERE id = 9"), "Kitchen");
   EXPECT_EQ(told(joined, "SELECT kind FROM rooms WHERE id = 6"), "hall");
   EXPECT_EQ(told(joined, "SELECT count(*) FROM rooms"), "10");
