@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "items.hpp"
 
+#include "roomatlas/core/convex_hull.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -51,10 +53,21 @@ double changed_share(const Ring& outline, const std::vector<Point2>& points, dou
   return static_cast<double>(near) / static_cast<double>(edge.size());
 }
 
+/// The convex outline of some cells: nothing reaches beyond the walls of a convex room.
+Ring hull_of(const std::vector<Point2>& middles) {
+  std::vector<Point2> corners;
+  for (const Point2& at : middles) {
+    for (const double x_m : {-kMarginM, kMarginM}) {
+      for (const double y_m : {-kMarginM, kMarginM}) corners.emplace_back(at + Point2(x_m, y_m));
+    }
+  }
+  return convex_hull(std::move(corners));
+}
+
 /// Its size and outline: the drawn piece where all of it was altered, else what was.
 void measure(Item& item, const FloorPlan& plan, const ChangeOptions& options) {
   item.extent = extent_of(item.altered.points, kMarginM);
-  item.outline = {ring_of(item.extent), {}};
+  item.outline = {hull_of(item.altered.points), {}};
   if (!item.thing.piece) return;
   const Polygon& piece = plan.furniture[*item.thing.piece].outline;
   if (changed_share(piece.outer, item.altered.points, options.wall_reach_m) < kChangedShare) return;

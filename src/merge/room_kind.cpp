@@ -2,6 +2,7 @@
 #include "room_kind.hpp"
 
 #include "roomatlas/core/clearance.hpp"
+#include "roomatlas/core/convex_hull.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,26 +17,6 @@ constexpr double kWideShare = 0.05;       // of a corridor: where corridors cros
 constexpr double kEnclosing = 1.5;        // with holes filled, over without: a loop
 constexpr double kHallArea_m2 = 80.0;     // larger rooms that are no corridors are halls
 constexpr double kSameArea = 1e-6;  // of a box: a rounding must not decide which side is longer
-
-/// Convex hull, counter-clockwise (Andrew's monotone chain).
-Ring convex_hull(Ring points) {
-  std::sort(points.begin(), points.end(), [](const Point2& a, const Point2& b) {
-    return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
-  });
-  Ring hull;
-  const auto add = [&](const Point2& point, std::size_t floor) {
-    while (hull.size() >= floor + 2 &&
-           cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0.0) {
-      hull.pop_back();
-    }
-    hull.push_back(point);
-  };
-  for (const Point2& point : points) add(point, 0);
-  const std::size_t lower = hull.size() - 1;
-  for (auto it = points.rbegin() + 1; it != points.rend(); ++it) add(*it, lower);
-  hull.pop_back();
-  return hull;
-}
 
 /// The longer side of the smallest oriented bounding box; of equal boxes the longest.
 double long_side(const Ring& outer) {

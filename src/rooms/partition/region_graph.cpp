@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "convex_hull.hpp"
+#include "roomatlas/core/convex_hull.hpp"
 
 namespace roomatlas {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "convex_hull.hpp"
+#include "roomatlas/core/convex_hull.hpp"
 
 #include <algorithm>
 
