@@ -15,6 +15,7 @@
 #include "mission_stores.hpp"
 #include "new_store.hpp"
 #include "output_places.hpp"
+#include "plugin_formats.hpp"
 #include "roomatlas/correct/place.hpp"
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/logs/open_mission.hpp"
@@ -41,7 +42,8 @@ void write_results(const Settings& settings, const Path& store, const BuildArgum
                    const std::vector<std::string>& formats,
                    const std::vector<GoneOn>& gone_on = {}) {
   const Path& out = arguments.out;
-  std::vector<std::string> files = export_all(settings, store, formats, arguments.exported, out);
+  std::vector<std::string> files =
+      export_all(settings, store, possible_formats(formats), arguments.exported, out);
   const Evaluation evaluation =
       evaluation_of(settings, store, arguments.truth, arguments.trajectory);
   write_summary(store, evaluation, out);

@@ -143,7 +143,7 @@ struct OptimizeArguments {
 };
 void optimize(const Settings& settings, const OptimizeArguments& arguments);
 
-/// The formats that `export` knows.
+/// The formats that `export` writes where none is asked for.
 [[nodiscard]] std::vector<std::string> export_formats();
 
 }  // namespace roomatlas::apps

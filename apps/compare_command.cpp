@@ -5,13 +5,13 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "output_places.hpp"
+#include "plugin_formats.hpp"
 #include "printable.hpp"
 #include "roomatlas/changes/find_changes.hpp"
 #include "roomatlas/changes/lay_on.hpp"
 #include "roomatlas/correct/correct.hpp"
 #include "roomatlas/draw/changes.hpp"
 #include "roomatlas/io/files/files.hpp"
-#include "roomatlas/io/pictures/svg_pictures.hpp"
 #include "roomatlas/io/plans/changes_files.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/pipeline/mission_map.hpp"
@@ -147,7 +147,7 @@ void compare(const Settings& settings, const CompareArguments& arguments) {
                                         new_store.mission().file, date_of(new_store.metadata())},
                                        settings.draw);
   write_file(arguments.out / "changes.svg", svg);
-  write_png(arguments.out / "changes.png", svg, settings.png_dpi);
+  write_picture(arguments.out / "changes.png", svg, settings.png_dpi);
   write_file(arguments.out / "changes.geojson", changes_geojson(found));
   write_file(arguments.out / "changes.csv", changes_csv(found));
   if (settings.json) {

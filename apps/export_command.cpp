@@ -11,6 +11,7 @@
 #include "console.hpp"
 #include "did_you_mean.hpp"
 #include "output_places.hpp"
+#include "plugin_formats.hpp"
 #include "roomatlas/core/progress.hpp"
 #include "roomatlas/correct/place.hpp"
 #include "roomatlas/evaluate/plan_accuracy.hpp"
@@ -294,8 +295,7 @@ void check_formats(const std::vector<std::string>& formats) {
 std::vector<std::string> export_formats() {
   std::vector<std::string> names;
   for (const auto& entry : exporters()) {
-    const bool is_possible = entry.first != "ogr" && (entry.first != "dxf" || has_ogr());
-    if (is_possible) names.push_back(entry.first);
+    if (entry.first != "ogr") names.push_back(entry.first);
   }
   return names;
 }
@@ -332,7 +332,10 @@ void export_and_tell(const Settings& settings, const Path& store, const Names& f
   check_formats(formats);
   make_folder(out);
   const PlaceLock lock(out);
-  tell_files(settings, out, export_all(settings, store, formats, options, out));
+  const bool is_asked = formats != export_formats();
+  tell_files(
+      settings, out,
+      export_all(settings, store, is_asked ? formats : possible_formats(formats), options, out));
 }
 
 }  // namespace roomatlas::apps

@@ -4,9 +4,9 @@
 
 #include "commands.hpp"
 #include "output_places.hpp"
+#include "plugin_formats.hpp"
 #include "roomatlas/asr/map_room.hpp"
 #include "roomatlas/io/files/files.hpp"
-#include "roomatlas/io/pictures/svg_pictures.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "stored_configuration.hpp"
 
@@ -30,7 +30,7 @@ void inspect(const Settings& settings, const Path& store_file, AsrId id, const P
   make_folder(out);
   const std::string name = fmt::format("asr_{}", id);
   write_file(out / (name + ".svg"), svg);
-  write_png(out / (name + ".png"), svg, settings.png_dpi);
+  write_picture(out / (name + ".png"), svg, settings.png_dpi);
 
   const AsrCounters& counters = map.counters;
   constexpr const char* kText =

@@ -1,34 +1,43 @@
-# What `cmake --install` puts where, so that another project finds it with find_package(roomatlas).
-include(GNUInstallDirs)
+# What `cmake --install` puts where, so that another project finds it with find_package(roomatlas). Each
+# component is a package (cmake/package.cmake); plug-ins and Python say theirs themselves.
 include(CMakePackageConfigHelpers)
 
-install(TARGETS roomatlas_library EXPORT roomatlas_targets)
-install(DIRECTORY include/roomatlas TYPE INCLUDE FILES_MATCHING PATTERN *.hpp)
+install(TARGETS roomatlas_library EXPORT roomatlas_targets COMPONENT dev)
+install(DIRECTORY include/roomatlas TYPE INCLUDE COMPONENT dev FILES_MATCHING PATTERN *.hpp)
+set(installed roomatlas_library)
 if(ROOMATLAS_PROGRAM)
-  install(TARGETS roomatlas)
+  install(TARGETS roomatlas COMPONENT program)
+  list(APPEND installed roomatlas)
   # Where the program cannot run here (built for another machine), it is installed without them.
   if(NOT CMAKE_CROSSCOMPILING)
     install(CODE "
       execute_process(COMMAND \"${CMAKE_COMMAND}\" \"-DPROGRAM=$<TARGET_FILE:roomatlas>\"
         \"-DPREFIX=\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\" -DMAN=${CMAKE_INSTALL_MANDIR}
-        -DDATA=${CMAKE_INSTALL_DATADIR} -P \"${PROJECT_SOURCE_DIR}/cmake/install_text.cmake\"
-        COMMAND_ERROR_IS_FATAL ANY)")
+        -DDATA=${CMAKE_INSTALL_DATADIR} -DGZIP=${ROOMATLAS_PACKAGES}
+        -P \"${PROJECT_SOURCE_DIR}/cmake/install_text.cmake\"
+        COMMAND_ERROR_IS_FATAL ANY)" COMPONENT program)
   endif()
   if(TARGET roomatlas-fleet)
-    install(TARGETS roomatlas-fleet)
+    install(TARGETS roomatlas-fleet COMPONENT fleet)
+    list(APPEND installed roomatlas-fleet)
   endif()
 endif()
-install(FILES LICENSE TYPE DOC)
+if(TARGET roomatlas_python)
+  list(APPEND installed roomatlas_python)
+endif()
+add_custom_target(installed DEPENDS ${installed})  # what must be built to be installed
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/roomatlas)
 install(EXPORT roomatlas_targets NAMESPACE roomatlas:: DESTINATION ${package}
-        FILE roomatlasTargets.cmake)
-set(uses_gdal OFF)
-if(TARGET GDAL::GDAL)
-  set(uses_gdal ON)
-endif()
+        FILE roomatlasTargets.cmake COMPONENT dev)
 configure_package_config_file(cmake/roomatlasConfig.cmake.in roomatlasConfig.cmake
   INSTALL_DESTINATION ${package} NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file(roomatlasConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/roomatlasConfig.cmake
-              ${PROJECT_BINARY_DIR}/roomatlasConfigVersion.cmake DESTINATION ${package})
+              ${PROJECT_BINARY_DIR}/roomatlasConfigVersion.cmake DESTINATION ${package} COMPONENT dev)
+
+if(ROOMATLAS_PACKAGES)
+  include(cmake/package.cmake)
+else()
+  install(FILES LICENSE TYPE DOC)  # packages say where Debian keeps it
+endif()

@@ -36,6 +36,7 @@ function(roomatlas_program name)
   add_executable(${name} ${ARGN})
   target_compile_options(${name} PRIVATE ${ROOMATLAS_WARNINGS})
   target_link_libraries(${name} PRIVATE roomatlas::roomatlas)
+  roomatlas_finds_plugins(${name} ${CMAKE_INSTALL_BINDIR})
 endfunction()
 
 # roomatlas_test(NAME [LIBRARIES target...]): every .cpp below tests/NAME in one program.

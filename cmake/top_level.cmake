@@ -37,7 +37,9 @@ elseif(ROOMATLAS_SANITIZER)
 endif()
 if(ROOMATLAS_SANITIZER)
   add_compile_options(${sanitize} -fno-omit-frame-pointer)
-  add_link_options(${sanitize})
+  # AddressSanitizer stands between a program and dlopen: only the older kind of run path, which holds
+  # for all that is loaded, is looked at then.
+  add_link_options(${sanitize} LINKER:--disable-new-dtags)
 endif()
 if(ROOMATLAS_FUZZ)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL Clang)

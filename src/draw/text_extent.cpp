@@ -1,31 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text_extent.hpp"
 
-#include <cairo.h>
+#include <algorithm>
 
-#include <memory>
+#include "font_widths.hpp"
 
 namespace roomatlas::drawing {
 namespace {
 
-constexpr double kMeasuredSize = 1000.0;  // large, so that no rounding to pixels is left
+constexpr double kThousand = 1000.0;
+constexpr char32_t kReplacement = 0xFFFD;
 
 bool is_continuation_byte(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+
+/// The character that begins at the byte; goes on to the place after it. For what is no UTF-8 the
+/// replacement character, which is drawn for it.
+char32_t next_character(const std::string& text, std::size_t& at) {
+  const auto first = static_cast<unsigned char>(text[at++]);
+  const unsigned more = first >= 0xF0U ? 3 : first >= 0xE0U ? 2 : first >= 0xC0U ? 1 : 0;
+  if ((more == 0 && first >= 0x80U) || first >= 0xF8U) return kReplacement;
+  char32_t code = more == 0 ? first : first & (0x3FU >> more);
+  for (unsigned i = 0; i < more; ++i) {
+    if (at == text.size() || !is_continuation_byte(text[at])) return kReplacement;
+    code = code << 6U | (static_cast<unsigned char>(text[at++]) & 0x3FU);
+  }
+  return code;
+}
+
+double width_of(char32_t character, std::span<const WidthRun> runs) {
+  const auto next =
+      std::upper_bound(runs.begin(), runs.end(), character,
+                       [](char32_t code, const WidthRun& run) { return code < run.first; });
+  return next == runs.begin() ? 0.0 : std::prev(next)->width;
+}
 
 }  // namespace
 
 double text_width_mm(const std::string& text, double size_mm, Weight weight) {
-  using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
-  using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1), cairo_surface_destroy);
-  const Context context(cairo_create(surface.get()), cairo_destroy);
-  cairo_select_font_face(
-      context.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
-      weight == Weight::bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-  cairo_set_font_size(context.get(), kMeasuredSize);
-  cairo_text_extents_t extents{};
-  cairo_text_extents(context.get(), text.c_str(), &extents);
-  return extents.x_advance * size_mm / kMeasuredSize;
+  const std::span<const WidthRun> runs = weight == Weight::bold ? bold_widths() : normal_widths();
+  double thousandths = 0.0;
+  for (std::size_t at = 0; at < text.size();) {
+    thousandths += width_of(next_character(text, at), runs);
+  }
+  return thousandths * size_mm / kThousand;
 }
 
 std::string shortened(const std::string& text, double width_mm, double size_mm, Weight weight) {

@@ -22,9 +22,15 @@ const std::vector<Rule>& rules() {
       {"CGAL", std::regex(R"(#\s*include\s*[<"]CGAL/)"), {"src/planar/"}},
       {"Ceres", std::regex(R"(#\s*include\s*[<"]ceres/)"), {"src/solve/", "src/correct/"}},
       {"Boost", std::regex(R"(#\s*include\s*[<"]boost/)"), {"src/"}},
+      {"what a plug-in is for",
+       std::regex(R"(#\s*include\s*[<"](cairo|librsvg/|gdal|ogr|cpl_))"),
+       {"plugins/"}},
+      {"our own but values",
+       std::regex(R"(#\s*include\s*"roomatlas/(?!core/geometry\.hpp))"),
+       {"src/", "include/", "apps/"}},
       {"<fstream>",
        std::regex(R"(#\s*include\s*<fstream>)"),
-       {"src/io/", "include/roomatlas/io/", "apps/"}},
+       {"src/io/", "include/roomatlas/io/", "apps/", "plugins/gdal/"}},
       {"the file system",
        std::regex(
            R"(\bfopen\s*\(|\b(fs|filesystem)::(create_|remove|rename|copy|resize_|permissions|)"
@@ -57,7 +63,9 @@ std::vector<std::string> broken_rules(const SourceFile& source) {
 
 TEST(OutsideLibraries, StayWhereTheyBelong) {
   std::vector<SourceFile> sources = library_sources();
-  for (SourceFile& source : sources_below("apps")) sources.push_back(std::move(source));
+  for (const char* folder : {"apps", "plugins"}) {
+    for (SourceFile& source : sources_below(folder)) sources.push_back(std::move(source));
+  }
   for (const SourceFile& source : sources) {
     const std::vector<std::string> findings = broken_rules(source);
     EXPECT_TRUE(findings.empty()) << lines_of(findings);
@@ -76,6 +84,10 @@ TEST(OutsideLibraries, CheckSeesWhatDoesNotBelong) {
   EXPECT_EQ(count("src/correct/solve.cpp", ceres), 0U);
   EXPECT_EQ(count("include/roomatlas/correct/correct.hpp", ceres), 1U);
   EXPECT_EQ(count("apps/main.cpp", ceres), 1U);
+  EXPECT_EQ(count("src/io/pictures/svg_pictures.cpp", "#include <librsvg/rsvg.h>\n"), 1U);
+  EXPECT_EQ(count("plugins/pictures/encode.cpp", "#include <librsvg/rsvg.h>\n"), 0U);
+  EXPECT_EQ(count("plugins/gdal/plugin.cpp", "#include \"roomatlas/io/files/files.hpp\"\n"), 1U);
+  EXPECT_EQ(count("src/draw/text_extent.cpp", "#include <cairo.h>\n"), 1U);
   EXPECT_EQ(count("src/pipeline/build.cpp", "#include <fstream>\n"), 1U);
   EXPECT_EQ(count("src/io/tum.cpp", "#include <fstream>\n"), 0U);
   EXPECT_EQ(count("src/pipeline/build.cpp", "std::filesystem::rename(a, b);\n"), 1U);

@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifdef ROOMATLAS_GDAL
-
-#include <cpl_conv.h>
-
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <map>
 
-#include "dxf_doors.hpp"
-#include "ogr_geometry.hpp"
-#include "ogr_memory.hpp"
-#include "roomatlas/core/issue.hpp"
+#include "plans/dxf_doors.hpp"
+#include "plans/vector_files.hpp"
 #include "roomatlas/draw/dimensions.hpp"
 #include "roomatlas/draw/markup_text.hpp"
 #include "roomatlas/io/plans/ogr_export.hpp"
@@ -20,46 +12,28 @@
 namespace roomatlas {
 namespace {
 
-using namespace ogr;
+using namespace io;
 
 constexpr double kName_m = 0.3;    // height of text in the building
 constexpr double kWidth_m = 0.15;  // the same for widths of doors
 
-/// GDAL's template of a DXF header says inches: ours are metres.
-std::string header_in_metres() {
-  const char* const file = CPLFindFile("gdal", "header.dxf");
-  std::ifstream stream(file == nullptr ? "" : file, std::ios::binary);
-  std::string header{std::istreambuf_iterator<char>(stream), {}};
-  const auto set = [&](const std::string& variable, const std::string& value) {
-    const std::size_t name = header.find(variable);
-    const std::size_t code = name == std::string::npos ? name : header.find('\n', name);
-    const std::size_t old = code == std::string::npos ? code : header.find('\n', code + 1);
-    if (old == std::string::npos) throw InputError("GDAL's header.dxf lacks " + variable);
-    header.replace(old + 1, header.find('\n', old + 1) - old - 1, value);
-  };
-  set("$INSUNITS", "6");
-  set("$MEASUREMENT", "1");
-  return header;
-}
-
 /// Entities on layers.
 class Drawing {
  public:
-  explicit Drawing(OGRLayer& layer) : layer_(layer) {}
-
-  void add_ring(const char* on, const Ring& ring) { add(on, closed_line(ring), ""); }
-  /// An INSERT of its block, which must be there.
-  void add_symbol(const char* on, const io::DoorSymbol& symbol) {
-    OGRFeature feature(layer_.GetLayerDefn());
-    feature.SetField("Layer", on);
-    feature.SetField("BlockName", symbol.block.name.c_str());
-    feature.SetField("BlockAngle", symbol.turn_deg);
-    feature.SetField("BlockScale", ("(3:" + std::to_string(symbol.scale_x) + "," +
-                                    std::to_string(symbol.scale_y) + ",1)")
-                                       .c_str());
-    ogr::add(layer_, feature, OGRPoint(symbol.at.x(), symbol.at.y()));
+  /// Closed: the first point stands again at the end.
+  void add_ring(const char* on, const Ring& ring) {
+    Polyline line = ring;
+    if (!ring.empty()) line.push_back(ring.front());
+    add(on, line, "");
   }
-  void add_line(const char* on, const Polyline& line) { add(on, to_ogr(line), ""); }
+  /// An INSERT of its block, which must be there.
+  void add_symbol(const char* on, const DoorSymbol& symbol) {
+    const std::string scale =
+        "(3:" + std::to_string(symbol.scale_x) + "," + std::to_string(symbol.scale_y) + ",1)";
+    entities_.features.push_back(
+        {symbol.at, {std::string(on), symbol.block.name, symbol.turn_deg, scale}, ""});
+  }
+  void add_line(const char* on, const Polyline& line) { add(on, line, ""); }
   void add_polygons(const char* on, const std::vector<Polygon>& polygons) {
     for (const Polygon& polygon : polygons) {
       add_ring(on, polygon.outer);
@@ -77,18 +51,22 @@ class Drawing {
     const std::string style = "LABEL(f:\"Arial\",t:\"" + escaped +
                               "\",p:5,a:" + std::to_string(turn_deg) +
                               ",s:" + std::to_string(height_m) + "g,c:#000000)";
-    add(on, OGRPoint(at.x(), at.y()), style);
+    add(on, at, style);
   }
+  [[nodiscard]] const VectorLayer& entities() const { return entities_; }
 
  private:
-  void add(const char* on, const OGRGeometry& shape, const std::string& style) {
-    OGRFeature feature(layer_.GetLayerDefn());
-    feature.SetField("Layer", on);
-    if (!style.empty()) feature.SetStyleString(style.c_str());
-    ogr::add(layer_, feature, shape);
+  void add(const char* on, const VectorShape& shape, const std::string& style) {
+    entities_.features.push_back({shape, {std::string(on), {}, {}, {}}, style});
   }
 
-  OGRLayer& layer_;
+  VectorLayer entities_{"entities",
+                        LayerShape::any,
+                        {{"Layer", FieldType::text},
+                         {"BlockName", FieldType::text},
+                         {"BlockAngle", FieldType::real},
+                         {"BlockScale", FieldType::text}},
+                        {}};
 };
 
 std::string two_decimals(double value) {
@@ -119,7 +97,7 @@ void draw(Drawing& drawing, const PlanDoor& door) {
   const bool is_window = door.kind == DoorKind::window;
   const char* const on = is_window ? "A-GLAZ" : "A-DOOR";
   if (!door.opening.empty()) drawing.add_ring(on, door.opening);
-  if (const auto symbol = io::door_symbol(door)) drawing.add_symbol(on, *symbol);
+  if (const auto symbol = door_symbol(door)) drawing.add_symbol(on, *symbol);
   drawing.add_text(is_window ? "A-GLAZ-IDEN" : "A-DOOR-IDEN", (door.jambs.a + door.jambs.b) / 2.0,
                    two_decimals(door.width_m), kWidth_m);
 }
@@ -181,44 +159,30 @@ void draw(Drawing& drawing, const FloorPlan& plan) {
 }
 
 /// Each block that a door of the plan stands as, once. On layer 0 they take that of the INSERT.
-void add_blocks(OGRLayer& layer, const FloorPlan& plan) {
-  std::map<std::string, io::DoorBlock> blocks;
+VectorLayer blocks_of(const FloorPlan& plan) {
+  std::map<std::string, DoorBlock> blocks;
   for (const PlanDoor& door : plan.doors) {
-    if (const auto symbol = io::door_symbol(door)) {
+    if (const auto symbol = door_symbol(door)) {
       blocks.emplace(symbol->block.name, symbol->block);
     }
   }
+  VectorLayer layer{
+      "blocks", LayerShape::any, {{"Layer", FieldType::text}, {"Block", FieldType::text}}, {}};
   for (const auto& [name, block] : blocks) {
     for (const Polyline& line : block.lines) {
-      OGRFeature feature(layer.GetLayerDefn());
-      feature.SetField("Layer", "0");
-      feature.SetField("Block", name.c_str());
-      ogr::add(layer, feature, to_ogr(line));
+      layer.features.push_back({line, {std::string("0"), name}, ""});
     }
   }
+  return layer;
 }
 
 }  // namespace
 
 void write_dxf(const std::filesystem::path& file, const FloorPlan& plan) {
-  GDALDriver* driver = driver_of("DXF");
-  const MemoryFolder results("dxf");
-  const MemoryFolder templates("header");
-  templates.put("header.dxf", header_in_metres());
-  {
-    const Dataset dataset = create(*driver, results.path(file.filename().string()),
-                                   {"HEADER=" + templates.path("header.dxf")});
-    OGRLayer* blocks = dataset->CreateLayer("blocks");
-    OGRLayer* layer = dataset->CreateLayer("entities");
-    if (blocks == nullptr || layer == nullptr)
-      throw InputError(file.string() + ": " + last_error());
-    add_blocks(*blocks, plan);
-    Drawing drawing(*layer);
-    draw(drawing, plan);
-  }
-  results.write_to(file.parent_path());
+  Drawing drawing;
+  draw(drawing, plan);
+  write_vector_file(file.parent_path(),
+                    {"DXF", file.filename().string(), {blocks_of(plan), drawing.entities()}});
 }
 
 }  // namespace roomatlas
-
-#endif

@@ -9,7 +9,7 @@
 
 namespace roomatlas {
 
-/// Whether this build has GDAL, and with it the formats below.
+/// Whether the plug-in roomatlas-gdal can be loaded, and with it the formats below are there.
 [[nodiscard]] bool has_ogr();
 
 /// The plan as DXF in metres, model space, with the layer names of the U.S. National CAD Standard
@@ -17,12 +17,12 @@ namespace roomatlas {
 /// A-DOOR-IDEN (widths), A-GLAZ, A-GLAZ-IDEN (windows), A-AREA (outlines of rooms), A-AREA-IDEN
 /// (names and areas), A-FURN (at walls), A-FURN-FREE, A-ANNO-DIMS (chains of dimensions as lines
 /// and texts). Outlines are closed polylines. Throws InputError when it cannot be written,
-/// UsageError in a build without GDAL.
+/// UsageError without the plug-in.
 void write_dxf(const std::filesystem::path& file, const FloorPlan& plan);
 
 /// The plan in a vector format of OGR, in building metres: layers rooms, doors, walls and, where
-/// there are any, furniture, edges and leaves, with the columns of the store. Throws UsageError for
-/// a format that this GDAL cannot write, InputError when writing fails.
+/// there are any, furniture, edges and leaves, with the columns of the store. Throws UsageError
+/// without the plug-in and for a format that its GDAL cannot write, InputError when writing fails.
 /// @param driver as `ogrinfo --formats` names it, such as "GML" or "ESRI Shapefile"
 /// @param out folder; files there are called `plan_DRIVER...`
 /// @returns the files' names

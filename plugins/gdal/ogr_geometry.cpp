@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifdef ROOMATLAS_GDAL
-
 #include "ogr_geometry.hpp"
-
-#include "ogr_memory.hpp"
-#include "roomatlas/core/issue.hpp"
 
 namespace roomatlas::ogr {
 namespace {
@@ -22,15 +17,9 @@ OGRLinearRing ring_of(const Ring& ring) {
   return closed;
 }
 
-}  // namespace
+OGRPoint to_ogr(const Point2& point) { return {point.x(), point.y()}; }
 
 OGRLineString to_ogr(const Polyline& line) { return curve_of<OGRLineString>(line); }
-
-OGRLineString closed_line(const Ring& ring) {
-  auto line = curve_of<OGRLineString>(ring);
-  if (!ring.empty()) line.addPoint(ring.front().x(), ring.front().y());
-  return line;
-}
 
 OGRPolygon to_ogr(const Polygon& polygon) {
   OGRPolygon shape;
@@ -52,12 +41,14 @@ OGRMultiPolygon to_ogr(const std::vector<Polygon>& polygons) {
   return shape;
 }
 
-void add(OGRLayer& layer, OGRFeature& feature, const OGRGeometry& shape) {
-  if (feature.SetGeometry(&shape) != OGRERR_NONE || layer.CreateFeature(&feature) != OGRERR_NONE) {
-    throw InputError(last_error());
-  }
+}  // namespace
+
+std::unique_ptr<OGRGeometry> to_ogr(const io::VectorShape& shape) {
+  return std::visit(
+      [](const auto& own) -> std::unique_ptr<OGRGeometry> {
+        return std::unique_ptr<OGRGeometry>(to_ogr(own).clone());
+      },
+      shape);
 }
 
 }  // namespace roomatlas::ogr
-
-#endif
