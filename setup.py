@@ -27,6 +27,8 @@ class CMakeBuild(build_ext):
             sys.exit("CMake built no module: are pybind11-dev and python3-dev installed?")
         into.parent.mkdir(parents=True, exist_ok=True)
         self.copy_file(str(built[0]), str(into))
+        for plugin in (build / "lib" / "roomatlas").glob("*.so"):  # the module looks beside itself
+            self.copy_file(str(plugin), str(into.parent))
 
 
 setup(ext_modules=[Extension("roomatlas._core", [])], cmdclass={"build_ext": CMakeBuild})

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+import struct
+import zlib
+
 import numpy as np
 import pytest
 import roomatlas
@@ -40,6 +43,27 @@ def test_a_picture_is_a_map_too(tmp_path):
     built = roomatlas.build(file, tmp_path / "building.gpkg", resolution_m=0.05)
     assert [r.area_m2 for r in built.rooms] == [r.area_m2 for r in from_cells.rooms]
     assert built.trajectory.shape == (0, 4)
+
+
+def png_of(pixels):
+    """A grey picture by the letter of the format, without any library of pictures."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(
+            ">I", zlib.crc32(kind + data))
+
+    height, width = pixels.shape
+    rows = b"".join(b"\0" + row.tobytes() for row in pixels)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0))
+            + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
+def test_a_png_is_read_by_the_plug_in(tmp_path):
+    pixels = np.where(np.flipud(three_rooms()) == 100, 0, 254).astype(np.uint8)
+    file = tmp_path / "map.png"
+    file.write_bytes(png_of(pixels))
+    from_file = roomatlas.segment(file, resolution_m=0.05)
+    from_cells = roomatlas.segment(three_rooms(), resolution_m=0.05)
+    assert [r.area_m2 for r in from_file.rooms] == [r.area_m2 for r in from_cells.rooms]
 
 
 def test_wrong_cells_are_said():
