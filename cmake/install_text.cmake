@@ -8,6 +8,10 @@ function(write_text out)
 endfunction()
 
 execute_process(COMMAND ${PROGRAM} man -o ${PREFIX}/${MAN}/man1 COMMAND_ERROR_IS_FATAL ANY)
+if(GZIP)  # as packages have them
+  file(GLOB pages ${PREFIX}/${MAN}/man1/roomatlas*.1)
+  execute_process(COMMAND gzip -9nf ${pages} COMMAND_ERROR_IS_FATAL ANY)
+endif()
 message(STATUS "Installing: ${PREFIX}/${MAN}/man1/roomatlas.1, and a page a command")
 write_text(${PREFIX}/${DATA}/bash-completion/completions/roomatlas completion bash)
 write_text(${PREFIX}/${DATA}/zsh/vendor-completions/_roomatlas completion zsh)
