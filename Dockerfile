@@ -6,7 +6,7 @@
 FROM debian:12 AS build
 WORKDIR /roomatlas
 COPY . .
-RUN ./run package
+RUN ./run package build
 
 FROM debian:12-slim
 COPY --from=build /roomatlas/out/packages /packages

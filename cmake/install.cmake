@@ -7,6 +7,8 @@ install(DIRECTORY include/roomatlas TYPE INCLUDE COMPONENT dev FILES_MATCHING PA
 set(installed roomatlas_library)
 if(ROOMATLAS_PROGRAM)
   install(TARGETS roomatlas COMPONENT program)
+  file(GLOB worlds CONFIGURE_DEPENDS data/worlds/*.geojson)  # to try it with
+  install(FILES ${worlds} DESTINATION ${CMAKE_INSTALL_DATADIR}/roomatlas/worlds COMPONENT program)
   list(APPEND installed roomatlas)
   # Where the program cannot run here (built for another machine), it is installed without them.
   if(NOT CMAKE_CROSSCOMPILING)
@@ -35,6 +37,8 @@ configure_package_config_file(cmake/roomatlasConfig.cmake.in roomatlasConfig.cma
 write_basic_package_version_file(roomatlasConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/roomatlasConfig.cmake
               ${PROJECT_BINARY_DIR}/roomatlasConfigVersion.cmake DESTINATION ${package} COMPONENT dev)
+# A workspace of ROS looks for it there (REP 136).
+install(FILES package.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/roomatlas COMPONENT dev)
 
 if(ROOMATLAS_PACKAGES)
   include(cmake/package.cmake)

@@ -1,6 +1,6 @@
 # Debian packages of what is installed, by `cpack`; `./run package` builds with the preset `package`, for
 # /usr, and checks what comes out.
-set(ROOMATLAS_MAINTAINER "Roomatlas maintainers <maintainers@roomatlas.invalid>" CACHE STRING
+set(ROOMATLAS_MAINTAINER "Roomatlas developers <roomatlas@example.org>" CACHE STRING
     "Who answers for the packages: name and address")
 
 # roomatlas_deb(COMPONENT PACKAGE SYNOPSIS [TEXT ...] [DEPENDS ...] [RECOMMENDS ...] [SUGGESTS ...]):

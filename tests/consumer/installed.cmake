@@ -32,7 +32,8 @@ endif()
 run(${OUT}/prefix/bin/roomatlas --version)
 foreach(text share/man/man1/roomatlas.1 share/man/man1/roomatlas-build.1
              share/bash-completion/completions/roomatlas share/zsh/vendor-completions/_roomatlas
-             share/fish/vendor_completions.d/roomatlas.fish)
+             share/fish/vendor_completions.d/roomatlas.fish
+             share/roomatlas/worlds/two_rooms.geojson share/roomatlas/package.xml)
   if(NOT EXISTS ${OUT}/prefix/${text})
     message(FATAL_ERROR "${text} is not installed")
   endif()
