@@ -11,13 +11,16 @@ namespace {
 constexpr double kMostTurn_rad = radians(10.0);  // of a face from the wall that is told
 constexpr double kLeastShared = 0.5;             // of the told wall that a face runs along
 constexpr double kSmallestRoom_m2 = 0.5;
-constexpr double kLongest_m = 5.0;  // that a wall is moved: farther is another wall
+constexpr double kTouching_m = 0.01;  // what is added to a room begins so far inside of it
+constexpr double kSliver_m2 = 0.02;   // left at a corner that is not quite square to the told line
+constexpr double kLongest_m = 5.0;    // that a wall is moved: farther is another wall
 
 /// The face of a room along a wall: the room, and how far to the wall's left the face lies.
 struct Face {
   RoomId room = 0;
-  double offset_m = 0.0;
+  double offset_m = 0.0;  ///< of its middle
   double shared_m = 0.0;
+  double slant_m = 0.0;  ///< of its ends from each other, across the wall
 };
 
 /// Of a ring's edge, where it runs along the wall with its room on the side asked for.
@@ -34,7 +37,8 @@ std::optional<Face> face_of(const Segment2& edge, const Segment2& wall, bool is_
   const double from_m = std::max(0.0, std::min(first_m, second_m));
   const double to_m = std::min((wall.b - wall.a).norm(), std::max(first_m, second_m));
   if (to_m <= from_m) return std::nullopt;
-  return Face{0, left.dot((edge.a + edge.b) / 2.0 - wall.a), to_m - from_m};
+  return Face{0, left.dot((edge.a + edge.b) / 2.0 - wall.a), to_m - from_m,
+              std::abs(left.dot(way))};
 }
 
 /// The nearest face of a room on one side of the wall.
@@ -126,10 +130,11 @@ Why move_wall(const Edit& edit, MappedBuilding& building) {
   const std::optional<Face> right = face_beside(building, wall, false);
   if (!left && !right) return "no wall runs along the line that is told";
   const double by_m = edit.by_m;
-  // What a face sweeps, about the told line: from where it is to where it goes.
+  // What a face sweeps, about the told line: from where it is, all of it, to where it goes.
   const auto swept = [&](const Face& face) {
-    return band(wall, std::max(face.offset_m, face.offset_m + by_m),
-                -std::min(face.offset_m, face.offset_m + by_m), 0.0);
+    const double from_m = face.offset_m - std::copysign(face.slant_m + kTouching_m, by_m);
+    const double to_m = face.offset_m + by_m;
+    return band(wall, std::max(from_m, to_m), -std::min(from_m, to_m), 0.0);
   };
   const auto reshaped = [&](const Face& face, bool is_room_left) {
     const Shapes room = shapes_of(building.outlines, face.room);
@@ -148,8 +153,9 @@ Why move_wall(const Edit& edit, MappedBuilding& building) {
   Shapes right_now;
   if (left) left_now = reshaped(*left, true);
   if (right) right_now = reshaped(*right, false);
-  for (const Shapes* now : {left ? &left_now : nullptr, right ? &right_now : nullptr}) {
+  for (Shapes* now : {left ? &left_now : nullptr, right ? &right_now : nullptr}) {
     if (now == nullptr) continue;
+    std::erase_if(*now, [](const Polygon& part) { return area(part) < kSliver_m2; });
     if (now->size() != 1 || area_of(*now) < kSmallestRoom_m2) {
       return "the room beside it would be cut in parts, or nothing would be left of it";
     }

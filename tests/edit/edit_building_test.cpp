@@ -174,6 +174,32 @@ TEST(EditBuilding, AMovedWallGivesOneRoomWhatItTakesFromTheOther) {
   for (const PlanEdge& edge : building.edges) EXPECT_EQ(edge.evidence, WallEvidence::inferred);
 }
 
+/// The lower wall of B rises by 7.5 mm a metre from 1 mm below the told line's end: a sliver of a
+/// hand's length and 1 mm is left in the corner.
+TEST(EditBuilding, AMovedWallMayEndAtACornerThatIsNotSquare) {
+  MappedBuilding building = two_rooms();
+  building.outlines[1].outline.outer = {{4.2, -0.001}, {10.2, 0.044}, {10.2, 3}, {4.2, 3}};
+  Edit move = edit_of(EditKind::move_wall);
+  move.line = {{4.1, 0}, {4.1, 3}};
+  move.by_m = -0.2;
+  EXPECT_THAT(edit_building({move}, building), IsEmpty());
+  EXPECT_NEAR(area_of(building, 1), 12.6, 1e-9);
+  EXPECT_NEAR(area_of(building, 2), 6.0 * 3.0 - 6.0 * 0.0215 - 0.6, 2e-3);
+}
+
+/// The told line leans against the wall by 5 mm at its end, as one that was drawn does.
+TEST(EditBuilding, AMovedWallNeedNotBeToldToTheMillimetre) {
+  for (const double by_m : {0.2, -0.2}) {
+    MappedBuilding building = two_rooms();
+    Edit move = edit_of(EditKind::move_wall);
+    move.line = {{4.1, 0}, {4.105, 3}};
+    move.by_m = by_m;
+    EXPECT_THAT(edit_building({move}, building), IsEmpty());
+    EXPECT_NEAR(area_of(building, 1), 12.0 - 3.0 * by_m, 0.01);
+    EXPECT_NEAR(area_of(building, 2), 18.0 + 3.0 * by_m, 0.01);
+  }
+}
+
 TEST(EditBuilding, AWallThatIsNotThereIsNotMoved) {
   MappedBuilding building = two_rooms();
   Edit move = edit_of(EditKind::move_wall);
