@@ -3,11 +3,14 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "edited_store.hpp"
 
 namespace roomatlas::test {
 namespace {
 
+using Json = nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -66,6 +69,22 @@ class EditsReplayed : public ::testing::Test {
     SQLite::Statement rows(db, query);
     return rows.executeStep() ? rows.getColumn(0).getString() : "";
   }
+  /// What the statements say of rooms, doors and walls.
+  /// @param by_m of the wall between rooms 5 and 6
+  static void expect_all_kinds(const std::string& store, double by_m) {
+    EXPECT_EQ(told(store, "SELECT kind FROM rooms WHERE id = 6"), "hall");
+    EXPECT_EQ(told(store, "SELECT count(*) FROM rooms"), "10") << "one joined, one split";
+    EXPECT_EQ(told(store, "SELECT count(*) FROM rooms WHERE id = 4"), "0");
+    EXPECT_EQ(told(store, "SELECT count(*) FROM doors WHERE room_a = 1 OR room_b = 1"), "0");
+    EXPECT_EQ(told(store, "SELECT count(*) FROM doors WHERE room_a = 2 AND room_b = 8"), "1");
+    EXPECT_EQ(told(store, "SELECT count(*) FROM doors WHERE room_a = 9 AND room_b = 10"), "1");
+    const auto area = [&](int room) {
+      return std::stod(told(store, "SELECT area_m2 FROM rooms WHERE id = " + std::to_string(room)));
+    };
+    EXPECT_NEAR(area(5), 33.3 + 5.2 * by_m, 0.2) << "the wall is 5.2 m long";
+    EXPECT_NEAR(area(6), 46.8 - 5.2 * by_m - 1.2 * 2.2, 0.2)
+        << "and furniture of 1.2 m x 2.2 m is wall";
+  }
   static inline Folder* shared_ = nullptr;
   Folder folder_;
 };
@@ -98,18 +117,7 @@ TEST_F(EditsReplayed, OfTwelveKindsAfterMappingAgainGiveTheSameBytes) {
 TEST_F(EditsReplayed, EachChangesThePlanButThoseOfClosures) {
   const std::string edits = edits_file(folder_, kAllKinds);
   ASSERT_EQ(run("-q assemble " + store() + " --edits " + edits).exit_code, 0);
-  EXPECT_EQ(told(store(), "SELECT kind FROM rooms WHERE id = 6"), "hall");
-  EXPECT_EQ(told(store(), "SELECT count(*) FROM rooms"), "10") << "one joined, one split";
-  EXPECT_EQ(told(store(), "SELECT count(*) FROM rooms WHERE id = 4"), "0");
-  EXPECT_EQ(told(store(), "SELECT count(*) FROM doors WHERE room_a = 1 OR room_b = 1"), "0");
-  EXPECT_EQ(told(store(), "SELECT count(*) FROM doors WHERE room_a = 2 AND room_b = 8"), "1");
-  EXPECT_EQ(told(store(), "SELECT count(*) FROM doors WHERE room_a = 9 AND room_b = 10"), "1");
-  const auto area = [&](int room) {
-    return std::stod(told(store(), "SELECT area_m2 FROM rooms WHERE id = " + std::to_string(room)));
-  };
-  EXPECT_NEAR(area(5), 33.3 + 5.2 * 0.3, 0.2) << "the wall is 5.2 m long";
-  EXPECT_NEAR(area(6), 46.8 - 5.2 * 0.3 - 1.3 * 2.2, 0.4)
-      << "and furniture of 1.3 m x 2.2 m is wall";
+  expect_all_kinds(store(), 0.3);
   EXPECT_EQ(told(store(), "SELECT count(*) FROM furniture"), "8") << "one is wall, one was";
 }
 
@@ -140,6 +148,35 @@ TEST_F(EditsReplayed, WithAnotherMissionJoinedFitOrAreSaid) {
   EXPECT_THAT(lost.err, HasSubstr("edits[0] shut_door: no longer fits and is not applied"));
   EXPECT_THAT(lost.err, HasSubstr("edits[1] name_room: no longer fits and is not applied"));
   EXPECT_EQ(told(joined, "SELECT count(*) FROM rooms WHERE name = 'Cupboard'"), "0");
+}
+
+TEST_F(EditsReplayed, OfTwelveKindsAreMadeOnThePageByTheMouse) {
+  ROOMATLAS_NEEDS("chromium");
+  ROOMATLAS_NEEDS("node");
+  const auto assembled_by_page = [&](const std::string& step) {
+    const std::string page = (folder_ / "report.html").string();
+    EXPECT_EQ(run("-q report " + store() + " -o " + page).exit_code, 0);
+    const Outcome clicked = run_other("timeout 300 node " + std::string(ROOMATLAS_SOURCE_DIR) +
+                                      "/tests/apps/browser/all_kinds.mjs " + page + " " +
+                                      (folder_ / "profile").string() + " " + step);
+    EXPECT_EQ(clicked.exit_code, 0) << clicked.err;
+    const auto saved = folder_.write("saved.json", clicked.out);
+    const Outcome assembled = run("assemble " + store() + " --edits " + saved.string());
+    EXPECT_EQ(assembled.exit_code, 0) << assembled.err;
+    EXPECT_THAT(assembled.err, Not(HasSubstr("edits["))) << "each one is applied";
+    std::string kinds;
+    const Json edits = Json::parse(clicked.out);
+    for (const Json& one : edits["edits"]) kinds += one["edit"].get<std::string>() + " ";
+    return kinds;
+  };
+  const std::string first =
+      "name_room set_room_kind join_rooms split_room shut_door shut_door open_door add_door "
+      "move_wall furniture_to_wall reject_closure pin_visits ";
+  EXPECT_EQ(assembled_by_page("1"), first);
+  expect_all_kinds(store(), 0.2);
+  EXPECT_EQ(told(store(), "SELECT count(*) FROM furniture"), "7") << "one is a pillar";
+  EXPECT_EQ(assembled_by_page("2"), first + "wall_to_furniture ");
+  EXPECT_EQ(told(store(), "SELECT count(*) FROM furniture"), "8") << "the pillar is none";
 }
 
 }  // namespace

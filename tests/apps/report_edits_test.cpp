@@ -120,6 +120,7 @@ TEST_F(ReportEdits, FingersMoveAndZoomTheMapAndCorrectThePlan) {
   EXPECT_NEAR(done["moved_m"], done["expected_m"], 0.2 * done["expected_m"].get<double>());
   EXPECT_GE(done["zoomed"], 1.0);
   EXPECT_EQ(done["small"], Json::array()) << "controls that a finger would miss";
+  EXPECT_EQ(done["jumped"], 0) << "a tap on the map leaves the page where it is";
   EXPECT_EQ(done["tooWide"], false);
   EXPECT_EQ(done["fetched"], Json::array());
   EXPECT_EQ(done["complaints"], Json::array());

@@ -57,7 +57,15 @@
     selectedRow = roomTable.rows.get(roomOf.get(id));
     markRow(selectedRow, true);
     holdTab(selectedRow);
-    if (isFromMap) selectedRow.scrollIntoView({ block: 'nearest' });
+    if (isFromMap) bringToSight(selectedRow);
+  }
+  /// Scrolls the table alone: the page stays where the map is.
+  function bringToSight(tr) {
+    const box = tr.closest('.scroll');
+    const [row, sight] = [tr.getBoundingClientRect(), box.getBoundingClientRect()];
+    const head = element('rooms').tHead.offsetHeight;
+    if (row.top < sight.top + head) box.scrollTop -= sight.top + head - row.top;
+    else if (row.bottom > sight.bottom) box.scrollTop += row.bottom - sight.bottom;
   }
   let selectedRow = null;
   function markRow(tr, isIt) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A report page under fingers: moves and zooms the map, corrects the plan.
 // Usage: node touch.mjs PAGE PROFILE WIDTH HEIGHT
-// Prints { edits, moved_m, zoomed, small: controls that a finger would miss, fetched, complaints }.
+// Prints { edits, moved_m, expected_m, zoomed, small: controls that a finger would miss,
+//          jumped: px that the page scrolled by a tap on the map, tooWide, fetched, complaints }.
 import { open } from './browser.mjs';
 
 const [page, profile, width, height] = process.argv.slice(2);
@@ -24,7 +25,10 @@ await swipe([[middle[0] - 90, middle[1]], [middle[0] + 90, middle[1]]], [[middle
 await evaluate(`void roomatlasMap.setView([${before[0][1]}, ${before[0][0]}], ${before[1]})`);
 
 await touch('#edit');
-await tapPlace(first.label);
+const there = await screenOf(first.label);
+const scrolled = await evaluate('window.scrollY');
+await browser.tap(there);
+const jumped = await evaluate('window.scrollY') - scrolled;
 await browser.write('Kitchen');
 await touch('#edit-room button');
 await touch('input[value="join"]');
@@ -41,6 +45,6 @@ const small = await evaluate(`[...document.querySelectorAll('button, input, sele
   .filter((one) => one.checkVisibility()).map((one) => [one, one.getBoundingClientRect()])
   .filter(([, box]) => box.width < 40 || box.height < 40).map(([one, box]) => one.outerHTML.slice(0, 80) + ' ' + box.width + ' x ' + box.height)`);
 process.stderr.write(await browser.hint());
-process.stdout.write(JSON.stringify({ edits: await browser.edits(), moved_m, expected_m: Math.hypot(60, 20) / scale, zoomed, small,
+process.stdout.write(JSON.stringify({ edits: await browser.edits(), moved_m, expected_m: Math.hypot(60, 20) / scale, zoomed, small, jumped,
   tooWide: await browser.isTooWide(), fetched: browser.requests, complaints: browser.complaints }));
 browser.close();
