@@ -12,6 +12,10 @@ function matchTools(data, desk) {
     line: [visits.get(one.from).middle.at, visits.get(one.to).middle.at] }));
   const option = (value, text) => new Option(text, String(value));
 
+  // Rooms are matched in one mission with a laser, and before it is joined with others.
+  const areMatched = data.paths.length < 2 && ((data.summary.mission || {}).sensors || []).some(({ kind }) => kind === 'laser');
+  for (const tool of ['reject', 'pin']) document.querySelector(`input[name="edit-tool"][value="${tool}"]`).disabled = !areMatched;
+
   // Matches
   const list = element('edit-matches');
   let chosen = null;
