@@ -196,13 +196,34 @@ class MissionPlacer {
     return result;
   }
 
+  [[nodiscard]] static double fitting_share(const MissionPlace& place) {
+    return place.pieces.empty()
+               ? 0.0
+               : static_cast<double>(place.fitting()) / static_cast<double>(place.pieces.size());
+  }
+
+  /// Whether what contradicts a place may be furniture that was moved: nearly all walls agree, and
+  /// elsewhere nothing does.
+  [[nodiscard]] bool is_refurnished(const std::vector<MissionPlace>& places) const {
+    const auto& least = options_.refurnished;
+    const MissionPlace& place = places[0];
+    const double next = places.size() < 2 ? 0.0 : places[1].score;
+    return place.agreement() >= least.min_agreement && fitting_share(place) >= least.min_fitting &&
+           place.score >= least.min_score && next <= least.max_next * place.score;
+  }
+
   [[nodiscard]] PlaceVerdict judged(const std::vector<MissionPlace>& places) const {
     if (places.empty() || places[0].score < options_.min_score ||
-        places[0].agreement() < options_.min_agreement) {
+        (places[0].agreement() < options_.min_agreement && !is_refurnished(places))) {
       return PlaceVerdict::nothing_in_common;
     }
-    const double margin = options_.min_margin + options_.margin_sigmas * std::sqrt(places[0].score);
-    const bool is_clear = places.size() < 2 || places[0].score - places[1].score >= margin;
+    const double score = places[0].score;
+    const double next = places.size() < 2 ? 0.0 : places[1].score;
+    const double margin = options_.min_margin + options_.margin_sigmas * std::sqrt(score);
+    const bool is_alone = score >= options_.sure_score ||
+                          fitting_share(places[0]) >= options_.sure_fitting ||
+                          next <= options_.max_next * score;
+    const bool is_clear = places.size() < 2 || (score - next >= margin && is_alone);
     return is_clear ? PlaceVerdict::placed : PlaceVerdict::ambiguous;
   }
 

@@ -63,7 +63,9 @@ Trajectory trajectory_at(const MissionPlace& place, const AsrSource& source,
 PlaceMissionOptions locating_options() {
   PlaceMissionOptions options;
   options.min_agreement = 0.85;  // other buildings reach 0.84 over 5 m of corridor
+  options.refurnished.min_agreement = options.min_agreement;
   options.min_score = 15.0;
+  options.sure_score = options.min_score;  // a few metres of path have no more
   options.min_margin = 5.0;  // rooms alike differ by up to 3.2, by errors of their maps
   options.margin_sigmas = 0.0;
   options.tried = 12;

@@ -58,6 +58,7 @@ JoinOptions for_small_missions() {
   JoinOptions options;
   options.place.piece_way_m = 2.0;
   options.place.min_score = 30.0;
+  options.place.sure_score = 60.0;
   return options;
 }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 namespace roomatlas::test {
 
@@ -19,8 +21,13 @@ class TemporaryFolder {
     path_ = name;
   }
   ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
+    // A browser that was ended may still be writing.
+    constexpr int kTries = 40;
+    for (int i = 0; i < kTries && std::filesystem::exists(path_); ++i) {
+      std::error_code failed;
+      std::filesystem::remove_all(path_, failed);
+      if (failed) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;

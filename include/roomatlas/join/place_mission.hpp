@@ -41,12 +41,26 @@ struct PlaceMissionOptions {
   double max_bend_deg = 3.0;  ///< ... and its turn
   int min_agreeing = 30;      ///< wall points of a piece that fits
   double min_piece_agreement = 0.65;  ///< of what can tell
-  double min_agreement = 0.75;        ///< of the pieces inside what is known
-  double min_path_on_floor = 0.5;     ///< of a piece that counts for a place: walls in line beyond
-                                      ///< what the building knows prove nothing
-  double min_score = 60.0;            ///< log likelihood of the whole mission
-  double min_margin = 8.0;            ///< by which it exceeds that of any other place, and ...
-  double margin_sigmas = 2.0;         ///< ... so many times its root: sums of many points err more
+  double min_agreement = 0.75;        ///< of the pieces inside what is known ...
+  /// ... or so much where furniture was moved since: if so large a share of the whole path fits,
+  /// the score is so high, and the next place has at most so large a share of it.
+  struct Refurnished {
+    double min_agreement = 0.6;
+    double min_fitting = 1.0 / 3.0;
+    double min_score = 300.0;
+    double max_next = 0.25;  ///< of its score
+  } refurnished;
+  double min_path_on_floor = 0.5;  ///< of a piece that counts for a place: walls in line beyond
+                                   ///< what the building knows prove nothing
+  double min_score = 60.0;         ///< log likelihood of the whole mission
+  double min_margin = 8.0;         ///< by which it exceeds that of any other place, and ...
+  double margin_sigmas = 2.0;      ///< ... so many times its root: sums of many points err more
+  /// Another building may reach 101, in several places alike, where a few corridors lie on each
+  /// other: of a lower score than this, and if less of the path fits, the next place has at most so
+  /// large a share.
+  double sure_score = 200.0;
+  double sure_fitting = 2.0 / 3.0;
+  double max_next = 0.45;
 };
 
 /// A piece of a mission where it fits best.
