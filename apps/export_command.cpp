@@ -193,46 +193,50 @@ Exporter text_file(const char* name, std::function<std::string(const Exported&)>
   };
 }
 
+Names write_svgs(const Exported& from, const Settings&, const Path& out) {
+  write_file(out / "plan.svg", from.plan_svg);
+  if (!from.has_mission()) return {"plan.svg"};
+  write_file(out / "before_after.svg", from.before_after_svg);
+  return {"plan.svg", "before_after.svg"};
+}
+
+Names write_pngs(const Exported& from, const Settings& settings, const Path& out) {
+  write_png(out / "plan.png", from.plan_svg, settings.png_dpi);
+  if (!from.has_mission()) return {"plan.png"};
+  write_png(out / "before_after.png", from.before_after_svg, settings.png_dpi);
+  return {"plan.png", "before_after.png"};
+}
+
+Names write_geojsons(const Exported& from, const Settings&, const Path& out) {
+  write_file(out / "plan.local.geojson", to_geojson(from.plan));
+  if (!from.on_earth) return {"plan.local.geojson"};
+  write_file(out / "plan.geojson", to_geojson(from.plan, *from.on_earth));
+  return {"plan.local.geojson", "plan.geojson"};
+}
+
+Names write_tums(const Exported& from, const Settings&, const Path& out) {
+  Names names;
+  for (const ExportedPath& path : from.paths) {
+    names.push_back("trajectory_odometry" + path.name + ".tum");
+    write_tum(out / names.back(), path.odometry);
+    names.push_back("trajectory_corrected" + path.name + ".tum");
+    write_tum(out / names.back(), path.corrected);
+  }
+  return names;
+}
+
 const std::map<std::string, Exporter>& exporters() {
   static const std::map<std::string, Exporter> table = {
-      {"svg",
-       [](const Exported& from, const Settings&, const Path& out) -> Names {
-         write_file(out / "plan.svg", from.plan_svg);
-         if (!from.has_mission()) return {"plan.svg"};
-         write_file(out / "before_after.svg", from.before_after_svg);
-         return {"plan.svg", "before_after.svg"};
-       }},
-      {"png",
-       [](const Exported& from, const Settings& settings, const Path& out) -> Names {
-         write_png(out / "plan.png", from.plan_svg, settings.png_dpi);
-         if (!from.has_mission()) return {"plan.png"};
-         write_png(out / "before_after.png", from.before_after_svg, settings.png_dpi);
-         return {"plan.png", "before_after.png"};
-       }},
+      {"svg", write_svgs},
+      {"png", write_pngs},
       {"pdf",
        [](const Exported& from, const Settings&, const Path& out) -> Names {
          const std::string title = from.plan.title.empty() ? "Floor plan" : from.plan.title;
          write_pdf(out / "plan.pdf", from.plan_svg, title, date_of(from.metadata));
          return {"plan.pdf"};
        }},
-      {"geojson",
-       [](const Exported& from, const Settings&, const Path& out) -> Names {
-         write_file(out / "plan.local.geojson", to_geojson(from.plan));
-         if (!from.on_earth) return {"plan.local.geojson"};
-         write_file(out / "plan.geojson", to_geojson(from.plan, *from.on_earth));
-         return {"plan.local.geojson", "plan.geojson"};
-       }},
-      {"tum",
-       [](const Exported& from, const Settings&, const Path& out) {
-         Names names;
-         for (const ExportedPath& path : from.paths) {
-           names.push_back("trajectory_odometry" + path.name + ".tum");
-           write_tum(out / names.back(), path.odometry);
-           names.push_back("trajectory_corrected" + path.name + ".tum");
-           write_tum(out / names.back(), path.corrected);
-         }
-         return names;
-       }},
+      {"geojson", write_geojsons},
+      {"tum", write_tums},
       {"dot", text_file("rooms.dot", [](const Exported& from) { return to_dot(from.graph); })},
       {"csv", text_file("rooms.csv", [](const Exported& from) { return rooms_csv(from.plan); })},
       {"graphml",
