@@ -36,7 +36,8 @@ std::optional<Mapped> map_and_assemble(const Settings& settings, const LogPart& 
   if (!settings.force && is_mapped_already(settings, mission, store) &&
       GeoPackageStore(store, GeoPackageStore::Mode::read).has_assembly()) {
     spdlog::info("{} holds this mission already", store.string());
-    return Mapped{};
+    GeoPackageStore(store, GeoPackageStore::Mode::update).finish();  // a run may have been stopped
+    return Mapped{};                                                 // before it had
   }
   try {
     Mapped mapped = map(settings, mission.log, store, mission.part);

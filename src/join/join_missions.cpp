@@ -201,6 +201,12 @@ void note(const MissionSearch& search, JoinedMission& mission) {
   mission.runner_up_score = search.places.size() > 1 ? search.places[1].score : 0.0;
 }
 
+/// Where a mission was looked for in another building says nothing of the one that it founds.
+void forget_search(JoinedMission& base) {
+  base.best = {};
+  base.runner_up_score = 0.0;
+}
+
 }  // namespace
 
 JoinedMissions join_missions(const std::vector<MissionMap>& missions, const JoinOptions& options,
@@ -211,8 +217,9 @@ JoinedMissions join_missions(const std::vector<MissionMap>& missions, const Join
   for (std::size_t i = 0; i < missions.size(); ++i) open.push_back(i);
   for (int number = 0; !open.empty(); ++number) {
     Component component(missions[open.front()], options, workers);
-    joined.missions[open.front()].component = number;
-    joined.missions[open.front()].is_base = true;
+    const std::size_t base = open.front();
+    joined.missions[base].component = number;
+    joined.missions[base].is_base = true;
     open.erase(open.begin());
     // Whoever found no place is tried again once the component knows more than it did then.
     std::map<std::size_t, double> known_then_m2;
@@ -244,6 +251,7 @@ JoinedMissions join_missions(const std::vector<MissionMap>& missions, const Join
       report(progress, "join missions again", static_cast<double>(round) / options.rounds);
       component.match_again();
     }
+    if (component.missions() > 1) forget_search(joined.missions[base]);
     joined.placement.insert(component.placement().begin(), component.placement().end());
     joined.closures.insert(joined.closures.end(), component.closures().begin(),
                            component.closures().end());

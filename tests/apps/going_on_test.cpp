@@ -222,6 +222,23 @@ TEST_F(GoingOn, InAStoreThatIsWholeHasNothingLeftToDo) {
   EXPECT_TRUE(content_of(store_) == whole_);
 }
 
+/// The store as a run leaves it that is killed before it has finished it: all is in it, but not
+/// compact.
+void make_loose(const fs::path& store) {
+  SQLite::Database database(store.string(), SQLite::OPEN_READWRITE);
+  database.exec(
+      "CREATE TABLE loose (bytes BLOB); INSERT INTO loose VALUES (zeroblob(100000)); "
+      "DROP TABLE loose");
+}
+
+TEST_F(GoingOn, InAStoreThatIsWholeAndNotCompactFinishesIt) {
+  ASSERT_EQ(run(map_it("-q")).exit_code, 0);
+  make_loose(store_);
+  ASSERT_FALSE(content_of(store_) == whole_);
+  EXPECT_THAT(run(map_it()).err, HasSubstr("holds this mission already"));
+  EXPECT_TRUE(content_of(store_) == whole_);
+}
+
 /// A mission that `build` is killed in, and what it makes of it when nobody does.
 struct Task {
   std::string log;
@@ -240,6 +257,18 @@ Task task_of(const std::string& log, const fs::path& out) {
 std::uint64_t count_of_kills() {
   const char* wanted = std::getenv("ROOMATLAS_KILLS");
   return wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 6;
+}
+
+TEST_F(GoingOn, BuildOfSeveralMissionsFinishesEachStore) {
+  const std::string worlds = std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/";
+  simulate(worlds + "two_rooms.geojson --sensor laser --tour --seed 1", "one");
+  simulate(worlds + "two_rooms.geojson --sensor laser --tour --seed 2", "two");
+  const std::string both = log("one") + " " + log("two");
+  const fs::path out = own_ / "built";
+  const Task whole = task_of(both, out);
+  make_loose(out / "missions" / "mission.gpkg");
+  ASSERT_EQ(run("-q build " + both + " -o " + out.string()).exit_code, 0);
+  EXPECT_TRUE(files_in(out) == whole.files);
 }
 
 TEST_F(GoingOn, BuildKilledAtRandomMomentsEndsWithTheSameFiles) {

@@ -43,7 +43,8 @@ struct JoinedMission {
   int component = 0;     ///< missions of one component lie in one frame; 0, 1 ...
   bool is_base = false;  ///< its frame is the component's
   PlaceVerdict verdict = PlaceVerdict::nothing_in_common;  ///< of the last search; of a base none
-  MissionPlace best;             ///< of the last search; without pieces where nothing was found
+  MissionPlace best;  ///< of the last search; without pieces where nothing was found, and
+                      ///< of a base that others joined
   double runner_up_score = 0.0;  ///< of the next place that is another; 0 without
 };
 
