@@ -4,27 +4,15 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <utility>
+#include <string_view>
 
 #include "roomatlas/core/issue.hpp"
+#include "roomatlas/core/utf8.hpp"
 #include "roomatlas/io/text/utf8.hpp"
 #include "text/numbers.hpp"
 
 namespace roomatlas::io::step {
 namespace {
-
-/// The code point that begins there, and how many bytes it takes. @param utf8 valid
-std::pair<std::uint32_t, std::size_t> code_point(const std::string& utf8, std::size_t at) {
-  const auto byte = [&](std::size_t i) {
-    return std::uint32_t{static_cast<unsigned char>(utf8[i])};
-  };
-  const std::uint32_t first = byte(at);
-  if (first < 0x80U) return {first, 1};
-  const std::size_t length = first < 0xe0U ? 2 : first < 0xf0U ? 3 : 4;
-  std::uint32_t code = first & (0xffU >> (length + 1));
-  for (std::size_t i = 1; i < length; ++i) code = (code << 6U) | (byte(at + i) & 63U);
-  return {code, length};
-}
 
 /// ISO 10303-21, 6.4.3: \X2\ for what lies in the basic plane, \X4\ beyond.
 std::string escaped(std::uint32_t code) {
@@ -39,9 +27,9 @@ std::string escaped(std::uint32_t code) {
 Value text(const std::string& utf8) {
   const std::string valid = as_utf8(utf8);
   std::string written = "'";
-  for (std::size_t at = 0; at < valid.size();) {
-    const auto [code, length] = code_point(valid, at);
-    at += length;
+  for (std::string_view left = valid; !left.empty();) {
+    const auto [code, bytes, is_whole] = first_character(left);
+    left.remove_prefix(bytes);
     if (code == '\'' || code == '\\') {
       written.append(2, static_cast<char>(code));
     } else if (code >= 0x20U && code < 0x7fU) {
