@@ -14,6 +14,21 @@
 #include "store_metadata.hpp"
 
 namespace roomatlas::apps {
+namespace {
+
+/// Completes an assembled store whose run was stopped before it had finished it.
+/// @returns false where it is not assembled
+bool finish_if_assembled(const Path& file) {
+  {
+    const GeoPackageStore store(file, GeoPackageStore::Mode::read);
+    if (!store.has_assembly()) return false;
+    if (store.is_finished()) return true;
+  }
+  GeoPackageStore(file, GeoPackageStore::Mode::update).finish();
+  return true;
+}
+
+}  // namespace
 
 bool is_mapped_already(const Settings& settings, const LogPart& mission, const Path& store_file) {
   if (!std::filesystem::exists(store_file)) return false;
@@ -34,10 +49,9 @@ std::optional<Mapped> map_and_assemble(const Settings& settings, const LogPart& 
                                        const Path& store) {
   const PlaceLock lock = lock_new_store(store, {mission.log});
   if (!settings.force && is_mapped_already(settings, mission, store) &&
-      GeoPackageStore(store, GeoPackageStore::Mode::read).has_assembly()) {
+      finish_if_assembled(store)) {
     spdlog::info("{} holds this mission already", store.string());
-    GeoPackageStore(store, GeoPackageStore::Mode::update).finish();  // a run may have been stopped
-    return Mapped{};                                                 // before it had
+    return Mapped{};
   }
   try {
     Mapped mapped = map(settings, mission.log, store, mission.part);

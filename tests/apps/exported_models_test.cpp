@@ -92,7 +92,7 @@ struct ForeignModel {
   int complaints = 0;
 };
 
-ForeignModel model_of(const std::string& listing) {
+[[maybe_unused]] ForeignModel model_of(const std::string& listing) {
   ForeignModel model;
   std::istringstream lines(listing);
   for (std::string line; std::getline(lines, line);) {

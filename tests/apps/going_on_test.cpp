@@ -267,8 +267,11 @@ TEST_F(GoingOn, BuildOfSeveralMissionsFinishesEachStore) {
   const fs::path out = own_ / "built";
   const Task whole = task_of(both, out);
   make_loose(out / "missions" / "mission.gpkg");
+  const fs::path other = out / "missions" / "mission-2.gpkg";
+  const auto written = fs::last_write_time(other);
   ASSERT_EQ(run("-q build " + both + " -o " + out.string()).exit_code, 0);
   EXPECT_TRUE(files_in(out) == whole.files);
+  EXPECT_EQ(fs::last_write_time(other), written);  // was finished: stays as it is
 }
 
 TEST_F(GoingOn, BuildKilledAtRandomMomentsEndsWithTheSameFiles) {

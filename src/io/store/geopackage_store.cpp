@@ -23,6 +23,18 @@ fs::path beside(const fs::path& file, const char* ending) {
   return path += ending;
 }
 
+/// The schema's cookie tells a finished store. The tables never change, so no other program can take
+/// this for another schema. VACUUM, the last thing done to a store, counts itself in it.
+constexpr int kBeingWritten = 3;
+constexpr int kBeforeVacuum = 1;
+constexpr int kFinished = kBeforeVacuum + 1;
+
+void set_cookie(Database& db, int cookie) {
+  db.set_defensive(false);  // which forbids this
+  db.execute("PRAGMA schema_version = " + std::to_string(cookie));
+  db.set_defensive(true);
+}
+
 void remove_old(const fs::path& file) {
   if (fs::is_directory(file)) {
     throw InputError(file.string() + ": is a directory, expected a file name for the store");
@@ -51,7 +63,10 @@ std::unique_ptr<Database> open(const fs::path& file, bool writable) {
   auto database =
       std::make_unique<Database>(file, writable ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY);
   check_schema(*database, file);
-  if (writable) database->execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+  if (writable) {
+    database->execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+    set_cookie(*database, kBeingWritten);
+  }
   return database;
 }
 
@@ -72,11 +87,7 @@ void write_compact_copy(Database& db, const fs::path& copy) {
   if (mode != "delete") {
     throw SQLite::Exception("another program has the file open: close it and try again");
   }
-  // VACUUM counts itself in the schema's cookie. The tables never change, so no other program can
-  // take this for another schema.
-  db.set_defensive(false);  // which forbids this
-  db.execute("PRAGMA schema_version = 1");
-  db.set_defensive(true);
+  set_cookie(db, kBeforeVacuum);
   db.run("VACUUM INTO ?", copy.string());
 }
 
@@ -216,6 +227,15 @@ void GeoPackageStore::finish() {
     fs::rename(copy, state_->file);
     sync_to_disk(fs::absolute(state_->file).parent_path());
   });
+}
+
+bool GeoPackageStore::is_finished() const {
+  const std::lock_guard lock(state_->mutex);
+  if (!state_->database) return true;
+  std::int64_t cookie = 0;
+  state_->database->for_each_row("PRAGMA schema_version",
+                                 [&](Row& row) { cookie = row.integer(); });
+  return cookie == kFinished;
 }
 
 std::int64_t GeoPackageStore::rows_read() const {

@@ -84,6 +84,25 @@ TEST(StoreFile, FinishingLeavesOneFileOutOfWalMode) {
   EXPECT_EQ(bytes_of(file).substr(18, 2), "\x01\x01");  // header: rollback journal
 }
 
+TEST(StoreFile, IsFinishedUntilItIsOpenedForWriting) {
+  const TemporaryDirectory directory;
+  const auto is_finished = [&] {
+    return GeoPackageStore(directory / "a.gpkg", Mode::read).is_finished();
+  };
+  {
+    GeoPackageStore store(directory / "a.gpkg", Mode::create);
+    fill(store);
+    EXPECT_FALSE(is_finished());
+    store.finish();
+    EXPECT_TRUE(store.is_finished());
+  }
+  EXPECT_TRUE(is_finished());
+  { const GeoPackageStore store(directory / "a.gpkg", Mode::update); }
+  EXPECT_FALSE(is_finished());
+  GeoPackageStore(directory / "a.gpkg", Mode::update).finish();
+  EXPECT_TRUE(is_finished());
+}
+
 TEST(StoreFile, ClosingWithoutFinishingLeavesAStoreThatOpens) {
   const TemporaryDirectory directory;
   const std::filesystem::path file = directory / "building.gpkg";

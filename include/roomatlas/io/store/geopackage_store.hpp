@@ -86,6 +86,9 @@ class GeoPackageStore : public CheckpointSink, public AssemblyStore {
 
   /// Closes the store and makes its bytes reproducible.
   void finish();
+  /// Whether it is as `finish` left it. A run that was killed before leaves a whole store whose
+  /// bytes are not yet those of its content alone.
+  [[nodiscard]] bool is_finished() const;
 
   /// Rows fetched from the database so far: lets a test see that reading stays local.
   [[nodiscard]] std::int64_t rows_read() const;
