@@ -39,9 +39,11 @@ function(roomatlas_program name)
   roomatlas_finds_plugins(${name} ${CMAKE_INSTALL_BINDIR})
 endfunction()
 
-# roomatlas_test(NAME [LIBRARIES target...]): every .cpp below tests/NAME in one program.
+# roomatlas_test(NAME [LIBRARIES target...] [TOGETHER suite...]): every .cpp below tests/NAME in one
+# program. Tests run one by one, but those of a suite TOGETHER, whose missions are mapped once for
+# all; since these take longest, they begin first.
 function(roomatlas_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "LIBRARIES;TOGETHER")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*.cpp)
   if(NOT sources)
     message(FATAL_ERROR "no tests below tests/${name}")
@@ -56,5 +58,12 @@ function(roomatlas_test name)
   target_compile_definitions(${target} PRIVATE ROOMATLAS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${target} PRIVATE ${ARG_LIBRARIES} GTest::gmock GTest::gtest_main)
   roomatlas_precompile_as(${target} roomatlas_test_headers)
-  gtest_discover_tests(${target} TEST_PREFIX "${name}: " DISCOVERY_TIMEOUT 60)
+  foreach(suite ${ARG_TOGETHER})
+    add_test(NAME "${name}: ${suite}" COMMAND ${target} --gtest_filter=${suite}.*)
+    set_tests_properties("${name}: ${suite}" PROPERTIES COST 100)
+  endforeach()
+  list(TRANSFORM ARG_TOGETHER APPEND ".*")
+  list(JOIN ARG_TOGETHER ":" together)
+  gtest_discover_tests(${target} TEST_PREFIX "${name}: " DISCOVERY_TIMEOUT 60
+    TEST_FILTER "*:-${together}")
 endfunction()
