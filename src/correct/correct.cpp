@@ -92,7 +92,8 @@ const char* to_string(FactorKind kind) {
 }
 
 Correction correct(const std::vector<Asr>& asrs, const RoomGraph& graph,
-                   const CorrectOptions& options, const Placement& start) {
+                   const CorrectOptions& options, const Placement& start,
+                   const std::optional<EstimatedHabits>& habits) {
   Correction correction;
   const bool is_se2 = options.model == CorrectionModel::se2;
   correction.model = is_se2 ? "se2" : "rotation_only";
@@ -101,7 +102,7 @@ Correction correct(const std::vector<Asr>& asrs, const RoomGraph& graph,
     correction.message = "nothing to correct";
     return correction;
   }
-  const Measurements measurements = measurements_of(asrs, graph, options);
+  const Measurements measurements = measurements_of(asrs, graph, options, habits);
   const PlacedAsrs guess = initial_guess(measurements, options, start);
   ModelResult solved = is_se2 ? solve_se2(measurements, guess, options)
                               : solve_rotation_only(measurements, guess, options);

@@ -8,7 +8,8 @@
 namespace roomatlas {
 
 Measurements measurements_of(const std::vector<Asr>& asrs, const RoomGraph& graph,
-                             const CorrectOptions& options) {
+                             const CorrectOptions& options,
+                             const std::optional<EstimatedHabits>& habits) {
   Measurements measurements;
   std::map<AsrId, std::size_t> index_of;
   for (const Asr& asr : asrs) {
@@ -34,7 +35,7 @@ Measurements measurements_of(const std::vector<Asr>& asrs, const RoomGraph& grap
       std::any_of(measurements.driven.begin(), measurements.driven.end(),
                   [](const auto& edge) { return !edge.measured.is_localized; });
   if (options.use_heading_bias && is_reckoned) {
-    measurements.habits = estimate_habits(measurements, options);
+    measurements.habits = habits ? *habits : estimate_habits(measurements, options);
     take_out_habits(measurements, measurements.habits.habits);
   }
   return measurements;

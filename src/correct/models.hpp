@@ -29,8 +29,10 @@ struct Measurements {
   EstimatedHabits habits;  ///< of `odom_from_asr`; `driven` is already without them
 };
 
+/// @param habits see `correct`
 [[nodiscard]] Measurements measurements_of(const std::vector<Asr>& asrs, const RoomGraph& graph,
-                                           const CorrectOptions& options);
+                                           const CorrectOptions& options,
+                                           const std::optional<EstimatedHabits>& habits = {});
 
 /// Poses, and the direction of the walls of each component.
 struct PlacedAsrs {

@@ -34,7 +34,8 @@ CorrectedMission correct_paper_mission(const std::vector<Asr>& asrs, const Optio
     known = keys_of(recognised);
     result.graph = driven;
     for (const PassageEdge& edge : recognised) add_edge(result.graph, edge);
-    result.correction = correct(asrs, result.graph, assemble.correct);
+    result.correction =
+        correct(asrs, result.graph, assemble.correct, {}, result.correction.odometry);
   }
   return result;
 }

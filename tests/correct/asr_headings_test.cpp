@@ -116,6 +116,22 @@ TEST(EstimatedHabits, TakenOutLeavesTheTruth) {
   }
 }
 
+TEST(EstimatedHabits, FoundBeforeADoorwayIsRecognisedGiveTheSameCorrection) {
+  const auto asrs = test::chain_mission(drifting(0.6));
+  const CorrectOptions options = test::options_of(CorrectionModel::se2);
+  const EstimatedHabits habits = test::corrected(asrs, options).odometry;
+  ASSERT_NE(habits.habits.bias_rad_per_m, 0.0);
+  RoomGraph graph = build_graph(asrs);
+  add_edge(graph, test::same_doorway(2, 6));
+  const Correction again = correct(asrs, graph, options, {}, habits);
+  const Correction anew = correct(asrs, graph, options);
+  for (std::size_t i = 0; i < asrs.size(); ++i) {
+    EXPECT_EQ(again.asrs[i].building_from_asr, anew.asrs[i].building_from_asr);
+  }
+  const Correction without = correct(asrs, graph, options, {}, EstimatedHabits{});
+  EXPECT_NE(without.asrs.back().building_from_asr, anew.asrs.back().building_from_asr);
+}
+
 TEST(EstimatedHabits, IsNotEstimatedWithoutWallsFromFewAsrsOrWhenTurnedOff) {
   EXPECT_EQ(test::corrected(test::chain_mission(test::round_the_block(2.0)), {}).odometry.asrs, 0);
   CorrectOptions off;

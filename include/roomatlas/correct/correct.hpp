@@ -52,10 +52,13 @@ struct CorrectOptions {
 /// @param asrs ascending by id, vertices of `graph` in this order
 /// @param start where the ASRs are already known to be, or empty: then along odometry, each turned
 ///   as the walls' directions say
+/// @param habits of odometry, where they were found before: they hang on the ASRs and the driven
+///   edges alone, and finding them takes longer than all else
 /// @returns one entry an ASR; `converged` is false where the solver stopped early. An empty input
 ///   gives an empty, converged correction.
 [[nodiscard]] Correction correct(const std::vector<Asr>& asrs, const RoomGraph& graph,
-                                 const CorrectOptions& options, const Placement& start = {});
+                                 const CorrectOptions& options, const Placement& start = {},
+                                 const std::optional<EstimatedHabits>& habits = std::nullopt);
 
 /// The correction of ASRs that have been placed by other means, such as a whole trajectory: they
 /// stay there, but for the turn that makes the walls' direction the x axis; the graph's
