@@ -35,7 +35,8 @@ void report(const Judgement& judgement) {
   spdlog::info(
       "right with a probability of {:.0f} %; 9 of 10 rooms within {:.2f} m, lengths within "
       "{:.1f} %, headings within {:.1f} deg",
-      percent, std::max(0.01, judgement.place_m), 100.0 * judgement.scale_share, judgement.heading_deg);
+      percent, std::max(0.01, judgement.place_m), 100.0 * judgement.scale_share,
+      judgement.heading_deg);
   if (judgement.probability >= kTrusted) return;
   std::string reasons;
   for (const Doubt& doubt : judgement.doubts) {
@@ -95,6 +96,7 @@ std::size_t assemble(const Settings& settings, const Path& store_file) {
   if (assembly.sonars) report(*assembly.sonars);
   if (assembly.judgement) report(*assembly.judgement);
   report(assembly.answers, store_file);
+  show(assembly.seen_last, store_file);
   if (!assembly.correction.converged) {
     spdlog::warn("the correction did not converge: {}", assembly.correction.message);
   }

@@ -166,6 +166,8 @@ void print_json(const GeoPackageStore& store, const FloorPlan& plan,
   // What was read, with its warnings; none in a store of several missions.
   const Json mission = Json::parse(store.metadata()["mission_json"], nullptr, false);
   if (mission.is_object()) json["mission"] = mission;
+  const Json seen_last = Json::parse(store.metadata()["seen_last_json"], nullptr, false);
+  if (seen_last.is_object()) json["seen_last"] = seen_last;
   json["trust"] = trust_in(plan, judgement);
   json["files"] = made.files;
   json["gone_on"] = Json::array();

@@ -191,6 +191,10 @@ class Shown {
 
 }  // namespace
 
+void show(const std::vector<SeenLast>& seen_last, const std::filesystem::path& store) {
+  for (const SeenLast& seen : seen_last) spdlog::info("{}: {}", store.string(), words(seen));
+}
+
 void show(const Issues& issues, std::int64_t not_listed) {
   std::size_t notes = 0;
   Shown shown;

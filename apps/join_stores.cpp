@@ -73,6 +73,7 @@ std::size_t write_building(const Settings& settings, const JoinedBuilding& build
     store.finish();
     made.put_in_place();
     show(assembly.plan.issues);
+    show(assembly.seen_last, place);
     return assembly.plan.rooms.size();
   } catch (...) {
     made.give_up();
@@ -98,12 +99,14 @@ void tell_alone(const JoinedBuilding& building) {
   const MemberMission& member = building.members.front();
   const bool is_ambiguous = building.verdict == PlaceVerdict::ambiguous;
   spdlog::warn("{}: not joined: {}", member.name,
-               is_ambiguous ? "two places fit nearly as well; it stays a building of its own until a "
-                              "mission shows more of what tells them apart"
-                            : "nothing holds it to the others; it stays a building of its own");
+               is_ambiguous
+                   ? "two places fit nearly as well; it stays a building of its own until a "
+                     "mission shows more of what tells them apart"
+                   : "nothing holds it to the others; it stays a building of its own");
   if (member.pieces == 0) return;
   spdlog::info(
-      "{}: at its likeliest place {} of {} of its path fit, {:.0f} % of what can be compared agrees; "
+      "{}: at its likeliest place {} of {} of its path fit, {:.0f} % of what can be compared "
+      "agrees; "
       "score {:.0f}, the next place {:.0f}",
       member.name, member.pieces_fitting, counted(member.pieces, "piece"), 100.0 * member.agreement,
       member.score, member.runner_up_score);

@@ -177,6 +177,9 @@ void add_plan(Parameters& all, Settings& settings) {
                "drafted: walls inferred as an architect draws them; traced: outlines of the ASRs",
                std::map<std::string, PlanStyle>{{"drafted", PlanStyle::drafted},
                                                 {"traced", PlanStyle::traced}});
+  stage.flag("draw-latest", assemble.draw_latest,
+             "of several lasers' missions: what changed is drawn as the latest saw it; off: all "
+             "together");
   DraftBuildingOptions& draft = assemble.draft;
   stage.add("occupied-share", draft.occupancy.occupied_share,
             "share of beams that a cell reflects from which it is an obstacle; higher loses glass",

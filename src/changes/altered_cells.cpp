@@ -14,10 +14,11 @@ int cells_in(double length_m, double cell_m) {
 }
 
 /// The robot was there: whatever beams say, nothing stands under its middle.
-void clear_path(const std::vector<Pose2>& path, const CellFrame& frame, SeenCells& cells) {
-  for (const Pose2& pose : path) {
-    const Cell at = frame.cell_of(pose.position());
+void clear_path(const BuildingEvidence& evidence, const VisitTimes* times, SeenCells& cells) {
+  for (std::size_t i = 0; i < evidence.building_from_robot.size(); ++i) {
+    const Cell at = evidence.counts.frame().cell_of(evidence.building_from_robot[i].position());
     for_each_cell({{at.x - 1, at.y - 1}, {at.x + 2, at.y + 2}}, [&](const Cell& cell) {
+      if (times != nullptr && !times->holds(evidence.asr_of_pose[i], cell)) return;
       cells.seen.set(cell, true);
       cells.clear.set(cell, true);
       cells.standing.set(cell, false);
@@ -28,7 +29,7 @@ void clear_path(const std::vector<Pose2>& path, const CellFrame& frame, SeenCell
 
 }  // namespace
 
-SeenCells seen_cells(const BuildingEvidence& evidence, const CellBox& box,
+SeenCells seen_cells(const BuildingEvidence& evidence, const VisitTimes* times, const CellBox& box,
                      const ChangeOptions& options) {
   SeenCells cells{CellMask(box), CellMask(box), CellMask(box), CellMask(box)};
   for_each_cell(box, [&](const Cell& cell) {
@@ -41,7 +42,7 @@ SeenCells seen_cells(const BuildingEvidence& evidence, const CellBox& box,
     cells.clear.set(cell, counts.passes >= options.min_passes && is_clear);
     cells.touched.set(cell, counts.hits > 0 && !is_clear);
   });
-  clear_path(evidence.building_from_robot, evidence.counts.frame(), cells);
+  clear_path(evidence, times, cells);
   return cells;
 }
 

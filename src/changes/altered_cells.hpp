@@ -14,8 +14,9 @@ struct SeenCells {
   CellMask touched{CellBox{}};   ///< something was hit there, though perhaps it did not stay
 };
 
-[[nodiscard]] SeenCells seen_cells(const BuildingEvidence& evidence, const CellBox& box,
-                                   const ChangeOptions& options);
+/// @param times of the visits, null where they are of one mission
+[[nodiscard]] SeenCells seen_cells(const BuildingEvidence& evidence, const VisitTimes* times,
+                                   const CellBox& box, const ChangeOptions& options);
 
 /// Cells where something stands for one mission, and the other saw nothing there nor near.
 [[nodiscard]] CellMask only_in(const SeenCells& one, const SeenCells& other, double cell_m,

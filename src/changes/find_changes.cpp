@@ -2,6 +2,7 @@
 #include "roomatlas/changes/find_changes.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "things.hpp"
 #include "unseen.hpp"
@@ -48,13 +49,44 @@ bool is_sure(const Altered& altered, const ChangeOptions& options) {
 
 /// A mission, and what it says of the cells.
 struct Compared {
-  const AssembledMission& mission;
-  const SeenCells& cells;
+  AssembledMission mission;
+  const BuildingEvidence& evidence;
+  SeenCells cells;
+};
+
+/// The evidence of a mission: what came with it, or gathered here.
+class Gathered {
+ public:
+  Gathered(const AssembledMission& mission, const ChangeOptions& options, const Progress& progress,
+           int jobs)
+      : visits_(mission), mission_(mission) {
+    mission_.source = &visits_;
+    if (mission.evidence != nullptr) return;
+    own_ = gather_evidence(visits_, mission.placement, mission.footprint, options.evidence,
+                           progress, jobs);
+  }
+  Gathered(const Gathered&) = delete;
+  Gathered& operator=(const Gathered&) = delete;
+
+  [[nodiscard]] const BuildingEvidence& evidence() const {
+    return own_ ? *own_ : *mission_.evidence;
+  }
+  [[nodiscard]] Compared in(const CellBox& box, const ChangeOptions& options) const {
+    return {mission_, evidence(), seen_cells(evidence(), mission_.times, box, options)};
+  }
+
+ private:
+  PlacedVisits visits_;
+  AssembledMission mission_;
+  std::optional<BuildingEvidence> own_;
 };
 
 /// Both missions' groups of cells, with what their readings say of them.
 std::vector<Altered> altered_in(const Compared& before, const Compared& after,
                                 const ChangeOptions& options, const Progress& progress, int jobs) {
+  if (before.evidence.kind != SensorKind::laser || after.evidence.kind != SensorKind::laser) {
+    return {};
+  }
   const CellFrame frame{options.evidence.cell_m};
   std::vector<CellGroup> groups =
       groups_of(only_in(before.cells, after.cells, frame.cell_m, options), frame.cell_m, options);
@@ -62,8 +94,12 @@ std::vector<Altered> altered_in(const Compared& before, const Compared& after,
   const std::vector<CellGroup> appeared =
       groups_of(only_in(after.cells, before.cells, frame.cell_m, options), frame.cell_m, options);
   groups.insert(groups.end(), appeared.begin(), appeared.end());
-  const auto by_before = ask(before.mission, groups, options.evidence, progress, jobs);
-  const auto by_after = ask(after.mission, groups, options.evidence, progress, jobs);
+  const auto asked = [&](const Compared& one) {
+    return ask(one.mission, visits_near(one.evidence, groups, options.evidence), groups,
+               options.evidence, progress, jobs);
+  };
+  const auto by_before = asked(before);
+  const auto by_after = asked(after);
 
   std::vector<Altered> altered;
   for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -76,38 +112,40 @@ std::vector<Altered> altered_in(const Compared& before, const Compared& after,
 
 }  // namespace
 
-PlanChanges find_changes(const AssembledMission& all_before, const AssembledMission& all_after,
+std::vector<Change> changes_between(const AssembledMission& before, const AssembledMission& after,
+                                    const ChangeOptions& options,
+                                    const std::function<PlansOfBoth()>& plans,
+                                    const Progress& progress, int jobs) {
+  const Gathered of_before(before, options, progress, jobs);
+  const Gathered of_after(after, options, progress, jobs);
+  const CellBox box = around(of_before.evidence().counts.box(), of_after.evidence().counts.box());
+  const std::vector<Altered> altered =
+      altered_in(of_before.in(box, options), of_after.in(box, options), options, progress, jobs);
+  if (altered.empty()) return {};
+  const PlansOfBoth names = plans();
+  return changes_of(altered, names.before, names.after, options);
+}
+
+PlanChanges find_changes(const AssembledMission& before, const AssembledMission& after,
                          const ChangeOptions& options, const Progress& progress, int jobs) {
-  const PlacedVisits visits_before(all_before);
-  const PlacedVisits visits_after(all_after);
-  const AssembledMission before{&visits_before, all_before.placement, all_before.plan,
-                                all_before.footprint};
-  const AssembledMission after{&visits_after, all_after.placement, all_after.plan,
-                               all_after.footprint};
-  const auto gathered = [&](const AssembledMission& mission) {
-    return gather_evidence(*mission.source, mission.placement, mission.footprint, options.evidence,
-                           progress, jobs);
-  };
-  const BuildingEvidence of_before = gathered(before);
-  const BuildingEvidence of_after = gathered(after);
+  const Gathered of_before(before, options, progress, jobs);
+  const Gathered of_after(after, options, progress, jobs);
   const CellFrame frame{options.evidence.cell_m};
-  const CellBox box = around(of_before.counts.box(), of_after.counts.box());
-  const SeenCells then = seen_cells(of_before, box, options);
-  const SeenCells now = seen_cells(of_after, box, options);
+  const CellBox box = around(of_before.evidence().counts.box(), of_after.evidence().counts.box());
+  const Compared then = of_before.in(box, options);
+  const Compared now = of_after.in(box, options);
 
   PlanChanges found;
-  found.tells_changes = of_before.kind == SensorKind::laser && of_after.kind == SensorKind::laser;
-  if (found.tells_changes) {
-    const std::vector<Altered> altered =
-        altered_in({before, then}, {after, now}, options, progress, jobs);
-    found.changes = changes_of(altered, before.plan, after.plan, options);
-  }
-  const Seen seen_before{then, of_before.building_from_robot, before.plan};
-  const Seen seen_after{now, of_after.building_from_robot, after.plan};
+  found.tells_changes =
+      then.evidence.kind == SensorKind::laser && now.evidence.kind == SensorKind::laser;
+  found.changes =
+      changes_of(altered_in(then, now, options, progress, jobs), before.plan, after.plan, options);
+  const Seen seen_before{then.cells, then.evidence.building_from_robot, before.plan};
+  const Seen seen_after{now.cells, now.evidence.building_from_robot, after.plan};
   found.rooms = one_sided_rooms(seen_before, seen_after, frame);
-  found.not_seen_again = not_seen_again(seen_before, now, frame, options);
-  found.compared_m2 =
-      static_cast<double>(both(then.clear, now.clear).count()) * frame.cell_m * frame.cell_m;
+  found.not_seen_again = not_seen_again(seen_before, now.cells, frame, options);
+  found.compared_m2 = static_cast<double>(both(then.cells.clear, now.cells.clear).count()) *
+                      frame.cell_m * frame.cell_m;
   return found;
 }
 

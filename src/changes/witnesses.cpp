@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "roomatlas/asr/shared_source.hpp"
 #include "roomatlas/core/for_each_index.hpp"
@@ -13,6 +14,7 @@ namespace roomatlas::changes {
 namespace {
 
 constexpr std::int32_t kNone = -1;
+constexpr double kMostMount_m = 2.0;  // of a sensor from the middle of its robot, and half a cell
 
 /// A stretch of time; empty until something is added.
 struct Span {
@@ -72,13 +74,15 @@ struct Met {
   std::vector<std::uint8_t> passed;  ///< by group
 };
 
-void follow(const std::vector<Ray>& rays, double time_s, const Asked& asked, Met& met,
+/// @param holds whether what the visit says of a cell still holds
+template <typename Holds>
+void follow(const std::vector<Ray>& rays, double time_s, const Asked& asked, Holds holds, Met& met,
             Answer& answer) {
   for (const Ray& ray : rays) {
     const Cell end = asked.frame.cell_of(ray.segment.b);
     for_each_cell_on_line(asked.frame.cell_of(ray.segment.a), end, [&](const Cell& cell) {
       const std::int32_t number = asked.number_of_cell.get(cell, kNone);
-      if (number == kNone) return true;
+      if (number == kNone || !holds(cell)) return true;
       const std::size_t group = asked.group_of[static_cast<std::size_t>(number)];
       const bool is_end = cell == end;
       if (is_end && ray.ends_at_obstacle) {
@@ -92,8 +96,12 @@ void follow(const std::vector<Ray>& rays, double time_s, const Asked& asked, Met
   }
 }
 
-Answer answer_of(const Asr& asr, const Pose2& building_from_asr, const Asked& asked,
+Answer answer_of(const Asr& asr, const AssembledMission& mission, const Asked& asked,
                  const GatherOptions& options) {
+  const Pose2& building_from_asr = mission.placement.at(asr.id);
+  const auto holds = [&](const Cell& cell) {
+    return mission.times == nullptr || mission.times->holds(asr.id, cell);
+  };
   const std::size_t groups = asked.groups;
   Answer answer{std::vector<int>(groups), std::vector<int>(groups), std::vector<Span>(groups),
                 std::vector<Span>(asked.group_of.size())};
@@ -103,7 +111,7 @@ Answer answer_of(const Asr& asr, const Pose2& building_from_asr, const Asked& as
     const double time_s = asr.readings[i].timestamp_s;
     Met met{std::vector<std::uint8_t>(groups), std::vector<std::uint8_t>(groups)};
     follow(rays_of(asr.readings[i], building_from_asr * asr.path[i].asr_from_robot, rays, ignored),
-           time_s, asked, met, answer);
+           time_s, asked, holds, met, answer);
     for (std::size_t group = 0; group < groups; ++group) {
       if (met.hit[group] != 0) {
         ++answer.hits[group];
@@ -135,17 +143,37 @@ std::vector<double> medians(const std::vector<Span>& cells, const Asked& asked) 
 
 }  // namespace
 
-std::vector<Witness> ask(const AssembledMission& mission, const std::vector<CellGroup>& groups,
-                         const GatherOptions& options, const Progress& progress, int jobs) {
+std::vector<AsrId> visits_near(const BuildingEvidence& evidence,
+                               const std::vector<CellGroup>& groups, const GatherOptions& options) {
+  std::vector<Box2> boxes;
+  for (const CellGroup& group : groups) {
+    Box2& box = boxes.emplace_back();
+    for (const Cell& cell : group) box.extend(CellFrame{options.cell_m}.center_of(cell));
+  }
+  const double reach_m = options.laser_range_m + kMostMount_m;
+  std::set<AsrId> near;
+  for (std::size_t i = 0; i < evidence.building_from_robot.size(); ++i) {
+    if (near.contains(evidence.asr_of_pose[i])) continue;
+    const Point2 at = evidence.building_from_robot[i].position();
+    const bool is_near = std::any_of(boxes.begin(), boxes.end(), [&](const Box2& box) {
+      return (at - at.cwiseMax(box.min).cwiseMin(box.max)).norm() <= reach_m;
+    });
+    if (is_near) near.insert(evidence.asr_of_pose[i]);
+  }
+  return {near.begin(), near.end()};
+}
+
+std::vector<Witness> ask(const AssembledMission& mission, const std::vector<AsrId>& ids,
+                         const std::vector<CellGroup>& groups, const GatherOptions& options,
+                         const Progress& progress, int jobs) {
   if (groups.empty()) return {};
   const Asked asked = asked_of(groups, options.cell_m);
   const SharedSource source(*mission.source);
-  const std::vector<AsrId> ids = mission.source->ids();
   const std::vector<Answer> answers = results_of<Answer>(
       ids.size(), jobs,
       [&](std::size_t i) {
         const Asr asr = source.load_with_readings(ids[i]);
-        return answer_of(asr, mission.placement.at(asr.id), asked, options);
+        return answer_of(asr, mission, asked, options);
       },
       [&](std::size_t i) { report(progress, "ask all readings", share_of(i, ids.size())); });
 

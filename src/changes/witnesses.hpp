@@ -19,10 +19,16 @@ struct Witness {
   double lasting_s = 0.0;  ///< the median over its cells of the time from first hit to last
 };
 
-/// Asks all readings of a mission about groups of cells.
+/// The visits that can have seen something of the groups: those that were near enough; ascending.
+[[nodiscard]] std::vector<AsrId> visits_near(const BuildingEvidence& evidence,
+                                             const std::vector<CellGroup>& groups,
+                                             const GatherOptions& options);
+
+/// Asks all readings of some visits of a mission about groups of cells.
 /// @param groups disjoint
 /// @returns one witness a group
 [[nodiscard]] std::vector<Witness> ask(const AssembledMission& mission,
+                                       const std::vector<AsrId>& ids,
                                        const std::vector<CellGroup>& groups,
                                        const GatherOptions& options, const Progress& progress,
                                        int jobs);

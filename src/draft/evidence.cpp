@@ -127,6 +127,17 @@ std::vector<Echo> echoes_of(const RangeReading& reading, const Pose2& building_f
   return echoes;
 }
 
+void add_seen(const BuildingEvidence& more, BuildingEvidence& evidence) {
+  const auto append = [](const auto& from, auto& to) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  evidence.counts.add(more.counts);
+  append(more.surfaces, evidence.surfaces);
+  evidence.surfaces = thinned(std::move(evidence.surfaces));
+  append(more.building_from_robot, evidence.building_from_robot);
+  append(more.asr_of_pose, evidence.asr_of_pose);
+}
+
 BuildingEvidence gather_evidence(const AsrSource& source, const Placement& placement,
                                  const RobotFootprint& footprint, const GatherOptions& options,
                                  const Progress& progress, int jobs) {

@@ -79,6 +79,20 @@ void ReflectionMap::add_sweep(const std::vector<Ray>& rays) {
   }
 }
 
+void ReflectionMap::add(const ReflectionMap& other) {
+  other.counts_.for_each([&](const Cell& cell, const CellCounts& more) {
+    if (!more.is_seen()) return;
+    CellCounts& counts = counts_.edit(cell);
+    int hits = counts.hits + more.hits;
+    int passes = counts.passes + more.passes;
+    while (std::max(hits, passes) > kMost) {
+      hits /= 2;
+      passes /= 2;
+    }
+    counts = {static_cast<std::uint16_t>(hits), static_cast<std::uint16_t>(passes)};
+  });
+}
+
 CellDomain ReflectionMap::domain(int border_cells) const {
   constexpr int kSide = TileGrid<CellCounts>::kTileCells;
   const CellBox seen = box();

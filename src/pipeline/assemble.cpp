@@ -91,24 +91,33 @@ bool all_localized(const AsrSource& source) {
                      [&](AsrId id) { return source.get(id, AsrDetail::geometry).is_localized; });
 }
 
+/// On all readings, but for what later missions saw otherwise.
+MappedBuilding drafted_of(const AsrSource& source, const std::vector<VisitsOfTime>& times,
+                          const RobotFootprint& footprint, const Options& options,
+                          const Progress& progress, Assembly& assembly) {
+  const DraftBuildingOptions& draft = options.assemble.draft;
+  const Placement corrected = placement_of(assembly.correction);
+  const Pose2 axes = axes_from_building(source, corrected, draft.evidence, options.jobs);
+  const Placement placement = moved(corrected, axes);
+  LatestBuilding latest = latest_building(source, placement, times, footprint, options, progress);
+  report(progress, "draft", -1.0);
+  DraftedBuilding drafted = draft_building(latest.evidence, draft, options.jobs);
+  shut(latest.shut_doors, drafted.doors);
+  assembly.seen_last = moved(std::move(latest.told), inverse(axes));
+  return moved(mapped_building_of(std::move(drafted), latest.evidence, options.map.record.map),
+               inverse(axes));
+}
+
 /// Where readings lie where the robot was, on all that they show; else by the outlines.
-MappedBuilding building_of(MissionKind kind, const AsrSource& source, const Assembly& corrected,
-                           const RobotFootprint& footprint, const Options& options,
-                           const Progress& progress) {
-  const AssembleOptions& assemble = options.assemble;
-  const RoomMapOptions& map = options.map.record.map;
-  const Placement placement = placement_of(corrected.correction);
-  if (kind != MissionKind::paper && assemble.plan == PlanStyle::drafted) {
-    const GatherOptions& gather = assemble.draft.evidence;
-    const Pose2 axes = axes_from_building(source, placement, gather, options.jobs);
-    const BuildingEvidence evidence =
-        gather_evidence(source, moved(placement, axes), footprint, gather, progress, options.jobs);
-    report(progress, "draft", -1.0);
-    DraftedBuilding drafted = draft_building(evidence, assemble.draft, options.jobs);
-    return moved(mapped_building_of(std::move(drafted), evidence, map), inverse(axes));
+MappedBuilding building_of(MissionKind kind, const AsrSource& source,
+                           const std::vector<VisitsOfTime>& times, const RobotFootprint& footprint,
+                           const Options& options, const Progress& progress, Assembly& assembly) {
+  if (kind != MissionKind::paper && options.assemble.plan == PlanStyle::drafted) {
+    return drafted_of(source, times, footprint, options, progress, assembly);
   }
-  return rooms_by_outlines(source, corrected.graph, placement, footprint,
-                           {assemble.rooms, map, assemble.map_again}, progress);
+  return rooms_by_outlines(
+      source, assembly.graph, placement_of(assembly.correction), footprint,
+      {options.assemble.rooms, options.map.record.map, options.assemble.map_again}, progress);
 }
 
 std::vector<AsrId> without(const std::vector<AsrId>& ids, const std::set<AsrId>& some) {
@@ -186,9 +195,14 @@ Assembly assemble_corrected(MissionKind kind, const AsrSource& source, Corrected
 
   const AsrSource& recorded = corrected.recorded_again ? *corrected.recorded_again : source;
   const SelectedAsrs drawn(recorded, without(recorded.ids(), corrected.not_drawn));
-  MappedBuilding building =
-      building_of(kind, WithPaths(drawn, assembly.paths), assembly, footprint, options, progress);
-  give_rooms(recorded, corrected.not_drawn, placement_of(assembly.correction), building);
+  MappedBuilding building = building_of(kind, WithPaths(drawn, assembly.paths), corrected.times,
+                                        footprint, options, progress, assembly);
+  std::set<AsrId> without_room = corrected.not_drawn;
+  for (const AsrId id : drawn.ids()) {  // all of its path lies where something stands by now
+    const bool is_lost = !assembly.seen_last.empty() && !building.room_of_asr.contains(id);
+    if (is_lost) without_room.insert(id);
+  }
+  give_rooms(recorded, without_room, placement_of(assembly.correction), building);
   const Issues edits = edited(WithPaths(recorded, assembly.paths),
                               placement_of(assembly.correction), options.assemble.edits, building);
   assembly.room_of_asr = building.room_of_asr;

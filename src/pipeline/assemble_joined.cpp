@@ -235,6 +235,9 @@ Assembly assemble_joined(AssemblyStore& store, const JoinedBuilding& building,
   corrected.correction.message = "placed by matching several missions";
   const bool has_laser =
       leave_out(building.members, options.assemble.missions, corrected.not_drawn);
+  if (has_laser && options.assemble.draw_latest) {
+    corrected.times = in_order_of_time(asrs, building.members, corrected.not_drawn);
+  }
   Assembly assembly =
       assemble_corrected(has_laser ? MissionKind::laser : MissionKind::sonar, store,
                          std::move(corrected), store.mission().footprint, options, progress);

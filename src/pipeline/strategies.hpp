@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "latest_building.hpp"
 #include "roomatlas/asr/memory_store.hpp"
 #include "roomatlas/asr/store.hpp"
 #include "roomatlas/core/progress.hpp"
@@ -29,7 +30,9 @@ struct CorrectedMission {
   Paths paths;                              ///< of readings that were matched again; may be empty
   std::optional<SecondLoops> second_loops;  ///< another way to close them; sonars have their own
   std::optional<SonarTrajectory> sonars;
-  std::set<AsrId> not_drawn;                  ///< visits of sonars to what lasers saw
+  std::set<AsrId> not_drawn;        ///< visits of sonars to what lasers saw
+  std::vector<VisitsOfTime> times;  ///< of the visits that are drawn, where missions were driven
+                                    ///< one after the other; else empty
   std::optional<MemoryStore> recorded_again;  ///< ASRs instead of those of the source
 };
 

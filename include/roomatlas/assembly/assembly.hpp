@@ -13,6 +13,7 @@
 #include "roomatlas/plan/door.hpp"
 #include "roomatlas/plan/floor_plan.hpp"
 #include "roomatlas/plan/judgement.hpp"
+#include "roomatlas/plan/seen_last.hpp"
 #include "roomatlas/sonar/sonar_trajectory.hpp"
 
 namespace roomatlas {
@@ -29,6 +30,7 @@ struct Assembly {
                                   ///< see `WithPaths`
   std::vector<Closure> closures;  ///< matches of rooms by their walls, accepted or not
   std::optional<Judgement> judgement;  ///< how far it can be relied on; none without readings
+  std::vector<SeenLast> seen_last;     ///< what changed between several missions, by time
   Answers answers;                     ///< which of several that the readings allow this is
   FloorPlan plan;
   std::optional<FloorPlan> measured_plan;  ///< as measured, where the walls of `plan` are regular

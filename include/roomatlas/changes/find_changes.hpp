@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include "roomatlas/changes/assembled_mission.hpp"
 #include "roomatlas/core/progress.hpp"
 #include "roomatlas/draft/evidence.hpp"
@@ -39,6 +42,21 @@ struct ChangeOptions {
   // What was not seen again:
   double min_unseen_m2 = 0.5;  ///< smaller pieces of floor are corners
 };
+
+/// Plans of both missions, the old one first: they say what is a door and what a wall.
+struct PlansOfBoth {
+  FloorPlan before;
+  FloorPlan after;
+};
+
+/// The changes of `find_changes` alone, where plans are dear.
+/// @param plans asked once, where anything changed; those of the missions are not looked at
+/// @returns none for sonars
+[[nodiscard]] std::vector<Change> changes_between(const AssembledMission& before,
+                                                  const AssembledMission& after,
+                                                  const ChangeOptions& options,
+                                                  const std::function<PlansOfBoth()>& plans,
+                                                  const Progress& progress = {}, int jobs = 1);
 
 /// What changed between two missions. A change has been seen by both: see `Change`. What one of
 /// them did not see is never one.

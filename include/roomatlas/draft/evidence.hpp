@@ -62,6 +62,9 @@ struct BuildingEvidence {
                                                const GatherOptions& options,
                                                const Progress& progress, int jobs = 1);
 
+/// Adds what lasers saw at another time. What was heard is not added.
+void add_seen(const BuildingEvidence& more, BuildingEvidence& evidence);
+
 /// What one reading of sonars heard; beams without a range are left out.
 [[nodiscard]] std::vector<Echo> echoes_of(const RangeReading& reading,
                                           const Pose2& building_from_robot,

@@ -34,6 +34,9 @@ class ReflectionMap {
   /// wall met at a flat angle is not worn away.
   void add_sweep(const std::vector<Ray>& rays);
 
+  /// Adds what other beams said, in cells of the same size.
+  void add(const ReflectionMap& other);
+
   /// Says what is known of a cell otherwise, such as from a finished map.
   void set(const Cell& cell, const CellCounts& counts) { counts_.edit(cell) = counts; }
 

@@ -34,7 +34,9 @@ struct JoinedBuilding {
 
 /// The floor plan of several missions of one building into a store that has their visits already,
 /// see `JoinedSource`: drafted from all readings of its lasers, or of its sonars where there are no
-/// lasers; visits of sonars are then given to the rooms that they lie in. Rooms get the numbers and
+/// lasers; visits of sonars are then given to the rooms that they lie in. Missions of lasers that
+/// were driven one after the other are drawn as the latest of them saw the building, see
+/// `Assembly::seen_last`, unless `draw_latest` is off. Rooms get the numbers and
 /// names of the store's former rooms.
 /// @param configuration of `options`, as it is to stand in the store (TOML)
 /// @returns what was put

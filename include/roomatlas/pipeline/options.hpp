@@ -47,6 +47,8 @@ struct AssembleOptions {
   SonarTrajectoryOptions sonars;
   std::vector<std::string> missions;  ///< of several, by name or number: those that are drawn;
                                       ///< empty: all
+  bool draw_latest = true;  ///< what changed between missions is drawn as the latest saw it; off:
+                            ///< as all of them together did
   int answer =
       1;  ///< which of several that explain the readings about equally well, the best first
   bool match_rooms = true;  ///< match localized rooms by their walls; off: doorways alone

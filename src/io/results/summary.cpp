@@ -190,6 +190,20 @@ std::string to_json(const Answers& answers) {
       .dump();
 }
 
+std::string to_json(const std::vector<SeenLast>& seen_last) {
+  Json missions = Json::array();
+  for (const SeenLast& seen : seen_last) {
+    Json things = Json::array();
+    for (const ThingSeenLast& thing : seen.things) {
+      things.push_back({{"kind", to_string(thing.kind)},
+                        {"at", {thing.at.x(), thing.at.y()}},
+                        {"size_m", thing.size_m}});
+    }
+    missions.push_back({{"mission", seen.mission}, {"text", words(seen)}, {"things", things}});
+  }
+  return Json({{"missions", missions}}).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string to_json(const Evaluation& evaluation, const std::optional<Judgement>& judgement,
                     const std::string& answers) {
   Json json = json_of(evaluation);
@@ -228,6 +242,10 @@ std::string summary_json(const std::map<std::string, std::string>& metadata,
   const auto answers = metadata.find("answers_json");
   if (answers != metadata.end() && !answers->second.empty()) {
     json["answers"] = Json::parse(answers->second);
+  }
+  const auto seen_last = metadata.find("seen_last_json");
+  if (seen_last != metadata.end() && !seen_last->second.empty()) {
+    json["seen_last"] = Json::parse(seen_last->second);
   }
   json["plan"] = json_of(plan);
   json["room_graph"] = json_of(graph);

@@ -12,6 +12,7 @@
 #include "roomatlas/plan/answers.hpp"
 #include "roomatlas/plan/floor_plan.hpp"
 #include "roomatlas/plan/judgement.hpp"
+#include "roomatlas/plan/seen_last.hpp"
 #include "roomatlas/simulate/explore.hpp"
 
 namespace roomatlas {
@@ -25,6 +26,9 @@ namespace roomatlas {
 /// What a store keeps of them, one answer where it keeps nothing.
 /// @throws InputError where its text is none of `to_json`
 [[nodiscard]] Answers answers_in(const std::map<std::string, std::string>& metadata);
+
+/// What is drawn as later missions saw it, as one JSON object.
+[[nodiscard]] std::string to_json(const std::vector<SeenLast>& seen_last);
 
 /// What had to be done about odometry, as one JSON object.
 [[nodiscard]] std::string to_json(const OdometryHabits& habits);
