@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "map_directions.hpp"
 #include "roomatlas/core/paired_difference.hpp"
 #include "roomatlas/sonar/contradiction.hpp"
 #include "sonar_attempt.hpp"
@@ -230,6 +231,46 @@ Choice choose_heading(const SonarMission& mission, const Calibration& likely,
   return choice;
 }
 
+/// Another idea, whose heading is that of given poses.
+Idea idea_at(const SonarMission& mission, const Calibration& calibration,
+             const std::vector<double>& directions_rad, const std::vector<Pose2>& map_from_robot) {
+  Idea idea = idea_of(mission, calibration, directions_rad);
+  double before_rad = 0.0;
+  for (std::size_t k = 0; k < idea.problem.node_readings.size(); ++k) {
+    const std::size_t i = idea.problem.node_readings[k];
+    const double off_rad =
+        map_from_robot[i].theta_rad - idea.problem.path.odom_from_robot[i].theta_rad;
+    before_rad += wrap_angle(off_rad - before_rad);
+    idea.heading.correction_rad[k] = before_rad;
+  }
+  return idea;
+}
+
+/// The building's directions as a map tells them on which no wall follows any: odometry and walls
+/// seen again hold it together. The chain of the heading takes a wing that it does not know for the
+/// nearest direction that it knows, and bends the way there.
+void consider_map_directions(const SonarMission& mission, const Calibration& likely, Choice& choice,
+                             SonarTrajectory& result) {
+  const Idea& best = *choice.best;
+  SonarBatchOptions free;
+  free.heading_weight = 0.0;
+  if (mission.before_attempt) mission.before_attempt();
+  const Attempt loose =
+      solve(mission, best, "walls in any direction", best.heading.correction_rad, free);
+  result.variants.push_back(loose.variant);
+  std::vector<double> walls_rad = map_directions(best.problem.segments, loose.map_from_robot, {});
+  if (walls_rad.size() < 2) return;
+  const double first_rad = walls_rad.front();
+  for (double& wall_rad : walls_rad) wall_rad = wrap_quarter(wall_rad - first_rad);
+  std::vector<Pose2> poses = loose.map_from_robot;
+  for (Pose2& pose : poses) pose = Pose2{0.0, 0.0, -first_rad} * pose;
+  Idea idea = idea_at(mission, likely, walls_rad, poses);
+  idea.is_open = true;
+  if (mission.before_attempt) mission.before_attempt();
+  idea.attempt = solve(mission, idea, "walls in the map's directions", idea.heading.correction_rad);
+  choice.offer(std::move(idea), result);
+}
+
 void consider_other_habits(const SonarMission& mission, const Calibration& likely, Choice& choice,
                            SonarTrajectory& result) {
   std::vector<Consideration> all;
@@ -261,6 +302,7 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
   }
   const SonarMission mission{readings, directions, options, before_attempt, jobs};
   Choice choice = choose_heading(mission, likely, result);
+  if (!choice.best->is_odometry) consider_map_directions(mission, likely, choice, result);
   if (options.calibrate && !choice.best->is_odometry &&
       !is_verified(*choice.best, choice.others, options)) {
     consider_other_habits(mission, likely, choice, result);
