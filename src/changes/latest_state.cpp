@@ -28,14 +28,24 @@ void for_each_cell_near(const Polygon& outline, double near_m, const CellFrame& 
                 });
 }
 
+/// What a mission says of a cell; neither where it hardly saw it.
+struct SeenInCell {
+  bool is_hit = false;
+  bool is_clear = false;
+};
+
+SeenInCell seen_in(const Cell& cell, const ReflectionMap& map, const ChangeOptions& options) {
+  const CellCounts seen = map.at(cell);
+  const bool is_hit = seen.hits > 0 && seen.reflected_share() > options.clear_share;
+  return {is_hit, !is_hit && seen.passes >= options.min_passes};
+}
+
 /// Forgets what stood where nothing stands now.
 void forget_gone(const Polygon& outline, const ReflectionMap& now, const ChangeOptions& options,
                  LatestState& state, TileGrid<bool>& is_gone) {
   ReflectionMap& counts = state.evidence.counts;
   for_each_cell_near(outline, options.apart_m, counts.frame(), [&](const Cell& cell, bool inside) {
-    const CellCounts seen = now.at(cell);
-    const bool is_hit = seen.hits > 0 && seen.reflected_share() > options.clear_share;
-    const bool is_clear = seen.passes >= options.min_passes && !is_hit;
+    const auto [is_hit, is_clear] = seen_in(cell, now, options);
     if (inside ? is_hit : !is_clear) return;
     counts.set(cell, {0, counts.at(cell).passes});
     is_gone.edit(cell) = true;
@@ -47,9 +57,7 @@ void forget_passes(const Polygon& outline, const ReflectionMap& now, const Chang
                    std::uint16_t time, LatestState& state) {
   ReflectionMap& counts = state.evidence.counts;
   for_each_cell_near(outline, options.apart_m, counts.frame(), [&](const Cell& cell, bool inside) {
-    const CellCounts seen = now.at(cell);
-    const bool is_hit = seen.hits > 0 && seen.reflected_share() > options.clear_share;
-    const bool is_clear = seen.passes >= options.min_passes && !is_hit;
+    const auto [is_hit, is_clear] = seen_in(cell, now, options);
     if (inside ? is_clear : !is_hit) return;
     counts.set(cell, {counts.at(cell).hits, 0});
     state.times.since.edit(cell) = time;

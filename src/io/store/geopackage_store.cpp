@@ -23,8 +23,8 @@ fs::path beside(const fs::path& file, const char* ending) {
   return path += ending;
 }
 
-/// The schema's cookie tells a finished store. The tables never change, so no other program can take
-/// this for another schema. VACUUM, the last thing done to a store, counts itself in it.
+/// The schema's cookie tells a finished store. The tables never change, so no other program can
+/// take this for another schema. VACUUM, the last thing done to a store, counts itself in it.
 constexpr int kBeingWritten = 3;
 constexpr int kBeforeVacuum = 1;
 constexpr int kFinished = kBeforeVacuum + 1;
