@@ -106,8 +106,7 @@ void tell_alone(const JoinedBuilding& building) {
   if (member.pieces == 0) return;
   spdlog::info(
       "{}: at its likeliest place {} of {} of its path fit, {:.0f} % of what can be compared "
-      "agrees; "
-      "score {:.0f}, the next place {:.0f}",
+      "agrees; score {:.0f}, the next place {:.0f}",
       member.name, member.pieces_fitting, counted(member.pieces, "piece"), 100.0 * member.agreement,
       member.score, member.runner_up_score);
 }
