@@ -140,7 +140,7 @@ Json json_of(const GoneOn& gone_on) {
           {"reading", gone_on.reading}};
 }
 
-void print(const Json& json) {
+void print_json(const Json& json) {
   fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
@@ -172,7 +172,7 @@ void print_json(const GeoPackageStore& store, const FloorPlan& plan,
   json["files"] = made.files;
   json["gone_on"] = Json::array();
   for (const GoneOn& gone_on : made.gone_on) json["gone_on"].push_back(json_of(gone_on));
-  print(json);
+  print_json(json);
 }
 
 }  // namespace
@@ -196,13 +196,13 @@ void report_building(const Settings& settings, const GeoPackageStore& store, con
 }
 
 void tell_mapped(const Mapped& mapped, const std::filesystem::path& store) {
-  print(Json{{"store", store.string()},
-             {"gone_on", mapped.gone_on ? json_of(*mapped.gone_on) : Json(nullptr)}});
+  print_json(Json{{"store", store.string()},
+                  {"gone_on", mapped.gone_on ? json_of(*mapped.gone_on) : Json(nullptr)}});
 }
 
 void tell_files(const Settings& settings, const std::filesystem::path& folder, const Names& files) {
   if (settings.json) {
-    print(Json{{"files", files}});
+    print_json(Json{{"files", files}});
     return;
   }
   say("{} in {}:\n", counted(files.size(), "file"), folder.string());

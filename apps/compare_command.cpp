@@ -105,7 +105,7 @@ std::string place_of(const Change& change) {
   return change.room ? "room " + change.room_name : std::string("no room");
 }
 
-void print(const PlanChanges& found) {
+void print_changes(const PlanChanges& found) {
   say("new building in the old one: {:.2f} m, {:.2f} m, {:.2f} deg; {:.0f} m2 seen by both\n",
       found.old_from_new.x_m, found.old_from_new.y_m, degrees(found.old_from_new.theta_rad),
       found.compared_m2);
@@ -153,7 +153,7 @@ void compare(const Settings& settings, const CompareArguments& arguments) {
   if (settings.json) {
     fmt::print("{}", changes_json(found));
   } else {
-    print(found);
+    print_changes(found);
   }
 }
 

@@ -23,7 +23,7 @@ std::string interval_text(const ConfidenceInterval& interval) {
   return "[" + short_text(interval.low) + ", " + short_text(interval.high) + "]";
 }
 
-std::string heading_of(const Figure& figure) {
+std::string group_of(const Figure& figure) {
   std::string heading = figure.metric == "relations"
                             ? "relations, " + figure.subset + ": " + figure.quantity
                             : (figure.metric == "ape" ? "APE, " : "RPE, ") + figure.subset;
@@ -77,8 +77,8 @@ void print(const Comparison& comparison, const std::vector<std::string>& steps) 
   for (const Figure& figure : all) width = std::max(width, figure.run.size());
   std::string heading;
   for (const Figure& figure : all) {
-    if (heading_of(figure) != heading) {
-      heading = heading_of(figure);
+    if (group_of(figure) != heading) {
+      heading = group_of(figure);
       say("\n{}\n  {:<{}} {:>6} {:>6} {:>9} {:>22} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", heading,
           "run", width, "count", "share", "mean", "95 % interval", "rmse", "std", "median", "min",
           "max", "squared");

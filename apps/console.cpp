@@ -156,7 +156,7 @@ std::string describe(const OdometryHabits& habits) {
 namespace {
 
 /// What issues of one kind have in common: all but numbers and what stands in quotes.
-std::string kind_of(const Issue& issue) {
+std::string wording_of(const Issue& issue) {
   std::string kind = issue.field + ": ";
   bool is_quoted = false;
   for (const char c : issue.message) {
@@ -171,7 +171,7 @@ std::string kind_of(const Issue& issue) {
 class Shown {
  public:
   void take(const Issue& issue) {
-    if (++kinds_[kind_of(issue)] > kMostOfAKind || shown_ >= kMostInAll) {
+    if (++kinds_[wording_of(issue)] > kMostOfAKind || shown_ >= kMostInAll) {
       ++hidden_;
       return;
     }

@@ -29,7 +29,7 @@ std::size_t edits_between(const std::string& a, const std::string& b) {
 }
 
 /// Lower case, one sign for the several between words, and no leading ones.
-std::string plain(std::string name) {
+std::string without_dashes(std::string name) {
   for (char& c : name) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     if (c == '_' || c == ' ') c = '-';
@@ -42,7 +42,7 @@ std::size_t distance(const std::string& typed, const std::string& name, std::siz
   constexpr std::size_t kShortestBeginning = 3;
   constexpr std::size_t kLettersPerEdit = 3;
   constexpr std::size_t kMostEdits = 3;
-  const std::string wanted = plain(name);
+  const std::string wanted = without_dashes(name);
   if (typed.size() >= kShortestBeginning && wanted.starts_with(typed)) return 1;
   const std::size_t edits = edits_between(typed, wanted);
   const std::size_t most = std::clamp(typed.size() / kLettersPerEdit, std::size_t{1}, kMostEdits);
@@ -55,7 +55,7 @@ std::size_t distance(const std::string& typed, const std::string& name, std::siz
 std::vector<std::string> nearest(const std::string& typed, const std::vector<std::string>& names) {
   constexpr std::size_t kNone = 1000;
   constexpr std::size_t kLongest = 64;  // no name is as long, and no memory is needed for it
-  const std::string wanted = plain(typed);
+  const std::string wanted = without_dashes(typed);
   if (wanted.empty() || wanted.size() > kLongest) return {};
   std::set<std::pair<std::size_t, std::string>> near;
   for (const std::string& name : names) {

@@ -118,7 +118,7 @@ void print_json(const std::vector<LocatedPart>& parts, const FloorPlan& plan) {
   fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
-void print(const LocatedMission& located, const FloorPlan& plan) {
+void print_places(const LocatedMission& located, const FloorPlan& plan) {
   constexpr std::size_t kShown = 5;
   if (located.verdict == PlaceVerdict::nothing_in_common) {
     say("nowhere in this building, as far as these readings tell\n");
@@ -189,7 +189,7 @@ void locate(const Settings& settings, const LocateArguments& arguments) {
   } else {
     for (const LocatedPart& part : parts) {
       if (parts.size() > 1) say("from {} to {} s:\n", part.from_s, part.to_s);
-      print(part.located, plan);
+      print_places(part.located, plan);
     }
   }
   if (arguments.out.empty()) return;

@@ -34,18 +34,18 @@ void replace(const fs::path& place, const fs::path& by) {
 }
 
 /// How far a store of this version has come.
-struct Stage {
+struct StageSettings {
   bool is_mapped = false;  ///< the whole mission is in it
   bool is_assembled = false;
   bool is_unfinished = false;  ///< some rooms of it, behind which a run can go on
 };
 
 /// None for a file that is missing or no store of this version.
-std::optional<Stage> stage_of(const fs::path& file) {
+std::optional<StageSettings> stage_of(const fs::path& file) {
   try {
     const GeoPackageStore store(file, GeoPackageStore::Mode::read);
-    return Stage{store.metadata().contains("mission_sha256"), store.has_assembly(),
-                 store.unfinished().has_value()};
+    return StageSettings{store.metadata().contains("mission_sha256"), store.has_assembly(),
+                         store.unfinished().has_value()};
   } catch (const InputError&) {
     return std::nullopt;
   }

@@ -16,7 +16,7 @@
 namespace roomatlas::apps {
 namespace {
 
-constexpr std::chrono::microseconds kBetweenLooks(100);  // MPI's own wait would keep a core busy
+constexpr std::chrono::microseconds kBetweenProbes(100);  // MPI's own wait would keep a core busy
 constexpr int kLooksAtLife = 2000;  // between two questions whether a rank is alive
 
 // The first byte of what a leader says.
@@ -161,7 +161,7 @@ bool RankWorkers::wait_for(int rank, const std::function<bool()>& has_come) cons
     }
     if (looks % kLooksAtLife == kLooksAtLife - 1 && !locks_.is_held(RunLocks::rank(rank)))
       return has_come();
-    std::this_thread::sleep_for(kBetweenLooks);
+    std::this_thread::sleep_for(kBetweenProbes);
   }
   return true;
 }

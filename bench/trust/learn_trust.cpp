@@ -26,12 +26,12 @@ std::string format_number(double value) {
 }
 
 std::string terms_text(const char* name, const FitSum& sum) {
-  std::string text = std::string("constexpr LearntTerm ") + name + "[] = {\n";
+  std::string text = std::string("  static constexpr LearntTerm ") + name + "[] = {\n";
   for (const FitTerm& term : sum.terms) {
-    text += "    {\"" + term.name + "\", " + format_number(term.mean) + ", " +
+    text += "      {\"" + term.name + "\", " + format_number(term.mean) + ", " +
             format_number(term.deviation) + ", " + format_number(term.weight) + "},\n";
   }
-  return text + "};\n";
+  return text + "  };\n";
 }
 
 }  // namespace
@@ -85,10 +85,10 @@ std::string learnt_source(const LearntTrust& learnt) {
       "// Printed by `bench_trust train " +
       kind + "`, from " + std::to_string(learnt.missions) + " missions, " +
       std::to_string(learnt.right) + " of them right, with " + std::to_string(learnt.visits) +
-      " visits.\n#include \"learnt_model.hpp\"\n\nnamespace roomatlas {\nnamespace {\n\n";
-  for (const Part& part : parts) text += terms_text(part.name, part.fitted.sum) + "\n";
-  text += "}  // namespace\n\nconst LearntModel& " + kind +
-          "_model() {\n  static const LearntModel kModel{";
+      " visits.\n#include \"learnt_model.hpp\"\n\nnamespace roomatlas {\n\nconst LearntModel& " +
+      kind + "_model() {\n";
+  for (const Part& part : parts) text += terms_text(part.name, part.fitted.sum);
+  text += "  static const LearntModel kModel{";
   for (const Part& part : parts) {
     text += std::string(&part == parts ? "" : ", ") + "{" + format_number(part.fitted.sum.bias) +
             ", " + part.name + "}";

@@ -22,7 +22,7 @@ constexpr double kDeepest_m = 0.65;  // from walls to its free end: cupboards en
 constexpr double kDeep_m = 0.55;     // the same of its middle
 
 template <typename Holds>
-double share_of(const std::vector<Point2>& points, Holds holds) {
+double share_where(const std::vector<Point2>& points, Holds holds) {
   const auto count = std::count_if(points.begin(), points.end(), holds);
   return static_cast<double>(count) / static_cast<double>(points.size());
 }
@@ -33,7 +33,7 @@ bool fills(const Altered& altered, const DoorPlace& door, const ChangeOptions& o
   const Point2 along = (door.jambs.b - door.jambs.a) / door.width_m;
   double low_m = door.width_m;
   double high_m = -door.width_m;
-  const double share = share_of(altered.points, [&](const Point2& point) {
+  const double share = share_where(altered.points, [&](const Point2& point) {
     const Point2 off = point - door.middle();
     const double along_m = along.dot(off);
     const bool is_inside = std::abs(cross(along, off)) <= options.door_reach_m &&
@@ -50,7 +50,7 @@ bool fills(const Altered& altered, const DoorPlace& door, const ChangeOptions& o
 /// Whether it is the door's leaf: as a plan has it, or something as thin and as long at a jamb.
 bool is_leaf(const Altered& altered, const DoorPlace& door, const ChangeOptions& options) {
   for (const Segment2& leaf : door.leaves) {
-    const double share = share_of(altered.points, [&](const Point2& point) {
+    const double share = share_where(altered.points, [&](const Point2& point) {
       return distance(leaf, point) <= options.leaf_reach_m;
     });
     if (share >= kMostOfIt) return true;
@@ -107,7 +107,7 @@ struct Piece {
 Piece piece_of(const Altered& altered, const FloorPlan& plan, double reach_m) {
   Piece best;
   for (std::size_t i = 0; i < plan.furniture.size(); ++i) {
-    const double share = share_of(altered.points, [&](const Point2& point) {
+    const double share = share_where(altered.points, [&](const Point2& point) {
       return distance_m(plan.furniture[i].outline, point) <= reach_m;
     });
     if (share < best.share) continue;
@@ -152,7 +152,7 @@ Thing thing_of(const Altered& altered, const FloorPlan& plan, const FloorPlan& o
     if (is_leaf(altered, doors[i], options)) return {ThingKind::leaf, i, {}};
   }
   const Piece piece = piece_of(altered, plan, options.wall_reach_m);
-  const double of_walls = share_of(altered.points, [&](const Point2& point) {
+  const double of_walls = share_where(altered.points, [&](const Point2& point) {
     return from_walls_m(plan, point) <= options.wall_reach_m;
   });
   const Extent extent = extent_of(altered.points);

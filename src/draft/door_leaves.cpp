@@ -11,7 +11,7 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kStep_m = 0.05;        // along a leaf, and between hinges that are tried
+constexpr double kLeafStep_m = 0.05;    // along a leaf, and between hinges that are tried
 constexpr double kTurn_rad = kPi / 72;  // between directions that are tried
 constexpr int kMostGaps = 2;            // steps in a leaf where nothing was seen
 constexpr double kBeside_m = 0.15;      // off a leaf, its sides are looked at
@@ -63,8 +63,8 @@ class Finder {
   void for_each_hinge(const Point2& jamb, const Point2& shut, const Point2& out,
                       Visit visit) const {
     for (double along_m = -options_.hinge_m; along_m <= options_.hinge_m + 1e-9;
-         along_m += kStep_m) {
-      for (double off_m = 0.0; off_m <= options_.depth_m + 1e-9; off_m += kStep_m) {
+         along_m += kLeafStep_m) {
+      for (double off_m = 0.0; off_m <= options_.depth_m + 1e-9; off_m += kLeafStep_m) {
         const Point2 hinge = jamb + along_m * shut + off_m * out;
         if (is_solid(hinge)) visit(hinge);
       }
@@ -87,16 +87,16 @@ class Finder {
   /// How far something stands without a break.
   [[nodiscard]] double solid_m(const Point2& hinge, const Point2& along, double most_m) const {
     double last_m = 0.0;
-    for (double at_m = kStep_m; at_m <= most_m; at_m += kStep_m) {
+    for (double at_m = kLeafStep_m; at_m <= most_m; at_m += kLeafStep_m) {
       if (is_solid(hinge + at_m * along, along)) last_m = at_m;
-      if (at_m - last_m > (kMostGaps + 0.5) * kStep_m) break;
+      if (at_m - last_m > (kMostGaps + 0.5) * kLeafStep_m) break;
     }
     return last_m;
   }
 
   [[nodiscard]] std::optional<Candidate> leaf(const Point2& hinge, const Point2& along,
                                               double width_m) const {
-    const double length_m = solid_m(hinge, along, width_m + options_.longer_m + 3 * kStep_m);
+    const double length_m = solid_m(hinge, along, width_m + options_.longer_m + 3 * kLeafStep_m);
     if (length_m < width_m - options_.shorter_m || length_m > width_m + options_.longer_m) {
       return std::nullopt;
     }
@@ -109,7 +109,7 @@ class Finder {
     int steps = 0;
     int open = 0;
     int sides = 0;
-    for (double at_m = kStep_m; at_m <= length_m + 1e-9; at_m += kStep_m) {
+    for (double at_m = kLeafStep_m; at_m <= length_m + 1e-9; at_m += kLeafStep_m) {
       ++steps;
       const Point2 at = hinge + at_m * along;
       if (is_solid(at, along)) ++solid;
@@ -142,9 +142,9 @@ void cut(const DoorLeaf& leaf, WallFace& face) {
   if (std::abs((own.b - own.a).normalized().dot(face.normal())) > kOwnSine) return;
   std::vector<Interval> kept;
   for (const Interval& stretch : face.seen) {
-    const std::vector<Interval> parts = kept_parts(stretch, kCut_m, kStep_m, [&](double along_m) {
-      return distance(own, face.at(along_m)) > kOwn_m;
-    });
+    const std::vector<Interval> parts =
+        kept_parts(stretch, kCut_m, kLeafStep_m,
+                   [&](double along_m) { return distance(own, face.at(along_m)) > kOwn_m; });
     kept.insert(kept.end(), parts.begin(), parts.end());
   }
   face.seen = std::move(kept);

@@ -19,7 +19,7 @@ constexpr double kLeafEnd_m = 1.45;  // the same of a leaf's end, which is heard
 constexpr double kShortestLeaf_m = 0.6;
 constexpr double kLeafCosine = 0.5;  // a leaf that is shut stands in the wall's line
 constexpr double kWallsOwn_m = 0.1;  // off the face of a wall
-constexpr double kStep_m = 0.02;     // between places on a face that are asked
+constexpr double kGapStep_m = 0.02;  // between places on a face that are asked
 
 Point2 middle_of(const Segment2& line) { return (line.a + line.b) / 2.0; }
 
@@ -94,7 +94,7 @@ std::vector<WallFace> without_swings(const Walls& walls, const std::vector<bool>
     for (const Interval& stretch : faces[i].seen) {
       if (!is_wall[i]) {
         const std::vector<Interval> parts =
-            kept_parts(stretch, kStep_m, 2.0 * kStep_m,
+            kept_parts(stretch, kGapStep_m, 2.0 * kGapStep_m,
                        [&](double along_m) { return !is_swept(faces[i].at(along_m), gaps); });
         kept.insert(kept.end(), parts.begin(), parts.end());
       } else if (!is_leaf(faces[i], stretch, gaps)) {

@@ -9,10 +9,10 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kStep_m = 0.05;     // between places on an edge
-constexpr double kNear_m = 0.08;     // from an edge to an obstacle that is its wall
-constexpr double kShortest_m = 0.3;  // shorter stretches say what their neighbours say
-constexpr double kOnLine_m = 0.03;   // from a wall's line, on it
+constexpr double kEdgeStep_m = 0.05;  // between places on an edge
+constexpr double kNear_m = 0.08;      // from an edge to an obstacle that is its wall
+constexpr double kShortest_m = 0.3;   // shorter stretches say what their neighbours say
+constexpr double kOnLine_m = 0.03;    // from a wall's line, on it
 constexpr double kOnLineSine = 0.05;
 constexpr double kReading_m = 0.1;  // surfaces this near an edge are of its wall ...
 constexpr double kReadingTurn_rad = 30.0 * kPi / 180.0;  // ... when they look its way
@@ -117,7 +117,7 @@ class EdgeJudge {
  private:
   void add_side(RoomId room, const Segment2& side, std::vector<PlanEdge>& edges) const {
     const Point2 way = side.b - side.a;
-    const int count = std::max(1, static_cast<int>(way.norm() / kStep_m));
+    const int count = std::max(1, static_cast<int>(way.norm() / kEdgeStep_m));
     std::vector<bool> is_measured;
     is_measured.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
@@ -127,7 +127,7 @@ class EdgeJudge {
     const double normal_rad = std::atan2(way.y(), way.x()) + kPi / 2.0;
     int done = 0;
     for (const auto& [places, measured] :
-         runs_of(is_measured, static_cast<int>(kShortest_m / kStep_m))) {
+         runs_of(is_measured, static_cast<int>(kShortest_m / kEdgeStep_m))) {
       PlanEdge edge;
       edge.room = room;
       edge.line = {side.a + way * (static_cast<double>(done) / count),

@@ -11,7 +11,7 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kStep_m = 0.05;        // between places along a face
+constexpr double kFaceStep_m = 0.05;    // between places along a face
 constexpr double kParallelSine = 0.03;  // faces that turn by less are parallel
 constexpr double kBackClear_m = 0.05;   // a wall's other side lies so much before the wall behind
 constexpr double kBackShare = 0.4;      // of a front, that has another side
@@ -194,7 +194,7 @@ class Fronts {
 
 double free_share(const WallFace& face, const Interval& stretch, double off_m,
                   const Occupancy& occupancy, const CellMask& near_obstacle) {
-  const int count = std::max(1, static_cast<int>(stretch.length_m() / kStep_m));
+  const int count = std::max(1, static_cast<int>(stretch.length_m() / kFaceStep_m));
   int free = 0;
   for (int i = 0; i < count; ++i) {
     const double along_m = stretch.low_m + (i + 0.5) * stretch.length_m() / count;

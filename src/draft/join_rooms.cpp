@@ -10,10 +10,10 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kStep_m = 0.05;
-constexpr double kBeyond_m = 0.5;  // of wall beyond a jamb
-constexpr double kBand_m = 0.1;    // off the opening's line
-constexpr double kBeside_m = 0.3;  // floor beside it: the middle of a block is no wall
+constexpr double kOpeningStep_m = 0.05;
+constexpr double kBeyondJamb_m = 0.5;   // of wall beyond a jamb
+constexpr double kOpeningBand_m = 0.1;  // off the opening's line
+constexpr double kBeside_m = 0.3;       // floor beside it: the middle of a block is no wall
 
 bool is_free(const Occupancy& bare, const Point2& at) {
   return bare.free.at(bare.frame.cell_of(at));
@@ -24,14 +24,14 @@ double wall_beyond(const Occupancy& bare, const Point2& jamb, const Point2& alon
   const Point2 across(-along.y(), along.x());
   int wall = 0;
   int all = 0;
-  for (double on_m = kStep_m; on_m <= kBeyond_m; on_m += kStep_m) {
+  for (double on_m = kOpeningStep_m; on_m <= kBeyondJamb_m; on_m += kOpeningStep_m) {
     ++all;
     bool is_wall = false;
     bool is_beside = false;
-    for (double off_m = -kBand_m - kBeside_m; off_m <= kBand_m + kBeside_m;
-         off_m += kStep_m / 2.0) {
+    for (double off_m = -kOpeningBand_m - kBeside_m; off_m <= kOpeningBand_m + kBeside_m;
+         off_m += kOpeningStep_m / 2.0) {
       const bool free = is_free(bare, jamb + on_m * along + off_m * across);
-      if (std::abs(off_m) <= kBand_m) is_wall = is_wall || !free;
+      if (std::abs(off_m) <= kOpeningBand_m) is_wall = is_wall || !free;
       is_beside = is_beside || free;
     }
     if (is_wall && is_beside) ++wall;

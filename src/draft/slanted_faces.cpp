@@ -14,12 +14,12 @@ namespace roomatlas {
 namespace {
 
 constexpr double kBucket_m = 0.25;
-constexpr double kSeed_m = 0.25;  // surfaces this near a seed give its first direction
-constexpr double kBand_m = 0.04;  // off the line; larger makes coarser chords of a curve
+constexpr double kSeed_m = 0.25;         // surfaces this near a seed give its first direction
+constexpr double kSlantedBand_m = 0.04;  // off the line; larger makes coarser chords of a curve
 constexpr double kTurn_rad = 12.0 * kPi / 180.0;  // of normals from the line's
 constexpr double kTaken_m = 0.07;  // surfaces this near a face that was found are its own ...
 constexpr double kTakenTurn_rad = 25.0 * kPi / 180.0;  // ... when they look its way
-constexpr double kStep_m = 0.1;                        // where a face was seen is told this finely
+constexpr double kSeenStep_m = 0.1;                    // where a face was seen is told this finely
 constexpr int kGapSteps = 4;                           // in a face
 constexpr int kMostRounds = 40;       // of growing; a round adds a gap's length at each end
 constexpr double kLeastWeight = 6.0;  // of what a seed's first direction rests on
@@ -108,8 +108,8 @@ class Grower {
       const Interval before{face.low_m(), face.high_m()};
       const Point2 middle = face.at((before.low_m + before.high_m) / 2.0);
       if (!grow(face, middle)) return {};
-      const bool is_settled = std::abs(face.low_m() - before.low_m) < kStep_m &&
-                              std::abs(face.high_m() - before.high_m) < kStep_m;
+      const bool is_settled = std::abs(face.low_m() - before.low_m) < kSeenStep_m &&
+                              std::abs(face.high_m() - before.high_m) < kSeenStep_m;
       if (is_settled && round > 1) break;
     }
     return face;
@@ -117,25 +117,25 @@ class Grower {
 
   /// One round: what lies on the line around `middle`, and the line through that.
   bool grow(WallFace& face, const Point2& middle) const {
-    const double reach_m = kGapSteps * kStep_m;
+    const double reach_m = kGapSteps * kSeenStep_m;
     const Segment2 segment{face.at(face.low_m() - reach_m), face.at(face.high_m() + reach_m)};
     std::vector<SurfacePoint> on;
     std::vector<int> steps;
-    for_each_around(segment, kBand_m, [&](std::size_t i) {
+    for_each_around(segment, kSlantedBand_m, [&](std::size_t i) {
       const SurfacePoint& one = surfaces_[i];
       const double along_m = one.at.dot(face.along());
-      if (std::abs(one.at.dot(face.normal()) - face.offset_m) > kBand_m) return;
+      if (std::abs(one.at.dot(face.normal()) - face.offset_m) > kSlantedBand_m) return;
       if (std::abs(wrap_angle(one.normal_rad - face.normal_rad)) > kTurn_rad) return;
       if (along_m < face.low_m() - reach_m || along_m > face.high_m() + reach_m) return;
       on.push_back(one);
-      steps.push_back(static_cast<int>(std::floor(along_m / kStep_m)));
+      steps.push_back(static_cast<int>(std::floor(along_m / kSeenStep_m)));
     });
     std::sort(steps.begin(), steps.end());
-    const int at = static_cast<int>(std::floor(middle.dot(face.along()) / kStep_m));
+    const int at = static_cast<int>(std::floor(middle.dot(face.along()) / kSeenStep_m));
     for (const auto& [first, last] : runs_of(steps, kGapSteps)) {
       if (steps[last] < at - kGapSteps || steps[first] > at + kGapSteps) continue;
-      const double low_m = steps[first] * kStep_m;
-      const double high_m = (steps[last] + 1) * kStep_m;
+      const double low_m = steps[first] * kSeenStep_m;
+      const double high_m = (steps[last] + 1) * kSeenStep_m;
       std::erase_if(on, [&](const SurfacePoint& one) {
         const double along_m = one.at.dot(face.along());
         return along_m < low_m || along_m > high_m;
@@ -153,12 +153,12 @@ class Grower {
     std::vector<int> steps;
     steps.reserve(on.size());
     for (const SurfacePoint& one : on) {
-      steps.push_back(static_cast<int>(std::floor(one.at.dot(face.along()) / kStep_m)));
+      steps.push_back(static_cast<int>(std::floor(one.at.dot(face.along()) / kSeenStep_m)));
     }
     std::sort(steps.begin(), steps.end());
     std::vector<Interval> seen;
     for (const auto& [first, last] : runs_of(steps, kGapSteps)) {
-      seen.push_back({steps[first] * kStep_m, (steps[last] + 1) * kStep_m});
+      seen.push_back({steps[first] * kSeenStep_m, (steps[last] + 1) * kSeenStep_m});
     }
     return seen;
   }
@@ -170,7 +170,8 @@ class Grower {
       const SurfacePoint& one = surfaces_[i];
       const double along_m = one.at.dot(face.along());
       const bool is_on = std::abs(one.at.dot(face.normal()) - face.offset_m) <= kTaken_m &&
-                         along_m > face.low_m() - kStep_m && along_m < face.high_m() + kStep_m &&
+                         along_m > face.low_m() - kSeenStep_m &&
+                         along_m < face.high_m() + kSeenStep_m &&
                          std::abs(wrap_angle(one.normal_rad - face.normal_rad)) <= kTakenTurn_rad;
       if (is_on) taken.push_back(i);
     });

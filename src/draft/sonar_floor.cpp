@@ -10,7 +10,7 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kStep_m = 0.05;           // along a face
+constexpr double kAlongFace_m = 0.05;      // along a face
 constexpr double kNearFurniture_m = 0.25;  // echoes this near to furniture are its ...
 constexpr double kNearWall_m = 0.15;       // ... unless a wall is this near
 constexpr double kOnWall_m = 0.3;          // echoes this near to a wall's face may be its own
@@ -22,7 +22,7 @@ constexpr double kMostBent = 0.9;          // ... cosine; what turns off more is
 
 /// Whether most of a stretch is solid on the bare floor.
 bool stays(const WallFace& face, const Interval& stretch, const Occupancy& bare) {
-  const int steps = std::max(1, static_cast<int>(stretch.length_m() / kStep_m));
+  const int steps = std::max(1, static_cast<int>(stretch.length_m() / kAlongFace_m));
   int solid = 0;
   for (int k = 0; k <= steps; ++k) {
     const Point2 at = face.at(stretch.low_m + stretch.length_m() * k / steps);

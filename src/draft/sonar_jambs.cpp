@@ -9,14 +9,14 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kStep_m = 0.02;      // between jambs that are tried
+constexpr double kJambStep_m = 0.02;  // between jambs that are tried
 constexpr double kNarrowest_m = 0.3;  // half of it is on each side of the middle
 constexpr double kWidest_m = 2.0;
 constexpr double kFarthest_m = 2.5;  // sonar to wall; a cone is wider than a door there
 constexpr double kSigma_m = 0.03;    // of an echo's range: noise, path and the wall's own place
 constexpr double kOutlier = 0.05;    // share of echoes from something else
 constexpr double kThrough_m = 0.15;  // what is heard this far behind the wall is heard through it
-constexpr std::size_t kFewest = 20;
+constexpr std::size_t kFewestEchoes = 20;
 
 /// An echo in the frame of a wall: along it, and off it on the side of the sonar.
 struct Heard {
@@ -83,7 +83,7 @@ std::vector<Side> sides_of(const std::vector<Heard>& heard, double middle_m, dou
                            double half_cone_rad) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   std::vector<Side> sides;
-  for (double off_m = kNarrowest_m / 2.0; off_m <= kWidest_m / 2.0; off_m += kStep_m) {
+  for (double off_m = kNarrowest_m / 2.0; off_m <= kWidest_m / 2.0; off_m += kJambStep_m) {
     Side& side = sides.emplace_back();
     side.jamb_m = middle_m + sign * off_m;
     for (const Heard& echo : heard) {
@@ -101,7 +101,7 @@ std::vector<Side> sides_of(const std::vector<Heard>& heard, double middle_m, dou
 std::optional<Interval> sonar_jambs(const WallFace& face, double middle_m,
                                     const BuildingEvidence& evidence) {
   const std::vector<Heard> heard = heard_at(face, middle_m, evidence);
-  if (heard.size() < kFewest) return std::nullopt;
+  if (heard.size() < kFewestEchoes) return std::nullopt;
   const std::vector<Side> low = sides_of(heard, middle_m, -1.0, evidence.sonar_half_cone_rad);
   const std::vector<Side> high = sides_of(heard, middle_m, 1.0, evidence.sonar_half_cone_rad);
   double least = std::numeric_limits<double>::infinity();

@@ -16,9 +16,9 @@ constexpr std::array kAside_m = {-0.1, 0.0, 0.1};  // an echo speaks for this mu
 constexpr double kCoarse_deg = 1.0;                // between directions that are tried first ...
 constexpr double kFine_deg = 0.125;                // ... and then around the best
 constexpr double kFineReach_deg = 1.0;
-constexpr double kAcross_m = 0.03;  // bins in which votes agree
-constexpr double kAlong_m = 2.0;    // longer tells directions better, and few walls are longer
-constexpr double kChance = 2.0;     // as many agree in a bin by chance
+constexpr double kVoteBin_m = 0.03;  // bins in which votes agree
+constexpr double kAlong_m = 2.0;     // longer tells directions better, and few walls are longer
+constexpr double kChance = 2.0;      // as many agree in a bin by chance
 
 /// Votes by bins across and along, and what they add up to.
 class VoteBins {
@@ -28,7 +28,7 @@ class VoteBins {
     std::vector<Cell> cells;
     cells.reserve(votes.size());
     for (const SurfacePoint& vote : votes) {
-      cells.push_back({static_cast<int>(floored(vote.at.dot(normal) / kAcross_m)),
+      cells.push_back({static_cast<int>(floored(vote.at.dot(normal) / kVoteBin_m)),
                        static_cast<int>(floored(vote.at.dot(along) / kAlong_m))});
     }
     Cell low = cells.front();

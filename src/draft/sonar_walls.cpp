@@ -10,7 +10,7 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kLong_m = 2.5;        // of one face, that needs nothing else to be a wall's
+constexpr double kLongFace_m = 2.5;    // of one face, that needs nothing else to be a wall's
 constexpr double kBothLong_m = 4.0;    // the same of the two faces of a wall ...
 constexpr double kThinnest_m = 0.08;   // ... which a leaf's are nearer to each other than
 constexpr double kLeast_m = 0.8;       // of a face between two walls ...
@@ -18,14 +18,14 @@ constexpr double kLeastShare = 0.5;    // ... and of the way between them
 constexpr double kToWall_m = 1.2;      // a face ends this near to the wall that crosses it
 constexpr double kPast_m = 0.35;       // of a wall's end, where the other may meet it
 constexpr double kCrossingSine = 0.5;  // lines that cross at less do not end each other
-constexpr double kBand_m = 0.05;       // off a face's line, floor is on it
-constexpr double kStep_m = 0.05;
+constexpr double kFloorBand_m = 0.05;  // off a face's line, floor is on it
+constexpr double kFloorStep_m = 0.05;
 constexpr int kRounds = 3;  // a wall may end at one that ends at another
 
 std::vector<bool> long_ones(const Walls& walls, const BareFloorOptions& options) {
   std::vector<bool> is_wall = are_walls(walls, options);
   for (std::size_t i = 0; i < is_wall.size(); ++i) {
-    is_wall[i] = is_wall[i] && walls.faces[i].support_m() >= kLong_m;
+    is_wall[i] = is_wall[i] && walls.faces[i].support_m() >= kLongFace_m;
   }
   for (const WallBody& body : walls.bodies) {
     const double both_m = walls.faces[body.front].support_m() + walls.faces[body.back].support_m();
@@ -50,13 +50,13 @@ std::optional<double> to_wall_m(const WallFace& face, double end_m, double sign,
   }
   if (!next_m) return std::nullopt;
   double floor_m = 0.0;
-  for (double on_m = 0.0; on_m < *next_m; on_m += kStep_m) {
+  for (double on_m = 0.0; on_m < *next_m; on_m += kFloorStep_m) {
     bool is_floor = true;
-    for (const double off_m : {-kBand_m, 0.0, kBand_m}) {
+    for (const double off_m : {-kFloorBand_m, 0.0, kFloorBand_m}) {
       const Point2 at = face.at(end_m + sign * on_m) + off_m * face.normal();
       is_floor = is_floor && occupancy.free.at(occupancy.frame.cell_of(at));
     }
-    if (is_floor) floor_m += kStep_m;
+    if (is_floor) floor_m += kFloorStep_m;
   }
   if (floor_m > kPast_m) return std::nullopt;
   return std::max(0.0, *next_m);

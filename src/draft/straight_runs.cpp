@@ -12,12 +12,12 @@ namespace {
 constexpr double kBinAcross_m = 0.02;  // walls are known to a centimetre or two
 constexpr double kSeenGap_m = 0.2;     // seen stretches of a face this near are one
 constexpr double kMostPerBin = 20.0;   // beams in a bin beyond which more say nothing new
-constexpr int kRefinements = 3;
+constexpr int kLineRefinements = 3;
 // Of the mean normal from the face's: larger takes pieces of a curve for walls. Short faces have
 // few normals.
 constexpr double kMaxTurn_rad = 2.5 * kPi / 180.0;
 constexpr double kMaxTurnOfShort_rad = 5.0 * kPi / 180.0;
-constexpr double kLongFace_m = 1.0;
+constexpr double kLongRun_m = 1.0;
 constexpr double kMaxSlope = 0.035;   // of the surfaces themselves along the face, 2 degrees
 constexpr double kSlopeFrom_m = 0.8;  // shorter faces have no slope that can be told
 
@@ -177,7 +177,7 @@ class RunSearch {
   double offset_of(int row, const Run& run) const {
     double offset_m = across0_m_ + (row + 0.5) * kBinAcross_m;
     double within_m = (half_rows_ + 0.5) * kBinAcross_m;
-    for (int i = 0; i <= kRefinements; ++i) {
+    for (int i = 0; i <= kLineRefinements; ++i) {
       const std::vector<double> balance = balance_of(run, offset_m, within_m);
       double sum = 0.0;
       double weights = 0.0;
@@ -222,7 +222,7 @@ class RunSearch {
       uv += weight * off_m * on_m;
     });
     const double support_m = face.support_m();
-    const double most = support_m >= kLongFace_m ? kMaxTurn_rad : kMaxTurnOfShort_rad;
+    const double most = support_m >= kLongRun_m ? kMaxTurn_rad : kMaxTurnOfShort_rad;
     if (std::abs(turn / weights) > most) return false;
     const double spread = vv / weights - v * v / (weights * weights);
     const double slope = (uv / weights - u * v / (weights * weights)) / std::max(1e-9, spread);

@@ -12,12 +12,12 @@ constexpr double kSquareSine = 0.95;  // of the angle between faces
 constexpr double kPast_m = 0.1;       // beyond the ends of the face that cuts
 constexpr double kLeastLeft_m = 0.15;
 constexpr double kFewEchoes = 0.2;  // mean reflected share beyond
-constexpr double kStep_m = 0.05;
+constexpr double kTrimStep_m = 0.05;
 
 /// The mean over places of the largest reflected share around them.
 double reflected_along(const ReflectionMap& counts, const WallFace& face, const Interval& stretch) {
   if (stretch.length_m() <= 0.0) return 0.0;
-  const int places = std::max(2, static_cast<int>(stretch.length_m() / kStep_m));
+  const int places = std::max(2, static_cast<int>(stretch.length_m() / kTrimStep_m));
   double sum = 0.0;
   for (int i = 0; i < places; ++i) {
     const Cell at =

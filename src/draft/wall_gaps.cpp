@@ -11,30 +11,30 @@ namespace roomatlas {
 namespace {
 
 constexpr std::array kOff_m = {0.4, 0.7, 1.0};  // where the floor on a side is measured
-constexpr double kStep_m = 0.05;
-constexpr double kBand_m = 0.05;      // off the line, obstacles are on it
-constexpr double kSmallest_m = 0.1;   // breaks in a wall that are no gaps
-constexpr double kFlankOff_m = 0.25;  // a flank begins this near the gap
-constexpr double kSolidShare = 0.85;  // of a long flank
-constexpr double kFreeShare = 0.6;    // of a gap
-constexpr double kStubEnd_m = 0.25;   // from a stub's end to the wall that it stands at
-constexpr double kSquareSine = 0.95;  // of walls that cross
+constexpr double kWallStep_m = 0.05;
+constexpr double kGapBand_m = 0.05;        // off the line, obstacles are on it
+constexpr double kSmallest_m = 0.1;        // breaks in a wall that are no gaps
+constexpr double kFlankOff_m = 0.25;       // a flank begins this near the gap
+constexpr double kSolidShare = 0.85;       // of a long flank
+constexpr double kFreeShare = 0.6;         // of a gap
+constexpr double kStubEnd_m = 0.25;        // from a stub's end to the wall that it stands at
+constexpr double kGapCrossingSine = 0.95;  // of walls that cross
 
 /// What stands on a line, step by step.
 struct LineScan {
   double from_m = 0.0;
   std::vector<bool> is_wall;
   [[nodiscard]] double at_m(std::size_t step) const {
-    return from_m + static_cast<double>(step) * kStep_m;
+    return from_m + static_cast<double>(step) * kWallStep_m;
   }
 };
 
 LineScan scan(const WallFace& face, const Interval& reach, const CellMask& near_obstacle,
               const CellFrame& frame) {
   LineScan line{reach.low_m, {}};
-  for (double along_m = reach.low_m; along_m <= reach.high_m; along_m += kStep_m) {
+  for (double along_m = reach.low_m; along_m <= reach.high_m; along_m += kWallStep_m) {
     bool is_wall = false;
-    for (const double off_m : {-kBand_m, 0.0, kBand_m}) {
+    for (const double off_m : {-kGapBand_m, 0.0, kGapBand_m}) {
       is_wall =
           is_wall || near_obstacle.at(frame.cell_of(face.at(along_m) + off_m * face.normal()));
     }
@@ -103,7 +103,7 @@ class GapFinder {
   [[nodiscard]] bool is_at_wall(const WallFace& face, double along_m) const {
     return std::any_of(walls_.faces.begin(), walls_.faces.end(), [&](const WallFace& wall) {
       if (wall.prominence_m < options_.prominent_m) return false;
-      if (std::abs(face.along().dot(wall.normal())) < kSquareSine) return false;
+      if (std::abs(face.along().dot(wall.normal())) < kGapCrossingSine) return false;
       const Point2 at = face.at(along_m);
       const double on_wall_m = at.dot(wall.along());
       return std::abs(at.dot(wall.normal()) - wall.offset_m) < kStubEnd_m &&
@@ -136,7 +136,7 @@ class GapFinder {
       });
     }
     if (width_m > options_.door_m) {
-      const auto flank = static_cast<std::size_t>(options_.long_flank_m / kStep_m);
+      const auto flank = static_cast<std::size_t>(options_.long_flank_m / kWallStep_m);
       return width_m <= options_.widest_m && flanks == 2 && low >= flank &&
              high + flank < line.is_wall.size() &&
              solid_share(line, low - flank, low + 1) >= kSolidShare &&
@@ -173,7 +173,7 @@ class GapFinder {
 double reach_m(const CellMask& free, const CellFrame& frame, const Point2& from,
                const Point2& along, double most_m) {
   double off_m = 0.0;
-  while (off_m < most_m && free.at(frame.cell_of(from + off_m * along))) off_m += kStep_m;
+  while (off_m < most_m && free.at(frame.cell_of(from + off_m * along))) off_m += kWallStep_m;
   return off_m;
 }
 
@@ -184,7 +184,7 @@ bool widens(const CellMask& free, const CellFrame& frame, const Segment2& line,
   const Point2 middle = (line.a + line.b) / 2.0;
   const double width_m = (line.b - line.a).norm();
   const Point2 along = (line.b - line.a) / width_m;
-  const double most_m = width_m / 2.0 + by_m + kStep_m;
+  const double most_m = width_m / 2.0 + by_m + kWallStep_m;
   return std::all_of(kOff_m.begin(), kOff_m.end(), [&](double off_m) {
     const Point2 at = middle + off_m * across;
     return reach_m(free, frame, at, along, most_m) + reach_m(free, frame, at, -along, most_m) >=

@@ -9,16 +9,16 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kStep_m = 0.05;
-constexpr double kBand_m = 0.15;                      // off a line, what stands is on it
+constexpr double kLineStep_m = 0.05;
+constexpr double kStandingBand_m = 0.15;              // off a line, what stands is on it
 const double kLeastCosine = std::cos(radians(20.0));  // of an opening and its wall
-constexpr double kOff_m = 0.3;                        // of an opening from the face of its wall
+constexpr double kOffFace_m = 0.3;                    // of an opening from the face of its wall
 constexpr double kWallNear_m = 0.8;                   // beyond a jamb the wall is heard ...
 constexpr double kWallPiece_m = 0.3;                  // ... for so long
 constexpr double kFar_m = 2.0;                        // beyond a jamb it is asked about ...
-constexpr double kSolidShare = 0.75;                  // ... and so much of it stands
+constexpr double kStandingShare = 0.75;               // ... and so much of it stands
 constexpr double kAtWall_m = 0.15;      // nearer to a wall that crosses there is no stub
-constexpr double kPast_m = 0.15;        // a wall's end
+constexpr double kPastEnd_m = 0.15;     // a wall's end
 constexpr double kHeardEarly_m = 0.05;  // a jamb, by the width of the cone
 const double kAcrossCosine = std::cos(radians(40.0));  // of an opening and a corridor's width
 constexpr double kObstacles_m = 1.3;      // a wall of obstacles alone, on each side ...
@@ -28,13 +28,13 @@ constexpr double kObstacleGap_m = 0.25;
 constexpr double kFit_m = 1.2;      // of them on each side give the line ...
 constexpr double kFitBand_m = 0.3;  // ... where they are so near to it
 constexpr double kJamb_m = 0.1;     // an opening's end counts
-constexpr double kFewest = 4.0;
+constexpr double kFewestSeen = 4.0;
 
 /// Whether a jamb may end a stub that stands on a wall.
 bool may_end_stub(const WallFace& wall, const Point2& jamb) {
   const double off_m = jamb.dot(wall.normal()) - wall.offset_m;
   return off_m >= kAtWall_m && off_m <= kLongestStub_m + kHeardEarly_m &&
-         goes_on_at(wall, jamb, kPast_m);
+         goes_on_at(wall, jamb, kPastEnd_m);
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ bool WallOpenings::is_on_line_of(const WallFace& face, const Segment2& jambs) co
   const Point2 middle = (jambs.a + jambs.b) / 2.0;
   const Point2 way = (jambs.b - jambs.a).normalized();
   if (std::abs(face.along().dot(way)) < kLeastCosine) return false;
-  if (std::abs(middle.dot(face.normal()) - face.offset_m) > kOff_m) return false;
+  if (std::abs(middle.dot(face.normal()) - face.offset_m) > kOffFace_m) return false;
   const double middle_m = middle.dot(face.along());
   const double near_m = (jambs.b - jambs.a).norm() / 2.0 + kWallNear_m;
   if (std::none_of(face.seen.begin(), face.seen.end(), [&](const Interval& one) {
@@ -80,11 +80,11 @@ WallOpenings::Beside WallOpenings::beside(const WallFace& face, double jamb_m, d
   if (end_m <= kLongestStub_m) return Beside::stub;
   int solid = 0;
   int all = 0;
-  for (double on_m = kStep_m; on_m < end_m; on_m += kStep_m) {
+  for (double on_m = kLineStep_m; on_m < end_m; on_m += kLineStep_m) {
     ++all;
     if (is_solid(face, jamb_m + sign * on_m)) ++solid;
   }
-  return solid >= kSolidShare * all ? Beside::wall : Beside::floor;
+  return solid >= kStandingShare * all ? Beside::wall : Beside::floor;
 }
 
 double WallOpenings::to_crossing_m(const WallFace& face, double jamb_m, double sign) const {
@@ -93,14 +93,14 @@ double WallOpenings::to_crossing_m(const WallFace& face, double jamb_m, double s
     if (!is_wall_[i]) continue;
     const WallFace& wall = walls_.faces[i];
     const auto beyond_m = crossing_m(face, jamb_m, sign, wall, kLeastCosine);
-    if (!beyond_m || *beyond_m < -kPast_m || *beyond_m > next_m) continue;
-    if (goes_on_at(wall, face.at(jamb_m + sign * *beyond_m), kPast_m)) next_m = *beyond_m;
+    if (!beyond_m || *beyond_m < -kPastEnd_m || *beyond_m > next_m) continue;
+    if (goes_on_at(wall, face.at(jamb_m + sign * *beyond_m), kPastEnd_m)) next_m = *beyond_m;
   }
   return next_m;
 }
 
 bool WallOpenings::is_solid(const WallFace& face, double along_m) const {
-  for (double off_m = -kBand_m; off_m <= kBand_m; off_m += kStep_m) {
+  for (double off_m = -kStandingBand_m; off_m <= kStandingBand_m; off_m += kLineStep_m) {
     const Point2 at = face.at(along_m) + off_m * face.normal();
     if (!bare_.free.at(bare_.frame.cell_of(at))) return true;
   }
@@ -154,7 +154,7 @@ Segment2 WallOpenings::on_line_of_obstacles(const Segment2& jambs) const {
     uv += on_m * off_m;
   });
   const double spread = sum * uu - u * u;
-  if (sum < kFewest || spread <= 0.0) return jambs;
+  if (sum < kFewestSeen || spread <= 0.0) return jambs;
   const double slope = (sum * uv - u * v) / spread;
   const double level_m = (v - slope * u) / sum;
   const auto on_line = [&](double on_m) -> Point2 {
@@ -167,9 +167,9 @@ Segment2 WallOpenings::on_line_of_obstacles(const Segment2& jambs) const {
 double WallOpenings::obstacles_m(const Point2& jamb, const Point2& along) const {
   const Point2 across(-along.y(), along.x());
   double last_m = 0.0;
-  for (double on_m = kStep_m; on_m <= kFarObstacles_m && on_m - last_m <= kObstacleGap_m;
-       on_m += kStep_m) {
-    for (double off_m = -kBand_m; off_m <= kBand_m; off_m += kStep_m) {
+  for (double on_m = kLineStep_m; on_m <= kFarObstacles_m && on_m - last_m <= kObstacleGap_m;
+       on_m += kLineStep_m) {
+    for (double off_m = -kStandingBand_m; off_m <= kStandingBand_m; off_m += kLineStep_m) {
       const Point2 at = jamb + on_m * along + off_m * across;
       if (heard_.obstacle.at(heard_.frame.cell_of(at))) last_m = on_m;
     }

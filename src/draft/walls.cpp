@@ -13,10 +13,10 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kStep_m = 0.05;  // between places along a face
-constexpr int kGapSteps = 2;      // of few reflections in a face
+constexpr double kPlaceStep_m = 0.05;  // between places along a face
+constexpr int kGapSteps = 2;           // of few reflections in a face
 constexpr double kShortestStretch_m = 0.08;
-constexpr std::array kAcross_m = {-0.05, 0.0, 0.05};
+constexpr std::array kShifts_m = {-0.05, 0.0, 0.05};
 constexpr double kOppositeCosine = -0.9995;
 constexpr double kShortestOverlap_m = 0.2;  // of the two faces of a wall
 constexpr double kStrongLine_m = 2.5;       // of prominence, for a line that hidden walls run to
@@ -30,7 +30,7 @@ constexpr double kNested_m = 0.5;  // support of a thinner wall that hides a thi
 
 /// Places along a stretch.
 std::vector<double> places_on(const Interval& stretch) {
-  const int count = std::max(2, static_cast<int>(stretch.length_m() / kStep_m));
+  const int count = std::max(2, static_cast<int>(stretch.length_m() / kPlaceStep_m));
   std::vector<double> places;
   places.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
@@ -47,7 +47,7 @@ std::vector<Interval> confirmed(const WallFace& face, const ReflectionMap& count
     std::vector<int> good;
     for (std::size_t i = 0; i < places.size(); ++i) {
       double most = 0.0;
-      for (const double across_m : kAcross_m) {
+      for (const double across_m : kShifts_m) {
         const Point2 at = face.at(places[i]) + across_m * face.normal();
         most = std::max(most, counts.at(counts.frame().cell_of(at)).reflected_share());
       }
@@ -182,16 +182,17 @@ class Builder {
                                   const WallBody& body) const {
     const WallFace& face = walls_.faces[body.front];
     const auto is_solid = [&](double along_m) {
-      const Interval step{along_m - kStep_m / 2.0, along_m + kStep_m / 2.0};
+      const Interval step{along_m - kPlaceStep_m / 2.0, along_m + kPlaceStep_m / 2.0};
       return std::all_of(kInside.begin(), kInside.end(), [&](double share) {
         return is_hidden(face, step, -share * body.thickness_m);
       });
     };
     Interval whole = both;
     const double low_m = std::min(front.low_m, back.low_m);
-    while (whole.low_m > low_m && is_solid(whole.low_m - kCorner_m)) whole.low_m -= kStep_m;
+    while (whole.low_m > low_m && is_solid(whole.low_m - kCorner_m)) whole.low_m -= kPlaceStep_m;
     const double high_m = std::max(front.high_m, back.high_m);
-    while (whole.high_m < high_m && is_solid(whole.high_m + kCorner_m)) whole.high_m += kStep_m;
+    while (whole.high_m < high_m && is_solid(whole.high_m + kCorner_m))
+      whole.high_m += kPlaceStep_m;
     return whole;
   }
 

@@ -30,8 +30,6 @@ constexpr const char* kUnseenHatch = "#c5cad1";
 constexpr double kUnseenPitch_mm = 2.2;
 constexpr double kNumber_mm = 2.4;  // of its letters
 constexpr double kNumberRadius_mm = 2.1;
-constexpr double kNoteSize_mm = 2.2;
-constexpr double kNoteLine_mm = 3.4;
 
 std::string path_of_lines(const std::vector<Segment2>& lines_mm) {
   std::string path;

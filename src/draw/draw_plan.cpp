@@ -16,9 +16,6 @@ namespace {
 
 using namespace drawing;
 
-// Of notes: their letters, and from line to line.
-constexpr double kNoteSize_mm = 2.2;
-constexpr double kNoteLine_mm = 3.4;
 constexpr int kMaxSheets = 4;  // tried, while notes grow as labels lose their places
 
 /// In axes that are turned by `turn_rad`.

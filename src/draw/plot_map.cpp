@@ -18,7 +18,7 @@ constexpr double kPageWidth_mm = 200.0;
 constexpr double kEdge_mm = 8.0;
 constexpr double kTop_mm = 14.0;
 constexpr double kBar_mm = 22.0;       // the colour bar with its numbers, on the right
-constexpr double kFooter_mm = 10.0;    // the bar of lengths
+constexpr double kBarRow_mm = 10.0;    // the bar of lengths
 constexpr double kTallest_mm = 190.0;  // map
 constexpr int kColours = 24;           // steps of the bar; more make many short lines of a path
 
@@ -117,7 +117,7 @@ std::string plot_map(const std::string& title, const std::string& value_label,
   const double tall_mm = std::max(50.0, mm_per_m * size_m.y());
   pugi::xml_document document;
   pugi::xml_node svg =
-      add_page(document, kPageWidth_mm, kTop_mm + tall_mm + kFooter_mm + kEdge_mm, title);
+      add_page(document, kPageWidth_mm, kTop_mm + tall_mm + kBarRow_mm + kEdge_mm, title);
   add_text(svg, {kEdge_mm, 8.0},
            shortened(title, kPageWidth_mm - 2.0 * kEdge_mm, 3.6, Weight::bold),
            {3.6, Weight::bold, Anchor::start, kInk});
@@ -145,7 +145,7 @@ std::string plot_map(const std::string& title, const std::string& value_label,
   bar.min = {kPageWidth_mm - kEdge_mm - 14.0, kTop_mm + 6.0};
   bar.max = {kPageWidth_mm - kEdge_mm - 10.0, kTop_mm + std::min(tall_mm, 70.0)};
   add_colour_bar(svg, axis, value_label, bar);
-  add_length_bar(svg, {kEdge_mm, kTop_mm + tall_mm + kFooter_mm}, mm_per_m);
+  add_length_bar(svg, {kEdge_mm, kTop_mm + tall_mm + kBarRow_mm}, mm_per_m);
   return to_text(document);
 }
 

@@ -43,6 +43,10 @@ constexpr const char* kHairline_mm = "0.13";
 constexpr const char* kThin_mm = "0.2";
 constexpr const char* kFrame_mm = "0.35";
 
+// Of notes: their letters, and from line to line.
+constexpr double kNoteSize_mm = 2.2;
+constexpr double kNoteLine_mm = 3.4;
+
 /// Widths of lines in millimetres: a group of ISO 128, each next one thinner by the root of two.
 struct LineWeights {
   double cut = 0.35;      ///< the outline of what a plan cuts through: walls

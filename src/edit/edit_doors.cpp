@@ -8,7 +8,6 @@
 namespace roomatlas::edit {
 namespace {
 
-constexpr double kThickestWall_m = 0.8;  // that a door goes through
 constexpr double kStep_m = 0.05;
 constexpr double kThinWall_m = 0.10;  // drawn where rooms went over into each other
 constexpr double kOpenShare = 0.2;    // of such a wall that is floor: no wall is there yet

@@ -8,9 +8,8 @@
 namespace roomatlas::edit {
 namespace {
 
-constexpr double kThickestWall_m = 0.8;  // that a door goes through
-constexpr double kReach_m = 0.3;         // of a cut beyond its ends: a pointer stops short of walls
-constexpr double kHalfSlit_m = 0.001;    // of what shows how many parts a cut leaves
+constexpr double kReach_m = 0.3;       // of a cut beyond its ends: a pointer stops short of walls
+constexpr double kHalfSlit_m = 0.001;  // of what shows how many parts a cut leaves
 constexpr double kSmallestPart_m2 = 0.5;
 constexpr double kFar_m = 1e4;  // farther than any building reaches
 

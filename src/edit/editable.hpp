@@ -14,6 +14,8 @@ namespace roomatlas::edit {
 /// Why a statement was not applied; empty where it was.
 using Why = std::string;
 
+inline constexpr double kThickestWall_m = 0.8;  ///< that a door goes through
+
 using Shapes = std::vector<Polygon>;  ///< disjoint, of one room
 
 /// What a room covers: the union of its outlines, the largest first.

@@ -16,7 +16,7 @@ namespace {
 constexpr double kLeastRangeM = 0.2;  // nearer, a sonar hears its own ringing
 constexpr double kMostRangeM = 4.0;   // farther returns come from many things at once
 constexpr double kSameThingM = 0.3;   // a return farther off under both motions tells nothing
-constexpr double kMaxOffRad = radians(2.0);  // of a point from a beam without a cone
+constexpr double kBesideBeamRad = radians(2.0);  // of a point from a beam without a cone
 constexpr double kLeastStepS = 0.15;  // shorter steps of a fast sensor would all look like stops
 constexpr double kBackwardM = -0.01;  // a step that odometry reports as backward; nearer 0 it may
                                       // be a turn about another point than the robot's centre
@@ -67,7 +67,7 @@ Pose2 step_to(const Readings& readings, std::size_t i) {
 std::optional<double> excess_m(const RangeReading& reading, const Point2& point_robot) {
   const RangeSensor& sensor = *reading.sensor;
   std::optional<double> excess;
-  double nearest = std::max(sensor.half_cone_rad, kMaxOffRad);
+  double nearest = std::max(sensor.half_cone_rad, kBesideBeamRad);
   for (std::size_t i = 0; i < sensor.robot_from_beam.size(); ++i) {
     const double range_m = reading.ranges_m[i];
     if (!(range_m > kLeastRangeM) || !std::isfinite(range_m)) continue;

@@ -21,7 +21,7 @@ constexpr double kMaxGapS = 0.35;   // between readings; farther apart, headings
 constexpr double kLeastRad = 0.05;  // a robot that turns less over all shifts tells no time
 constexpr double kSigmaRad = 0.02;  // of a turn as matched, and ...
 constexpr double kSigmaShare = 0.1;  // ... as reported, of the turn
-constexpr double kRobust = 4.0;      // squared sigmas from which on Cauchy's loss lets go
+constexpr double kLetsGo = 4.0;      // squared sigmas from which on Cauchy's loss lets go
 constexpr double kClearly = 10.0;    // of log evidence, that a lag must bring
 
 }  // namespace
@@ -54,7 +54,7 @@ void LagLearner::learn_at(double timestamp_s) {
       std::hypot(kSigmaRad, kSigmaShare * std::max(std::abs(*least), std::abs(*most)));
   for (std::size_t i = 0; i < loss_.size(); ++i) {
     const double sigmas = (reported_rad[i] - matched_rad) / sigma_rad;
-    loss_[i] += kRobust / 2.0 * std::log1p(sigmas * sigmas / kRobust);
+    loss_[i] += kLetsGo / 2.0 * std::log1p(sigmas * sigmas / kLetsGo);
   }
 }
 

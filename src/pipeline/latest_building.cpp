@@ -15,14 +15,14 @@ namespace {
 constexpr double kSameDoor_m = 0.45;  // between the middles of a door as found and as drawn
 
 /// The visits of some missions, and from when to when they were driven.
-struct Stretch {
+struct TimeStretch {
   double first_s = std::numeric_limits<double>::infinity();
   double last_s = -std::numeric_limits<double>::infinity();
   VisitsOfTime of;
 };
 
-Stretch stretch_of(const MemberMission& member, const std::vector<Asr>& asrs) {
-  Stretch stretch;
+TimeStretch stretch_of(const MemberMission& member, const std::vector<Asr>& asrs) {
+  TimeStretch stretch;
   stretch.of.mission = member.name;
   for (const Asr& asr : asrs) {
     if (asr.id < member.first_asr || asr.id > member.last_asr) continue;
@@ -35,7 +35,7 @@ Stretch stretch_of(const MemberMission& member, const std::vector<Asr>& asrs) {
   return stretch;
 }
 
-void add(const Stretch& more, Stretch& to) {
+void add(const TimeStretch& more, TimeStretch& to) {
   to.last_s = std::max(to.last_s, more.last_s);
   to.of.mission += ", " + more.of.mission;
   to.of.visits.insert(to.of.visits.end(), more.of.visits.begin(), more.of.visits.end());
@@ -102,17 +102,18 @@ class Comparer {
 std::vector<VisitsOfTime> in_order_of_time(const std::vector<Asr>& asrs,
                                            const std::vector<MemberMission>& members,
                                            const std::set<AsrId>& left_out) {
-  std::vector<Stretch> stretches;
+  std::vector<TimeStretch> stretches;
   for (const MemberMission& member : members) {
-    Stretch stretch = stretch_of(member, asrs);
+    TimeStretch stretch = stretch_of(member, asrs);
     const auto& visits = stretch.of.visits;
     if (visits.empty() || left_out.contains(visits.front())) continue;
     stretches.push_back(std::move(stretch));
   }
-  std::stable_sort(stretches.begin(), stretches.end(),
-                   [](const Stretch& a, const Stretch& b) { return a.first_s < b.first_s; });
-  std::vector<Stretch> times;
-  for (Stretch& stretch : stretches) {
+  std::stable_sort(
+      stretches.begin(), stretches.end(),
+      [](const TimeStretch& a, const TimeStretch& b) { return a.first_s < b.first_s; });
+  std::vector<TimeStretch> times;
+  for (TimeStretch& stretch : stretches) {
     if (!times.empty() && stretch.first_s <= times.back().last_s) {
       add(stretch, times.back());
     } else {
@@ -120,7 +121,7 @@ std::vector<VisitsOfTime> in_order_of_time(const std::vector<Asr>& asrs,
     }
   }
   std::vector<VisitsOfTime> in_order;
-  for (Stretch& time : times) in_order.push_back(std::move(time.of));
+  for (TimeStretch& time : times) in_order.push_back(std::move(time.of));
   return in_order;
 }
 

@@ -17,13 +17,13 @@ constexpr double kPassableM = 0.45;   // each way across the chord
 constexpr double kSideReachM = 1.5;   // how wide the space beside a chord is measured ...
 constexpr double kSideFromM = 0.4;    // ... from this far off it: nearer is inside a thick wall ...
 constexpr double kSideToM = 0.85;     // ... to 0.8 m, and a rounding: farther misses small lobbies
-constexpr double kAskEveryM = 0.1;    // off the chord, and along the line beyond a jamb
-constexpr double kAsWideM = 1e-9;     // chords that differ by less: the first heading stays
-constexpr double kJambSlackM = 0.15;  // beyond a jamb the space is wider by this ...
-constexpr double kJambSlope = 0.3;    // ... and this for each metre from the chord
-constexpr double kBesideM = 0.8;      // how far beyond a jamb wall is asked for
-constexpr double kBesideBandM = 0.2;  // a wall may be this far off the chord's line
-constexpr double kOneOpeningM = 0.7;  // chords this near are of one opening
+constexpr double kAskOffEveryM = 0.1;   // off the chord, and along the line beyond a jamb
+constexpr double kAsWideM = 1e-9;       // chords that differ by less: the first heading stays
+constexpr double kJambSlackM = 0.15;    // beyond a jamb the space is wider by this ...
+constexpr double kJambSlope = 0.3;      // ... and this for each metre from the chord
+constexpr double kBesideM = 0.8;        // how far beyond a jamb wall is asked for
+constexpr double kBesideBandM = 0.2;    // a wall may be this far off the chord's line
+constexpr double kOneOpeningM = 0.7;    // chords this near are of one opening
 constexpr double kSamePassageM = 0.45;  // a narrower chord this near is of the same passage
 constexpr double kMaxDepthM = 0.5;      // of a passage, from a chord in it
 constexpr double kPeakReachM = 0.3;     // beyond the first obstacle the peak of hits is looked for
@@ -150,7 +150,7 @@ class Chords {
     const Point2 along = sign * direction(opening.frame_from_pivot.theta_rad);
     const Point2 left = direction(opening.frame_from_pivot.theta_rad + kPi / 2.0);
     Side side;
-    for (double off_m = kSideFromM; off_m < kSideToM; off_m += kAskEveryM) {
+    for (double off_m = kSideFromM; off_m < kSideToM; off_m += kAskOffEveryM) {
       const Point2 at = opening.frame_from_pivot.position() + off_m * along;
       if (!grid_.passable.at(grid_.frame.cell_of(at))) continue;
       const double to_left_m = obstacle_along(at, left, kSideReachM).value_or(kSideReachM);
@@ -169,7 +169,7 @@ class Chords {
     const Point2 across(-outward.y(), outward.x());
     int asked = 0;
     int open = 0;
-    for (double off_m = kAskEveryM; off_m <= kBesideM; off_m += kAskEveryM) {
+    for (double off_m = kAskOffEveryM; off_m <= kBesideM; off_m += kAskOffEveryM) {
       bool all_free = true;
       for (double band_m = -kBesideBandM; band_m <= kBesideBandM; band_m += step_m_) {
         all_free &= grid_.free.at(grid_.frame.cell_of(jamb + off_m * outward + band_m * across));

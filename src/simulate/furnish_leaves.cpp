@@ -23,7 +23,7 @@ constexpr double kThickestWallM = 0.6;
 constexpr double kFaceStepM = 0.01;
 constexpr double kHalfWayM = 0.38;  // from the leaf to the middle of the way past it, where a robot
                                     // that turns needs 0.30: less makes doors that few get through
-constexpr int kTries = 8;           // side, jamb and angle
+constexpr int kTriesOfLeaf = 8;     // side, jamb and angle
 
 bool is_in(const std::vector<Polygon>& polygons, const Point2& point) {
   return std::any_of(polygons.begin(), polygons.end(),
@@ -90,7 +90,7 @@ void open_some_doors(FloorPlan& world, std::uint64_t seed, double share, Furnish
     const double width_m = (door.jambs.b - door.jambs.a).norm();
     if (!(width_m >= kLeastWidthM && width_m <= kMostWidthM)) continue;
     const auto walls = walls_near(world, (door.jambs.a + door.jambs.b) / 2.0);
-    for (int i = 0; i < kTries && !door.leaf; ++i) {
+    for (int i = 0; i < kTriesOfLeaf && !door.leaf; ++i) {
       const auto leaf = some_leaf(door, walls, random);
       if (!leaf) continue;
       const PlanRoom* room = room_at(world, door, (leaf->a + leaf->b) / 2.0);

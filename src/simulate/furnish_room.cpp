@@ -9,7 +9,7 @@
 namespace roomatlas {
 namespace {
 
-constexpr int kTries = 25;              // of a piece; more fill a room more
+constexpr int kTriesOfPiece = 25;       // of a piece; more fill a room more
 constexpr double kStraightM = 0.08;     // the steps of a raster in a room's outline make no corners
 constexpr double kLeastStretchM = 0.6;  // of wall, for a piece along it
 constexpr double kFromWallM = 0.03;     // half of the pieces stand off by this: skirting, cables
@@ -136,7 +136,7 @@ std::optional<Pose2> RoomFurnisher::put_at_wall(const Size& size) {
   if (walls_.empty()) return std::nullopt;
   double total_m = 0.0;
   for (const Segment2& wall : walls_) total_m += length_of(wall);
-  for (int i = 0; i < kTries; ++i) {
+  for (int i = 0; i < kTriesOfPiece; ++i) {
     double along_m = total_m * random_.uniform();
     auto wall = walls_.begin();
     for (; std::next(wall) != walls_.end() && along_m > length_of(*wall); ++wall) {
@@ -159,7 +159,7 @@ std::optional<Pose2> RoomFurnisher::put_at_wall(const Size& size) {
 }
 
 std::optional<Pose2> RoomFurnisher::put_free(const Size& size, bool along_walls) {
-  for (int i = 0; i < kTries; ++i) {
+  for (int i = 0; i < kTriesOfPiece; ++i) {
     const auto place = some_place();
     const double turn_rad = 2.0 * kPi * random_.uniform();
     if (!place) continue;
@@ -176,7 +176,7 @@ std::optional<Pose2> RoomFurnisher::put_free(const Size& size, bool along_walls)
 std::optional<Point2> RoomFurnisher::some_place() {
   if (room_.parts.empty()) return std::nullopt;
   const Box2 box = bounds(room_.parts.front().outer);
-  for (int i = 0; i < kTries; ++i) {
+  for (int i = 0; i < kTriesOfPiece; ++i) {
     const double x = between(box.min.x(), box.max.x());
     const Point2 place(x, between(box.min.y(), box.max.y()));
     if (contains(room_.parts.front(), place)) return place;

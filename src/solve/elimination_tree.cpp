@@ -5,12 +5,12 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 
+#include "index.hpp"
+
 namespace roomatlas {
 namespace {
 
 using Indices = std::vector<std::int32_t>;
-
-constexpr std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 Indices minimum_degree(const Adjacency& graph) {
   const auto n = static_cast<std::int32_t>(graph.begin.size()) - 1;

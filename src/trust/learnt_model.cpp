@@ -6,6 +6,7 @@
 #include <string>
 
 namespace roomatlas {
+
 namespace {
 
 constexpr double kMostDeviations = 3.0;  // beyond it nothing was learnt

@@ -27,7 +27,7 @@ const Folder& made() {
 
 std::string log_file() { return (made() / "mission" / "mission.clf").string(); }
 
-std::set<std::string> files_in(const std::filesystem::path& folder) {
+std::set<std::string> names_in(const std::filesystem::path& folder) {
   std::set<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     names.insert(entry.path().filename().string());
@@ -70,7 +70,7 @@ TEST(BuildReport, AsJsonHasRoomsDoorsFilesAndFigures) {
   EXPECT_EQ(json["doors"][0]["rooms"], Json({1, 2}));
   EXPECT_TRUE(json.contains("true_poses"));
   EXPECT_THAT(json["trust"].get<std::string>(), HasSubstr("probability"));
-  EXPECT_EQ(json["files"].get<std::set<std::string>>(), files_in(out));
+  EXPECT_EQ(json["files"].get<std::set<std::string>>(), names_in(out));
 }
 
 TEST(ExportReport, NamesEveryFileThatIsWritten) {
@@ -80,7 +80,7 @@ TEST(ExportReport, NamesEveryFileThatIsWritten) {
   const std::filesystem::path all = folder / "all";
   const Outcome told = run("--json export " + store + " --georef 48,7.8,0 -o " + all.string());
   ASSERT_EQ(told.exit_code, 0) << told.err;
-  EXPECT_EQ(Json::parse(told.out)["files"].get<std::set<std::string>>(), files_in(all));
+  EXPECT_EQ(Json::parse(told.out)["files"].get<std::set<std::string>>(), names_in(all));
   const Outcome one = run("export " + store + " -f csv -o " + (folder / "one").string());
   EXPECT_EQ(one.out, "1 file in " + (folder / "one").string() + ":\n  rooms.csv\n");
   EXPECT_THAT(run("export " + store + " -f geojsno -o " + all.string()).err,

@@ -20,7 +20,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-const std::string kTwoRooms = std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/two_rooms.geojson";
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;

@@ -10,14 +10,13 @@
 namespace roomatlas::test {
 namespace {
 
-const std::string kWorld = std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/two_rooms.geojson";
 const std::vector<std::string> kNames = {"to.mcap", "to.bag", "to.db3", "to"};
 
 /// A short mission as a CARMEN log.
 std::filesystem::path mission(const Folder& folder, const std::string& flags = "--sensor laser") {
   const auto drive = folder.write("drive", "1.5 2.0\n3.0 2.4\n2.0 3.4\n");
-  const Outcome outcome = run("-q simulate " + kWorld + " " + flags + " --drive " + drive.string() +
-                              " -o " + (folder / "log").string());
+  const Outcome outcome = run("-q simulate " + kTwoRooms + " " + flags + " --drive " +
+                              drive.string() + " -o " + (folder / "log").string());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   return folder / "log" / "mission.clf";
 }

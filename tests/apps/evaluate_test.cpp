@@ -90,14 +90,13 @@ TEST(Evaluate, NamesTheLikelyCauseWhenNothingCanBeJudged) {
   EXPECT_THAT(failure(tum(0.1), "t.tum", tum(0.0), 2, "--delta 1.5"), HasSubstr("--delta"));
 }
 
-const std::string kWorld = std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/two_rooms.geojson";
-
 /// A small simulated mission, mapped: building.gpkg and mission/truth.geojson.
 const Folder& two_rooms() {
   static const Folder folder;
   static const bool is_made = [] {
     const std::string at = folder / "";
-    EXPECT_EQ(run("-q simulate " + kWorld + " --sensor laser -o " + at + "mission").exit_code, 0);
+    EXPECT_EQ(run("-q simulate " + kTwoRooms + " --sensor laser -o " + at + "mission").exit_code,
+              0);
     EXPECT_EQ(run("-q build " + at + "mission/mission.clf -o " + at + "a").exit_code, 0);
     EXPECT_EQ(
         run("-q build " + at + "mission/mission.clf --model rotation -o " + at + "b").exit_code, 0);
@@ -142,8 +141,8 @@ TEST(Evaluate, PutsPlansOfSeveralRunsAndToolsIntoOneTable) {
   const std::string csv = folder / "o.csv";
   const std::string latex = folder / "o.tex";
   const Outcome outcome =
-      run("evaluate " + at + "a/building.gpkg " + at + "b/building.gpkg " + kWorld + " --truth " +
-          at + "mission/truth.geojson --csv " + csv + " --latex " + latex);
+      run("evaluate " + at + "a/building.gpkg " + at + "b/building.gpkg " + kTwoRooms +
+          " --truth " + at + "mission/truth.geojson --csv " + csv + " --latex " + latex);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("rooms: f1 at IoU 0.5"));
   EXPECT_THAT(outcome.out, HasSubstr("walls: plan to truth, median (m)"));
@@ -160,10 +159,10 @@ TEST(Evaluate, RefusesAPlanWithoutATrueOneAndATrueOneWithoutRooms) {
   const std::string empty =
       folder.write("empty.geojson", R"({"type":"FeatureCollection","features":[],)"
                                     R"("roomatlas":{"schema":"plan","version":1,"units":"m"}})");
-  const Outcome alone = run("evaluate " + kWorld);
+  const Outcome alone = run("evaluate " + kTwoRooms);
   EXPECT_EQ(alone.exit_code, 2);
   EXPECT_THAT(alone.err, HasSubstr("judged by a true plan"));
-  const Outcome against_nothing = run("evaluate " + kWorld + " --truth " + empty);
+  const Outcome against_nothing = run("evaluate " + kTwoRooms + " --truth " + empty);
   EXPECT_EQ(against_nothing.exit_code, 3);
   EXPECT_THAT(against_nothing.err, HasSubstr("holds no room"));
 }

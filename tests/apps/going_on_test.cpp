@@ -49,16 +49,6 @@ bool stop(Child& child, const fs::path& store, AsrId rooms, int signal) {
 }
 
 /// What is in a folder, by name.
-std::map<std::string, std::string> files_in(const fs::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file()) {
-      files[fs::relative(entry.path(), folder).string()] = content_of(entry.path());
-    }
-  }
-  return files;
-}
-
 class GoingOn : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {

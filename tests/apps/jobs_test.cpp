@@ -13,14 +13,6 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-std::map<std::string, std::string> files_in(const fs::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    files[entry.path().filename().string()] = content_of(entry.path());
-  }
-  return files;
-}
-
 /// The demo's drive.
 std::string simulated(const Folder& folder, const std::string& sensor) {
   const std::string world = std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/eight_rooms";

@@ -13,14 +13,13 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-const std::string kWorld = std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/two_rooms.geojson";
 const std::string kGraph = "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n";
 
 /// The log of a short mission, simulated once.
 std::string log_content() {
   static const std::string content = [] {
     const Folder folder;
-    const Outcome made = run("-q simulate " + kWorld + " --sensor laser --max-time 60 -o " +
+    const Outcome made = run("-q simulate " + kTwoRooms + " --sensor laser --max-time 60 -o " +
                              (folder / "m").string());
     EXPECT_EQ(made.exit_code, 0) << made.err;
     return content_of(folder / "m/mission.clf");
@@ -94,7 +93,7 @@ TEST(OutputFile, OfTheSolverIsNotItsGraph) {
 
 TEST(OutputFile, OfASimulationIsNotItsWorld) {
   const Folder folder;
-  fs::copy_file(kWorld, folder / "truth.geojson");
+  fs::copy_file(kTwoRooms, folder / "truth.geojson");
   expect_refusal("simulate " + (folder / "truth.geojson").string() + " --max-time 5 -o " +
                      (folder / "").string(),
                  "truth.geojson: is an input");
@@ -138,7 +137,7 @@ TEST(OutputFolder, ThatCannotBeMadeIsNamedWithTheReason) {
   const std::string file = folder.write("afile", "");
   const std::vector<std::string> commands = {
       "build " + log, "export " + store, "inspect " + store + " 1",
-      "simulate " + kWorld + " --max-time 5", "simulate --random-rooms 3"};
+      "simulate " + kTwoRooms + " --max-time 5", "simulate --random-rooms 3"};
   for (const std::string& command : commands) {
     expect_refusal(command + " -o " + file, "afile: cannot be made as a folder: ");
     expect_refusal(command + " -o " + file + "/x", "afile/x: cannot be made as a folder: ");

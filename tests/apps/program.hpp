@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <string>
 
 #include "support/temporary_folder.hpp"
@@ -18,6 +19,20 @@ inline std::string content_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
+
+/// The content of each file in a folder and below it, by its path from there.
+inline std::map<std::string, std::string> files_in(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) {
+      files[entry.path().lexically_relative(folder).string()] = content_of(entry.path());
+    }
+  }
+  return files;
+}
+
+inline const std::string kTwoRooms =
+    std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/two_rooms.geojson";
 
 using Folder = TemporaryFolder;
 

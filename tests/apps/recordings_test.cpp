@@ -11,12 +11,10 @@
 namespace roomatlas::test {
 namespace {
 
-const std::string kWorld = std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/two_rooms.geojson";
-
 /// A mission through both rooms as a recording.
 std::string recording(const Folder& folder, const std::string& format,
                       const std::string& sensor = "laser") {
-  const Outcome outcome = run("-q simulate " + kWorld + " --sensor " + sensor + " --format " +
+  const Outcome outcome = run("-q simulate " + kTwoRooms + " --sensor " + sensor + " --format " +
                               format + " -o " + (folder / "log").string());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   return (folder / "log" / ("mission." + format)).string();

@@ -42,7 +42,7 @@ const std::vector<Rule>& rules() {
   return all;
 }
 
-std::vector<std::string> broken_rules(const SourceFile& source) {
+std::vector<std::string> outside_included(const SourceFile& source) {
   std::vector<std::string> findings;
   std::istringstream in(source.text);
   std::string line;
@@ -67,14 +67,14 @@ TEST(OutsideLibraries, StayWhereTheyBelong) {
     for (SourceFile& source : sources_below(folder)) sources.push_back(std::move(source));
   }
   for (const SourceFile& source : sources) {
-    const std::vector<std::string> findings = broken_rules(source);
+    const std::vector<std::string> findings = outside_included(source);
     EXPECT_TRUE(findings.empty()) << lines_of(findings);
   }
 }
 
 TEST(OutsideLibraries, CheckSeesWhatDoesNotBelong) {
   const auto count = [](const std::string& path, const std::string& text) {
-    return broken_rules({path, "", text}).size();
+    return outside_included({path, "", text}).size();
   };
   const std::string cgal = "#include <CGAL/Polygon_2.h>\n";
   EXPECT_EQ(count("src/planar/exact.cpp", cgal), 0U);

@@ -13,14 +13,14 @@
 namespace roomatlas {
 namespace {
 
-const std::vector<Polyline> kBothRooms = {test::kFirstRoom, test::kSecondRoom};
+const std::vector<Polyline> kWholePath = {test::kFirstRoom, test::kSecondRoom};
 const std::vector<Polyline> kThroughTheDoor = {
     {{0.9, 0.9}, {4.2, 0.9}, {3.6, 1.95}, {6.3, 1.95}, {9.3, 3.3}}};
 const Point2 kInDoor(4.95, 1.95);
 
 test::WorldDrawing shut_rooms() { return test::with_block(test::empty_rooms(), 16, 5, 1, 3); }
 test::WorldDrawing with_table() { return test::with_block(test::empty_rooms(), 7, 6, 3, 2); }
-const Polygon kTable = test::block(7, 6, 3, 2);
+const Polygon kMovedTable = test::block(7, 6, 3, 2);
 
 /// Missions in one store, and the state as each of them leaves it.
 class Later {
@@ -88,7 +88,7 @@ int obstacles_in_door(const ReflectionMap& counts) {
 
 TEST(LatestState, WithoutChangesIsTheSumOfAll) {
   Later missions;
-  missions.drive(with_table(), kBothRooms);
+  missions.drive(with_table(), kWholePath);
   EXPECT_TRUE(missions.drive(with_table(), {test::kSecondRoom}).empty());
   const BuildingEvidence drafted = missions.drafted();
   const BuildingEvidence sum = missions.of_all();
@@ -99,36 +99,37 @@ TEST(LatestState, WithoutChangesIsTheSumOfAll) {
 
 TEST(LatestState, OfATableThatIsGoneNothingIsLeftAndAllElseCounts) {
   Later missions;
-  missions.drive(with_table(), kBothRooms);
-  ASSERT_EQ(missions.drive(test::empty_rooms(), kBothRooms).size(), 1U);
+  missions.drive(with_table(), kWholePath);
+  ASSERT_EQ(missions.drive(test::empty_rooms(), kWholePath).size(), 1U);
   const BuildingEvidence drafted = missions.drafted();
   const BuildingEvidence sum = missions.of_all();
   for_each_cell(sum.counts.box(), [&](const Cell& cell) {
-    if (contains(kTable, sum.counts.frame().center_of(cell))) {
+    if (contains(kMovedTable, sum.counts.frame().center_of(cell))) {
       EXPECT_EQ(drafted.counts.at(cell).hits, 0);
     }
   });
   const auto on_table = [](const SurfacePoint& surface) {
-    return contains(kTable, surface.at) || distance_to_boundary(kTable.outer, surface.at) < 0.05;
+    return contains(kMovedTable, surface.at) ||
+           distance_to_boundary(kMovedTable.outer, surface.at) < 0.05;
   };
   EXPECT_GT(std::count_if(sum.surfaces.begin(), sum.surfaces.end(), on_table), 50);
   EXPECT_EQ(std::count_if(drafted.surfaces.begin(), drafted.surfaces.end(), on_table), 0);
-  EXPECT_EQ(different(drafted.counts, sum.counts, kTable, 0.25), 0);
+  EXPECT_EQ(different(drafted.counts, sum.counts, kMovedTable, 0.25), 0);
 }
 
 TEST(LatestState, WhereATableStandsNowNobodyHasDriven) {
   Later missions;
   missions.drive(test::empty_rooms(), {{{0.9, 2.1}, {4.2, 2.1}}});  // through where it will be
-  ASSERT_FALSE(missions.drive(with_table(), kBothRooms).empty());
+  ASSERT_FALSE(missions.drive(with_table(), kWholePath).empty());
   const BuildingEvidence drafted = missions.drafted();
-  const auto in_table = [](const Pose2& pose) { return contains(kTable, pose.position()); };
+  const auto in_table = [](const Pose2& pose) { return contains(kMovedTable, pose.position()); };
   const auto& before = missions.state().evidence.building_from_robot;
   EXPECT_GT(std::count_if(before.begin(), before.end(), in_table), 5);
   EXPECT_EQ(std::count_if(drafted.building_from_robot.begin(), drafted.building_from_robot.end(),
                           in_table),
             0);
   ASSERT_EQ(drafted.asr_of_pose.size(), drafted.building_from_robot.size());
-  EXPECT_EQ(different(drafted.counts, missions.of_all().counts, kTable, 0.25), 0);
+  EXPECT_EQ(different(drafted.counts, missions.of_all().counts, kMovedTable, 0.25), 0);
 }
 
 TEST(LatestState, ADoorThatWasShutIsAGapAndKnownToBeShut) {
@@ -155,12 +156,12 @@ TEST(LatestState, ADoorThatWasShutIsAGapAndKnownToBeShut) {
 TEST(LatestState, ADoorThatIsShutAndOpenedAgainIsToldTwiceAndIsOpen) {
   Later missions;
   missions.drive(test::empty_rooms(), kThroughTheDoor);
-  missions.drive(test::empty_rooms(), kBothRooms);  // many more saw it open than shut
+  missions.drive(test::empty_rooms(), kWholePath);  // many more saw it open than shut
   const std::vector<Change> shut = missions.drive(shut_rooms(), {test::kFirstRoom});
   ASSERT_EQ(shut.size(), 1U);
   EXPECT_TRUE(missions.drive(shut_rooms(), {test::kFirstRoom}).empty());  // it still is
   EXPECT_EQ(missions.state().shut.size(), 1U);
-  const std::vector<Change> opened = missions.drive(test::empty_rooms(), kBothRooms);
+  const std::vector<Change> opened = missions.drive(test::empty_rooms(), kWholePath);
   ASSERT_EQ(opened.size(), 1U);
   EXPECT_EQ(opened[0].kind, ChangeKind::door_opened);
   EXPECT_TRUE(missions.state().shut.empty());

@@ -42,7 +42,7 @@ PassageEdge true_match(const std::vector<test::Visit>& visits, AsrId from, AsrId
                      visits[static_cast<std::size_t>(to - 1)].entered_at);
 }
 
-CorrectOptions without_walls(CorrectionModel model) {
+CorrectOptions edges_alone(CorrectionModel model) {
   CorrectOptions options = options_of(model);
   options.use_wall_directions = false;
   return options;
@@ -92,7 +92,7 @@ TEST(MatchedEdges, CloseALoopWhereverTheirRoomsBegin) {
   // the frames of 1 and 5 lie 8 m apart, those of 2 and 6 at the same door
   const std::vector<PassageEdge> matches = {true_match(visits, 1, 5), true_match(visits, 2, 6)};
   for (const auto model : {CorrectionModel::se2, CorrectionModel::rotation_only}) {
-    const Correction correction = corrected(asrs, without_walls(model), matches);
+    const Correction correction = corrected(asrs, edges_alone(model), matches);
     EXPECT_TRUE(correction.converged) << correction.message;
     const Placement placement = placement_of(correction);
     EXPECT_LT(largest_error(placement, truth).position_m, before_m / 2.0) << correction.model;
@@ -111,7 +111,7 @@ TEST(MatchedEdges, WithRotationsAloneThePivotsEndWhereTheMatchSaysNotWhereItsRoo
   const auto asrs = chain_mission(visits);
   for (const AsrId to : {3, 5, 6}) {
     const Correction correction =
-        corrected(asrs, without_walls(CorrectionModel::rotation_only), {true_match(visits, 1, to)});
+        corrected(asrs, edges_alone(CorrectionModel::rotation_only), {true_match(visits, 1, to)});
     for (const AsrCorrection& asr : correction.asrs) EXPECT_LT(asr.moved_m, 1e-6) << to;
     EXPECT_LT(correction.final_cost, 1e-9) << to;
   }
@@ -125,7 +125,7 @@ TEST(MatchedEdges, OneThatDoesNotKnowItsPositionMovesLittle) {
   match.from_from_to.x_m += 1.5;  // ... which this does not contradict
   match.information = diagonal(3.0, 0.2);
   for (const auto model : {CorrectionModel::se2, CorrectionModel::rotation_only}) {
-    const Correction correction = corrected(asrs, without_walls(model), {match});
+    const Correction correction = corrected(asrs, edges_alone(model), {match});
     for (const AsrCorrection& asr : correction.asrs) {
       EXPECT_LT(asr.moved_m, 0.1) << correction.model << ", ASR " << asr.asr;
     }
@@ -135,7 +135,7 @@ TEST(MatchedEdges, OneThatDoesNotKnowItsPositionMovesLittle) {
 TEST(MatchedEdges, ChiSquareIsTheLiteralFormulaWithAnInformationThatIsNotDiagonal) {
   const auto asrs = chain_mission(round_the_block(2.0));
   const PassageEdge match = matched(2, 6, {0.1, -0.2, 0.05});
-  const Correction correction = corrected(asrs, without_walls(CorrectionModel::se2), {match});
+  const Correction correction = corrected(asrs, edges_alone(CorrectionModel::se2), {match});
   const Placement odometry = test::odometry_placement(asrs);
   const auto chi_square = [&](const Placement& placement) {
     const Pose2 off = inverse(match.from_from_to) * inverse(placement.at(2)) * placement.at(6);
@@ -159,7 +159,7 @@ TEST(MatchedEdges, AFalseOneAmongTrueOnesLosesItsWeight) {
   wrong.from_from_to = wrong.from_from_to * Pose2{3.0, -2.0, 0.4};
   for (const auto model : {CorrectionModel::se2, CorrectionModel::rotation_only}) {
     const Correction correction = corrected(
-        asrs, without_walls(model), {true_match(visits, 1, 5), true_match(visits, 2, 6), wrong});
+        asrs, edges_alone(model), {true_match(visits, 1, 5), true_match(visits, 2, 6), wrong});
     const FactorReport& factor = correction.factors.back();
     ASSERT_EQ(factor.to, 4);
     EXPECT_LT(factor.weight, 0.1) << correction.model;
@@ -173,7 +173,7 @@ TEST(MatchedEdges, AKnownStartDoesNotChangeTheAnswer) {
   const auto asrs = chain_mission(visits);
   RoomGraph graph = build_graph(asrs);
   add_edge(graph, true_match(visits, 1, 5));
-  const CorrectOptions options = without_walls(CorrectionModel::se2);
+  const CorrectOptions options = edges_alone(CorrectionModel::se2);
   const Placement from_odometry = placement_of(correct(asrs, graph, options));
   const Placement from_truth =
       placement_of(correct(asrs, graph, options, test::true_placement(visits)));

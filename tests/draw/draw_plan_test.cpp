@@ -18,7 +18,7 @@ using drawing::Sheet;
 using test::annotations;
 using test::office;
 
-pugi::xml_document parsed(const std::string& svg) {
+pugi::xml_document parsed_plan(const std::string& svg) {
   pugi::xml_document document;
   const auto result = document.load_string(svg.c_str());
   EXPECT_TRUE(result) << result.description();
@@ -40,7 +40,7 @@ pugi::xml_node group(const pugi::xml_document& document, const std::string& id) 
 }
 
 TEST(DrawPlan, IsWellFormedAndMeasuredInMillimetresOfPaper) {
-  const auto document = parsed(draw_plan(office(), annotations(), {}));
+  const auto document = parsed_plan(draw_plan(office(), annotations(), {}));
   const pugi::xml_node svg = document.child("svg");
   EXPECT_STREQ(svg.attribute("width").value(), "297mm");
   EXPECT_STREQ(svg.attribute("height").value(), "210mm");
@@ -48,7 +48,7 @@ TEST(DrawPlan, IsWellFormedAndMeasuredInMillimetresOfPaper) {
 }
 
 TEST(DrawPlan, HasTheLayersUnderTheirIds) {
-  const auto document = parsed(draw_plan(office(), annotations(), {}));
+  const auto document = parsed_plan(draw_plan(office(), annotations(), {}));
   for (const char* id : {"rooms", "walls", "doors", "trajectory", "room-graph", "labels",
                          "furniture", "title", "dimensions", "scale-bar", "legend", "unexplored",
                          "corrections", "uncertainty", "door-widths", "axes", "edges", "notes"}) {
@@ -58,7 +58,7 @@ TEST(DrawPlan, HasTheLayersUnderTheirIds) {
 }
 
 TEST(DrawPlan, WritesEveryNameAsText) {
-  const std::string text = text_of(parsed(draw_plan(office(), annotations(), {})));
+  const std::string text = text_of(parsed_plan(draw_plan(office(), annotations(), {})));
   for (const char* word : {"Lab <A&B>\n", "2\n", "Conference room", "4\n", "Closet", "Cupboard"}) {
     EXPECT_THAT(text, testing::HasSubstr(word));
   }
@@ -66,7 +66,7 @@ TEST(DrawPlan, WritesEveryNameAsText) {
 }
 
 TEST(DrawPlan, TitleBlockSaysWhatItIsAndWhatItIsNot) {
-  const std::string text = text_of(parsed(draw_plan(office(), annotations(), {})));
+  const std::string text = text_of(parsed_plan(draw_plan(office(), annotations(), {})));
   for (const char* word : {"Office", "office.clf.gz", "2003-02-19", "391\u00a0m", "Not a survey",
                            "1\u2009:\u2009100", "A4 landscape", "corridor", "19.90\u00a0m"}) {
     EXPECT_THAT(text, testing::HasSubstr(word));
@@ -76,7 +76,7 @@ TEST(DrawPlan, TitleBlockSaysWhatItIsAndWhatItIsNot) {
 TEST(DrawPlan, TitleBlockDoesNotNameTheMissionTwice) {
   FloorPlan plan = office();
   plan.title = annotations().mission;
-  const std::string text = text_of(parsed(draw_plan(plan, annotations(), {})));
+  const std::string text = text_of(parsed_plan(draw_plan(plan, annotations(), {})));
   EXPECT_THAT(text, testing::HasSubstr("Floor plan\nMission office.clf.gz\n"));
 }
 
@@ -84,14 +84,14 @@ TEST(DrawPlan, TitleBlockOfAMapNamesNoMission) {
   FloorPlan plan = office();
   PlanAnnotations of_map;
   of_map.mission = plan.title = "office.yaml";
-  const std::string text = text_of(parsed(draw_plan(plan, of_map, {})));
+  const std::string text = text_of(parsed_plan(draw_plan(plan, of_map, {})));
   EXPECT_THAT(text, testing::HasSubstr("Floor plan\nMap office.yaml\n"));
 }
 
 TEST(DrawPlan, HoldsEveryLayerButDisplaysPathAndGraphOnlyWhenAsked) {
   const auto is_displayed = [](const pugi::xml_node& layer) { return !layer.attribute("display"); };
-  const auto plain = parsed(draw_plan(office(), annotations(), {}));
-  const auto full = parsed(draw_plan(office(), annotations(), {true, true, true, true, {}}));
+  const auto plain = parsed_plan(draw_plan(office(), annotations(), {}));
+  const auto full = parsed_plan(draw_plan(office(), annotations(), {true, true, true, true, {}}));
   for (const char* id : {"trajectory", "room-graph", "corrections", "uncertainty"}) {
     EXPECT_FALSE(is_displayed(group(plain, id))) << id;
     EXPECT_TRUE(is_displayed(group(full, id))) << id;
@@ -172,14 +172,14 @@ TEST(DrawPlan, SaysTheAreasThatLabelsCouldNot) {
     plan.rooms.push_back(
         test::room(id, std::to_string(id), RoomKind::room, {{x, 5.0}, {x + 0.25, 5.25}}));
   }
-  const std::string text = text_of(parsed(draw_plan(plan, annotations(), {})));
+  const std::string text = text_of(parsed_plan(draw_plan(plan, annotations(), {})));
   for (RoomId id = 10; id < 14; ++id) {
     EXPECT_THAT(text, testing::HasSubstr(std::to_string(id)));
   }
 }
 
 TEST(DrawPlan, AnEmptyPlanGivesAPageThatSaysSo) {
-  const auto document = parsed(draw_plan({}, {}, {}));
+  const auto document = parsed_plan(draw_plan({}, {}, {}));
   EXPECT_THAT(text_of(document), testing::HasSubstr("This plan is empty"));
   EXPECT_TRUE(group(document, "rooms"));
 }
@@ -201,7 +201,7 @@ TEST(DrawPlan, NeverWritesNotANumber) {
 TEST(DrawPlan, LabelsOverLinesHaveAHaloBeneathPlainText) {
   DrawOptions options;
   options.show_room_graph = true;
-  const auto document = parsed(draw_plan(office(), annotations(), options));
+  const auto document = parsed_plan(draw_plan(office(), annotations(), options));
   int halos = 0;
   for (const pugi::xpath_node found : document.select_nodes("//g[@id='labels']//text")) {
     const pugi::xml_node text = found.node();

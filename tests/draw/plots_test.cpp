@@ -52,14 +52,14 @@ TEST(Axis, WritesTicksWithTheDecimalsOfItsSteps) {
 const std::vector<PlotSeries> kSeries = {{"one", {0, 1, 2, 3}, {0.1, 0.3, std::nan(""), 0.2}},
                                          {"two & three", {0, 1, 2}, {0.2, 0.1, 0.15}}};
 
-pugi::xml_document parsed(const std::string& svg) {
+pugi::xml_document parsed_plot(const std::string& svg) {
   pugi::xml_document document;
   EXPECT_TRUE(document.load_string(svg.c_str()));
   return document;
 }
 
 TEST(PlotOver, DrawsEachSeriesOnceAndBreaksTheLineAtWhatIsNotFinite) {
-  const auto document = parsed(plot_over({"Error", "time (s)", "error (m)"}, kSeries, true));
+  const auto document = parsed_plot(plot_over({"Error", "time (s)", "error (m)"}, kSeries, true));
   const auto values = document.document_element().find_child_by_attribute("g", "id", "values");
   const auto paths = values.children("path");
   EXPECT_EQ(std::distance(paths.begin(), paths.end()), 2);
@@ -78,7 +78,7 @@ TEST(PlotOver, NamesAxesAndSeriesAndDoesNotChangeFromRunToRun) {
 TEST(PlotHistogram, ShowsSharesThatAddUpToTheWhole) {
   // Heights above the axis, times the bins' width, are the same area for any number of values.
   const auto area_of = [](const std::vector<double>& values) {
-    const auto document = parsed(
+    const auto document = parsed_plot(
         plot_histogram({"h", "x", "share (%)"}, {{"fixed", {}, {0.0, 1.0}}, {"s", {}, values}}));
     const auto values_group =
         document.document_element().find_child_by_attribute("g", "id", "values");
@@ -96,7 +96,8 @@ TEST(PlotHistogram, ShowsSharesThatAddUpToTheWhole) {
 }
 
 TEST(PlotMap, IsDarkerWhereTheErrorIsLarger) {
-  const auto document = parsed(plot_map("m", "m", {{0, 0}, {5, 5}}, {0.01, 1.0}, {{0, 0}, {5, 5}}));
+  const auto document =
+      parsed_plot(plot_map("m", "m", {{0, 0}, {5, 5}}, {0.01, 1.0}, {{0, 0}, {5, 5}}));
   const auto places = document.document_element().find_child_by_attribute("g", "id", "places");
   const auto brightness = [](const pugi::xml_node& path) {
     const std::string colour = path.attribute("stroke").value();

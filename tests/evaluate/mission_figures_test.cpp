@@ -11,7 +11,7 @@
 namespace roomatlas {
 namespace {
 
-Ring rectangle(double x0, double y0, double x1, double y1) {
+Ring ring_about(double x0, double y0, double x1, double y1) {
   return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
 }
 
@@ -36,20 +36,20 @@ class MissionFiguresOfTwo : public ::testing::Test {
   MissionFiguresOfTwo() {
     plan_.rooms.resize(2);
     plan_.rooms[0].id = 7;
-    plan_.rooms[0].parts = {{rectangle(0.0, 0.0, 4.0, 4.0), {}}};
+    plan_.rooms[0].parts = {{ring_about(0.0, 0.0, 4.0, 4.0), {}}};
     plan_.rooms[0].asrs = {1, 2, 4};
     plan_.rooms[1].id = 3;
-    plan_.rooms[1].parts = {{rectangle(4.0, 0.0, 8.0, 4.0), {}}};
+    plan_.rooms[1].parts = {{ring_about(4.0, 0.0, 8.0, 4.0), {}}};
     plan_.rooms[1].asrs = {3, 5};
-    const Ring first = rectangle(0.0, 0.0, 4.0, 4.0);
-    const Ring second = rectangle(4.0, 0.0, 8.0, 4.0);
+    const Ring first = ring_about(0.0, 0.0, 4.0, 4.0);
+    const Ring second = ring_about(4.0, 0.0, 8.0, 4.0);
     const Segment2 south{{0.0, 0.0}, {4.0, 0.0}};
     const Segment2 south_of_second{{4.0, 0.0}, {8.0, 0.0}};
     source_.asrs = {visit(1, 10.0, 20.0, first, south), visit(2, 20.0, 30.0, first, south),
                     visit(3, 30.0, 40.0, second, south_of_second),
                     visit(4, 40.0, 50.0, first, south),
                     // The other mission: half of one room, its wall 0.05 m off.
-                    visit(5, 5.0, 8.0, rectangle(4.0, 0.0, 6.0, 4.0), {{4.0, 0.05}, {6.0, 0.05}})};
+                    visit(5, 5.0, 8.0, ring_about(4.0, 0.0, 6.0, 4.0), {{4.0, 0.05}, {6.0, 0.05}})};
     for (const Asr& asr : source_.asrs) placement_[asr.id] = kBuildingFromAsr;
     members_.resize(2);
     members_[0] = {"a.clf", SensorKind::laser, 1, 4, true};

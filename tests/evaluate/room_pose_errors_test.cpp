@@ -21,19 +21,19 @@ Trajectory truth() {
 }
 
 /// A stretch of which every pose is moved by a motion of the world.
-Trajectory moved(const Pose2& motion, Trajectory path) {
+Trajectory moved_path(const Pose2& motion, Trajectory path) {
   for (StampedPose& pose : path) pose.pose = motion * pose.pose;
   return path;
 }
 
-constexpr double kTiny = 1e-9;
+constexpr double kNothing = 1e-9;
 
 TEST(RoomPoseErrors, AreZeroWhereTheRobotWasWhereItIsPlaced) {
   const RoomPoseErrors errors =
       room_pose_errors({{1, 1, stretch(0, 0)}, {2, 2, stretch(10, 5)}}, truth(), Pose2{});
   ASSERT_EQ(errors.rooms.size(), 2U);
   EXPECT_NEAR(errors.rotation_deg.maximum, 0.0, 1e-6);
-  EXPECT_NEAR(errors.translation_m.maximum, 0.0, kTiny);
+  EXPECT_NEAR(errors.translation_m.maximum, 0.0, kNothing);
   EXPECT_EQ(errors.rooms[0].poses, 10);
 }
 
@@ -42,32 +42,32 @@ TEST(RoomPoseErrors, OfATurnedRoomAreItsTurnAndTheShiftOfItsMiddle) {
   const Pose2 pivot{5, 1, 0};
   const Pose2 turn = pivot * Pose2{0, 0, radians(10)} * inverse(pivot);
   const RoomPoseErrors errors = room_pose_errors(
-      {{1, 1, stretch(0, 0)}, {2, 2, moved(turn, stretch(10, 5))}}, truth(), Pose2{});
+      {{1, 1, stretch(0, 0)}, {2, 2, moved_path(turn, stretch(10, 5))}}, truth(), Pose2{});
   EXPECT_NEAR(degrees(errors.rooms[1].rotation_rad), 10.0, 1e-6);
-  EXPECT_NEAR(errors.rooms[1].translation_m, 2 * 1.35 * std::sin(radians(5)), kTiny);
-  EXPECT_NEAR(errors.rooms[0].rotation_rad, 0.0, kTiny);
+  EXPECT_NEAR(errors.rooms[1].translation_m, 2 * 1.35 * std::sin(radians(5)), kNothing);
+  EXPECT_NEAR(errors.rooms[0].rotation_rad, 0.0, kNothing);
   EXPECT_NEAR(errors.rotation_deg.mean, 5.0, 1e-6);
 }
 
 TEST(RoomPoseErrors, RelativeToTheFirstRoomDoNotDependOnWhereTheMapLies) {
   const Pose2 anywhere{40, -7, radians(120)};
   const RoomPoseErrors errors =
-      room_pose_errors({{1, 1, moved(anywhere, stretch(0, 0))},
-                        {2, 2, moved(anywhere * Pose2{0, 0.5, 0}, stretch(10, 5))}},
+      room_pose_errors({{1, 1, moved_path(anywhere, stretch(0, 0))},
+                        {2, 2, moved_path(anywhere * Pose2{0, 0.5, 0}, stretch(10, 5))}},
                        truth(), Pose2{});
-  EXPECT_NEAR(errors.rooms[0].relative_translation_m, 0.0, kTiny);
-  EXPECT_NEAR(errors.rooms[1].relative_translation_m, 0.5, kTiny);
-  EXPECT_NEAR(errors.rooms[1].relative_rotation_rad, 0.0, kTiny);
+  EXPECT_NEAR(errors.rooms[0].relative_translation_m, 0.0, kNothing);
+  EXPECT_NEAR(errors.rooms[1].relative_translation_m, 0.5, kNothing);
+  EXPECT_NEAR(errors.rooms[1].relative_rotation_rad, 0.0, kNothing);
   EXPECT_GT(errors.rooms[0].translation_m, 1.0);  // the alignment was not given
 }
 
 TEST(RoomPoseErrors, OfARoomWithTwoVisitsDoNotCancel) {
-  const RoomPoseErrors errors = room_pose_errors(
-      {{1, 1, moved({0, 0.2, 0}, stretch(0, 0))}, {2, 1, moved({0, -0.2, 0}, stretch(10, 5))}},
-      truth(), Pose2{});
+  const RoomPoseErrors errors = room_pose_errors({{1, 1, moved_path({0, 0.2, 0}, stretch(0, 0))},
+                                                  {2, 1, moved_path({0, -0.2, 0}, stretch(10, 5))}},
+                                                 truth(), Pose2{});
   ASSERT_EQ(errors.rooms.size(), 1U);
   EXPECT_EQ(errors.rooms[0].visits, 2);
-  EXPECT_NEAR(errors.rooms[0].translation_m, 0.2, kTiny);
+  EXPECT_NEAR(errors.rooms[0].translation_m, 0.2, kNothing);
 }
 
 TEST(RoomPoseErrors, LeaveOutVisitsWithoutTruth) {

@@ -12,37 +12,37 @@ namespace {
 
 using namespace test;
 
-constexpr double kTiny = 1e-6;
+constexpr double kTiny_m = 1e-6;
 
-WallErrors errors_of(const FloorPlan& plan, const FloorPlan& truth = four_rooms(),
-                     const Pose2& truth_from_building = {}) {
+WallErrors wall_errors_of(const FloorPlan& plan, const FloorPlan& truth = four_rooms(),
+                          const Pose2& truth_from_building = {}) {
   const PlanErrors errors = plan_errors(plan, truth, truth_from_building, {}, {});
   return wall_errors(plan, truth, truth_from_building, errors, {});
 }
 
 TEST(WallErrors, OfThePerfectPlanAreNone) {
   const Pose2 truth_from_building{4, -2, radians(30)};
-  const WallErrors errors = errors_of(moved(inverse(truth_from_building), four_rooms()),
-                                      four_rooms(), truth_from_building);
-  EXPECT_NEAR(errors.plan_to_truth.median_m, 0.0, kTiny);
-  EXPECT_NEAR(errors.plan_to_truth.percentile_95_m, 0.0, kTiny);
-  EXPECT_NEAR(errors.truth_to_plan.percentile_95_m, 0.0, kTiny);
+  const WallErrors errors = wall_errors_of(moved(inverse(truth_from_building), four_rooms()),
+                                           four_rooms(), truth_from_building);
+  EXPECT_NEAR(errors.plan_to_truth.median_m, 0.0, kTiny_m);
+  EXPECT_NEAR(errors.plan_to_truth.percentile_95_m, 0.0, kTiny_m);
+  EXPECT_NEAR(errors.truth_to_plan.percentile_95_m, 0.0, kTiny_m);
   EXPECT_EQ(errors.corners, 16);
   EXPECT_EQ(errors.corner_score.f1, 1.0);
   EXPECT_EQ(errors.angle_score.f1, 1.0);
   EXPECT_EQ(errors.areas.size(), 4U);
-  EXPECT_NEAR(errors.mean_area_error, 0.0, kTiny);
-  EXPECT_NEAR(errors.stretch.x, 1.0, kTiny);
-  EXPECT_NEAR(errors.stretch.y, 1.0, kTiny);
+  EXPECT_NEAR(errors.mean_area_error, 0.0, kTiny_m);
+  EXPECT_NEAR(errors.stretch.x, 1.0, kTiny_m);
+  EXPECT_NEAR(errors.stretch.y, 1.0, kTiny_m);
   EXPECT_FALSE(errors.stretch.of_doors);
 }
 
 TEST(WallErrors, SamplesWallsAndNotDoors) {
   FloorPlan plan;
   plan.rooms = {room(1, {rectangle(0, 0, 4, 3)})};
-  EXPECT_EQ(errors_of(plan, plan).plan_to_truth.samples, 280);  // 14 m, each 0.05 m
+  EXPECT_EQ(wall_errors_of(plan, plan).plan_to_truth.samples, 280);  // 14 m, each 0.05 m
   plan.doors = {door(1, {{1, 3.1}, {2, 3.1}}, 1, 1)};
-  EXPECT_EQ(errors_of(plan, plan).plan_to_truth.samples, 260);
+  EXPECT_EQ(wall_errors_of(plan, plan).plan_to_truth.samples, 260);
 }
 
 TEST(WallErrors, AShiftedWallIsAsFarAsItWasShifted) {
@@ -50,14 +50,14 @@ TEST(WallErrors, AShiftedWallIsAsFarAsItWasShifted) {
   truth.rooms = {room(1, {rectangle(0, 0, 10, 10)})};
   FloorPlan plan;
   plan.rooms = {room(1, {rectangle(0, 0, 10.2, 10)})};
-  const WallErrors errors = errors_of(plan, truth);
-  EXPECT_NEAR(errors.plan_to_truth.median_m, 0.0, kTiny);  // three walls of four are right
-  EXPECT_NEAR(errors.plan_to_truth.percentile_95_m, 0.2, kTiny);
-  EXPECT_NEAR(errors.truth_to_plan.percentile_95_m, 0.2, kTiny);
+  const WallErrors errors = wall_errors_of(plan, truth);
+  EXPECT_NEAR(errors.plan_to_truth.median_m, 0.0, kTiny_m);  // three walls of four are right
+  EXPECT_NEAR(errors.plan_to_truth.percentile_95_m, 0.2, kTiny_m);
+  EXPECT_NEAR(errors.truth_to_plan.percentile_95_m, 0.2, kTiny_m);
   EXPECT_EQ(errors.corner_score.matched, 4);
-  EXPECT_NEAR(errors.mean_area_error, 0.02, kTiny);
-  EXPECT_NEAR(errors.stretch.x, 1.02, kTiny);
-  EXPECT_NEAR(errors.stretch.y, 1.0, kTiny);
+  EXPECT_NEAR(errors.mean_area_error, 0.02, kTiny_m);
+  EXPECT_NEAR(errors.stretch.x, 1.02, kTiny_m);
+  EXPECT_NEAR(errors.stretch.y, 1.0, kTiny_m);
 }
 
 TEST(WallErrors, DistancesAgreeWithASearchOfAllEdges) {
@@ -77,7 +77,7 @@ TEST(WallErrors, DistancesAgreeWithASearchOfAllEdges) {
     next_m -= along.norm();
   }
   std::sort(all.begin(), all.end());
-  const WallErrors errors = errors_of(plan, truth);
+  const WallErrors errors = wall_errors_of(plan, truth);
   ASSERT_EQ(errors.plan_to_truth.samples, std::ssize(all));
   const auto rank = [&](double share) {
     return all[static_cast<std::size_t>(std::ceil(share * static_cast<double>(all.size()))) - 1];
@@ -89,12 +89,12 @@ TEST(WallErrors, DistancesAgreeWithASearchOfAllEdges) {
 TEST(WallErrors, ACornerBeyondTheGateIsMissedAndATurnedOneHasAnotherAngle) {
   FloorPlan plan = four_rooms();
   plan.rooms[2] = room(3, {{{{7.4, 0}, {12.4, 0}, {12.4, 3}, {7.9, 3}}, {}}});  // 0.5 m off
-  WallErrors errors = errors_of(plan);
+  WallErrors errors = wall_errors_of(plan);
   EXPECT_EQ(errors.corner_score.matched, 15);
-  EXPECT_NEAR(errors.corner_score.recall, 15.0 / 16.0, kTiny);
+  EXPECT_NEAR(errors.corner_score.recall, 15.0 / 16.0, kTiny_m);
   EXPECT_EQ(errors.angle_score.matched, 15);  // the wall turned by 9.5 degrees alone
   plan.rooms[2] = room(3, {{{{7.4, 0}, {12.4, 0}, {12.4, 3}, {8.4, 3}}, {}}});  // 18.4 degrees
-  errors = errors_of(plan);
+  errors = wall_errors_of(plan);
   EXPECT_EQ(errors.corner_score.matched, 15);
   EXPECT_EQ(errors.angle_score.matched, 14);
 }
@@ -109,7 +109,7 @@ TEST(WallErrors, StairsOfPixelsAreNoCorners) {
   }
   FloorPlan plan;
   plan.rooms = {room(1, {{stairs, {}}})};
-  EXPECT_EQ(errors_of(plan, truth).corners, 4);
+  EXPECT_EQ(wall_errors_of(plan, truth).corners, 4);
 }
 
 TEST(WallErrors, StretchIsTakenFromDoorsWhereCornersAreTooFew) {
@@ -122,14 +122,14 @@ TEST(WallErrors, StretchIsTakenFromDoorsWhereCornersAreTooFew) {
   for (PlanRoom& r : plan.rooms) {
     for (Point2& p : r.parts[0].outer) p += Point2(0.0, 0.4);  // no corner within 0.3 m
   }
-  const WallErrors errors = errors_of(plan, truth);
+  const WallErrors errors = wall_errors_of(plan, truth);
   EXPECT_TRUE(errors.stretch.of_doors);
   EXPECT_EQ(errors.stretch.pairs, 5);
-  EXPECT_NEAR(errors.stretch.x, 1.01, kTiny);
+  EXPECT_NEAR(errors.stretch.x, 1.01, kTiny_m);
 }
 
 TEST(WallErrors, OfAnEmptyPlanAreNaN) {
-  const WallErrors errors = errors_of({});
+  const WallErrors errors = wall_errors_of({});
   EXPECT_TRUE(std::isnan(errors.plan_to_truth.median_m));
   EXPECT_TRUE(std::isnan(errors.truth_to_plan.median_m));
   EXPECT_EQ(errors.corner_score.recall, 0.0);

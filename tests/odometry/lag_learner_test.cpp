@@ -21,7 +21,7 @@ double heading_rad(double time_s) {
   return is_left ? 0.8 * part : 0.8 * (1.0 - part);
 }
 
-struct Drive {
+struct LateDrive {
   double lag_s = 0.0;
   double gain = 1.0;
   double noise_rad = radians(0.5);  ///< of each matched heading
@@ -29,7 +29,7 @@ struct Drive {
   double every_s = 0.1;
 };
 
-double learnt(const Drive& drive) {
+double learnt(const LateDrive& drive) {
   std::mt19937 engine(3);
   std::normal_distribution<double> normal(0.0, drive.noise_rad);
   LagLearner learner;

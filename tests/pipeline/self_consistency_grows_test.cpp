@@ -16,6 +16,7 @@
 #include "roomatlas/rooms/assign_rooms.hpp"
 #include "roomatlas/simulate/explore.hpp"
 #include "support/shared_data.hpp"
+#include "support/shipped_world.hpp"
 
 namespace roomatlas {
 namespace {
@@ -62,10 +63,6 @@ KnownMission recorded(const std::filesystem::path& log, const Trajectory& truth,
   return known(std::move(store), truth, consistency);
 }
 
-FloorPlan world_of(const std::string& name) {
-  return read_plan(Path(ROOMATLAS_SOURCE_DIR) / "data" / "worlds" / (name + ".geojson"));
-}
-
 KnownMission simulated(const std::vector<MissionEvent>& events) {
   MemoryStore store = mapped(events);
   Trajectory truth;
@@ -86,7 +83,7 @@ auto into(std::vector<MissionEvent>& events) {
 KnownMission driven(const std::string& world) {
   const Path drive = Path(ROOMATLAS_SOURCE_DIR) / "data" / "worlds" / (world + ".drive");
   std::vector<MissionEvent> events;
-  simulate(world_of(world), read_drive(drive), {}, into(events));
+  simulate(test::shipped_world(world), read_drive(drive), {}, into(events));
   return simulated(events);
 }
 
@@ -98,7 +95,7 @@ KnownMission explored(const std::string& world) {
   ExploreOptions ten_minutes;
   ten_minutes.max_time_s = 600.0;
   std::vector<MissionEvent> events;
-  (void)explore(world_of(world), options, ten_minutes, into(events));
+  (void)explore(test::shipped_world(world), options, ten_minutes, into(events));
   return simulated(events);
 }
 

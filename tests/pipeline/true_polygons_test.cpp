@@ -5,6 +5,7 @@
 
 #include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/merge/regular_walls.hpp"
+#include "support/shipped_world.hpp"
 
 namespace roomatlas {
 namespace {
@@ -12,11 +13,6 @@ namespace {
 constexpr const char* kWorlds[] = {"two_rooms",       "eight_rooms",        "nine_rooms",
                                    "identical_rooms", "slanted_and_curved", "open_hall",
                                    "afit_floor"};
-
-FloorPlan world_of(const std::string& name) {
-  return read_plan(std::filesystem::path(ROOMATLAS_SOURCE_DIR) / "data" / "worlds" /
-                   (name + ".geojson"));
-}
 
 /// The world's rooms, turned, so that no wall lies along an axis by itself.
 struct Turned {
@@ -42,7 +38,7 @@ Turned turned(const FloorPlan& world) {
 class TruePolygons : public testing::TestWithParam<const char*> {};
 
 TEST_P(TruePolygons, GiveTheirOwnPlan) {
-  const FloorPlan world = world_of(GetParam());
+  const FloorPlan world = test::shipped_world(GetParam());
   const Turned from = turned(world);
   const RegularOutlines regular = with_regular_walls(from.outlines, from.doors, {});
   const FloorPlan plan = merge(regular.outlines, regular.doors, {});
@@ -66,7 +62,7 @@ TEST_P(TruePolygons, GiveTheirOwnPlan) {
 }
 
 TEST_P(TruePolygons, KeepTheirWalls) {
-  const Turned from = turned(world_of(GetParam()));
+  const Turned from = turned(test::shipped_world(GetParam()));
   const RegularOutlines regular = with_regular_walls(from.outlines, from.doors, {});
   for (std::size_t i = 0; i < from.outlines.size(); ++i) {
     const Ring& before = from.outlines[i].outline.outer;

@@ -10,7 +10,7 @@ namespace {
 
 using namespace testing_simulate;
 
-SimulationOptions fast() {
+SimulationOptions fast_drive() {
   SimulationOptions options = exact();
   options.speed_m_per_s = 5.0;
   return options;
@@ -34,7 +34,7 @@ TEST(Odometry, StartsAtItsOwnOriginWhereverTheRobotStands) {
 }
 
 TEST(Odometry, WithoutErrorsIsTheTruthInTheFrameOfTheStart) {
-  const auto steps = run({}, zigzag(), fast());
+  const auto steps = run({}, zigzag(), fast_drive());
   const Pose2 start_from_world = inverse(steps.front().truth.world_from_robot);
   for (const SimulatedStep& step : steps) {
     const Pose2 expected = start_from_world * step.truth.world_from_robot;
@@ -46,7 +46,7 @@ TEST(Odometry, WithoutErrorsIsTheTruthInTheFrameOfTheStart) {
 }
 
 TEST(Odometry, ReportsLengthsLongerByTheGivenShare) {
-  SimulationOptions options = fast();
+  SimulationOptions options = fast_drive();
   options.odometry.length_share = 0.02;
   const auto steps = run({}, kHundredMetres, options);
   EXPECT_NEAR(steps.back().odometry.odom_from_robot.x_m, 102.0, 1e-9);
@@ -55,7 +55,7 @@ TEST(Odometry, ReportsLengthsLongerByTheGivenShare) {
 }
 
 TEST(Odometry, HeadingDriftsByTheBiasOverLengthAndNotOverTurns) {
-  SimulationOptions options = fast();
+  SimulationOptions options = fast_drive();
   options.odometry.heading_bias_deg_per_m = 0.1;
   const auto straight = run({}, kHundredMetres, options);
   EXPECT_NEAR(degrees(straight.back().odometry.odom_from_robot.theta_rad), 10.0, 1e-9);
@@ -74,14 +74,14 @@ TEST(Odometry, HeadingDriftsByTheBiasOverLengthAndNotOverTurns) {
 }
 
 TEST(Odometry, ReportsTurnsLargerByTheGivenShare) {
-  SimulationOptions options = fast();
+  SimulationOptions options = fast_drive();
   options.odometry.turn_share = -0.04;
   const auto steps = run({}, {{0, 0}, {5, 0}, {5, 5}}, options);  // one turn of 90 degrees
   EXPECT_NEAR(degrees(steps.back().odometry.odom_from_robot.theta_rad), 90.0 * 0.96, 1e-9);
 }
 
 TEST(Odometry, HeadingNoiseIsARandomWalkOverLength) {
-  SimulationOptions options = fast();
+  SimulationOptions options = fast_drive();
   options.odometry.heading_noise_deg_per_sqrt_m = 0.5;
   constexpr int kRuns = 300;
   double sum_deg = 0.0;
@@ -105,7 +105,7 @@ TEST(Odometry, HeadingNoiseIsARandomWalkOverLength) {
 }
 
 TEST(Odometry, NoiseDoesNotDependOnTheRate) {
-  SimulationOptions options = fast();
+  SimulationOptions options = fast_drive();
   options.odometry.heading_noise_deg_per_sqrt_m = 0.5;
   options.rate_hz = 2.0;
   constexpr int kRuns = 300;

@@ -32,9 +32,9 @@ constexpr double kSigma = radians(2.0);
 
 /// Loops under Cauchy's loss, one in ten of them false; headings, some of them wrong, at every
 /// other node. The guess is the truth with some noise.
-struct Fixture {
+struct Chain {
   test::GeneratedGraph g;
-  explicit Fixture(std::uint64_t seed, bool quarters = false, std::int32_t nodes = 60)
+  explicit Chain(std::uint64_t seed, bool quarters = false, std::int32_t nodes = 60)
       : g(test::walk_graph(nodes, 0.05, 0.03, seed)) {
     g.graph = test::with_false_loops(g.graph, 0.1, test::FalseLoops::single, seed);
     for (PoseEdge& edge : g.graph.edges) {
@@ -129,7 +129,7 @@ double largest_distance_m(const std::vector<Pose2>& a, const std::vector<Pose2>&
 }
 
 TEST(LossesAndHeadings, TheRightSideIsTheNumericGradient) {
-  const PoseGraph graph = Fixture(1).g.graph;
+  const PoseGraph graph = Chain(1).g.graph;
   const SolverGraph solver = solver_graph_of(graph);
   test::Dice dice(3);
   VectorXd x(static_cast<Eigen::Index>(graph.ids.size() * 3));
@@ -148,7 +148,7 @@ TEST(LossesAndHeadings, TheRightSideIsTheNumericGradient) {
 }
 
 TEST(LossesAndHeadings, TheMatrixIsThatOfTheReweightedEquations) {
-  const PoseGraph graph = Fixture(2).g.graph;
+  const PoseGraph graph = Chain(2).g.graph;
   SolverGraph solver = solver_graph_of(graph);
   test::Dice dice(3);
   SlotPoses state(graph.ids.size() * 3);
@@ -179,7 +179,7 @@ TEST(LossesAndHeadings, TheMatrixIsThatOfTheReweightedEquations) {
 
 TEST(LossesAndHeadings, TheMinimumIsThatOfCeresWithItsOwnCauchyLoss) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    Fixture f(seed);
+    Chain f(seed);
     for (const bool headings : {false, true}) {
       if (!headings) f.g.graph.headings.clear();
       const OptimizeResult result = optimize(f.g.graph, {});
@@ -198,7 +198,7 @@ TEST(LossesAndHeadings, TheMinimumIsThatOfCeresWithItsOwnCauchyLoss) {
 TEST(LossesAndHeadings, BlocksAndCeresAgree) {
   for (const bool quarters : {false, true}) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-      const PoseGraph graph = Fixture(seed, quarters, 200).g.graph;
+      const PoseGraph graph = Chain(seed, quarters, 200).g.graph;
       OptimizeOptions ceres;
       ceres.solver = PoseGraphSolver::ceres;
       const OptimizeResult a = optimize(graph, {});
@@ -215,7 +215,7 @@ TEST(LossesAndHeadings, BlocksAndCeresAgree) {
 }
 
 TEST(LossesAndHeadings, TheAnswerIsTheSameForShuffledInput) {
-  const PoseGraph graph = Fixture(5, true, 200).g.graph;
+  const PoseGraph graph = Chain(5, true, 200).g.graph;
   const OptimizeResult expected = optimize(graph, {});
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const PoseGraph other = test::shuffled(graph, seed);
@@ -229,7 +229,7 @@ TEST(LossesAndHeadings, TheAnswerIsTheSameForShuffledInput) {
 }
 
 TEST(Losses, AFalseLoopLosesItsWeightAndSaysSo) {
-  Fixture f(3);
+  Chain f(3);
   f.g.graph.headings.clear();
   const OptimizeResult result = optimize(f.g.graph, {});
   const EdgeVerdict& odometry = result.edges.front();
@@ -273,7 +273,7 @@ TEST(Headings, OfOneComponentLeaveTheOthersAlone) {
 }
 
 TEST(Headings, QuarterTurnsAreSettledAtTheGuessOrByTheEdges) {
-  Fixture f(4, true, 150);
+  Chain f(4, true, 150);
   const PoseGraph& graph = f.g.graph;
   for (const bool with_guess : {true, false}) {
     PoseGraph input = graph;
@@ -325,7 +325,7 @@ TEST(Headings, CovariancesAreBlocksOfTheDenseInverse) {
 }
 
 TEST(LossesAndHeadings, ThatMakeNoSenseAreRefused) {
-  const PoseGraph good = Fixture(1).g.graph;
+  const PoseGraph good = Chain(1).g.graph;
   const auto expect_refused = [](const PoseGraph& graph, const std::string& mentions) {
     EXPECT_THAT([&] { (void)optimize(graph, {}); }, ThrowsMessage<InputError>(HasSubstr(mentions)));
   };

@@ -11,7 +11,7 @@ namespace {
 constexpr double kSameM = 1e-3;
 constexpr double kSameRad = 1e-4;
 constexpr double kFullTurnRad = 2.0 * kPi + 0.2;  // some lasers close the circle twice
-constexpr double kLevelRad = radians(0.5);        // of tilt: ranges are what they are
+constexpr double kNoTiltRad = radians(0.5);       // of tilt: ranges are what they are
 
 bool is_alike(const LaserShape& shape, const LaserScanMessage& scan,
               const Transform3& base_from_laser, double range_max_m) {
@@ -43,11 +43,11 @@ void describe(LaserShape& shape) {
   const Pose2 mount = planar(shape.base_from_laser);
   for (std::size_t i = 0; i < shape.beams; ++i) {
     const Eigen::Vector3d ray = beam_direction(shape, i);
-    if (shape.tilt_rad > kLevelRad) shape.level_share[i] = std::hypot(ray.x(), ray.y());
+    if (shape.tilt_rad > kNoTiltRad) shape.level_share[i] = std::hypot(ray.x(), ray.y());
     const double angle_rad =
         shape.angle_min_rad + static_cast<double>(i) * shape.angle_increment_rad;
     const double level_rad = mount.theta_rad + (shape.is_upside_down ? -angle_rad : angle_rad);
-    const bool is_level = shape.tilt_rad <= kLevelRad;
+    const bool is_level = shape.tilt_rad <= kNoTiltRad;
     const double bearing_rad = is_level ? level_rad : std::atan2(ray.y(), ray.x());
     sensor.robot_from_beam[shape.sensor_beam(i)] = {mount.x_m, mount.y_m, wrap_angle(bearing_rad)};
   }

@@ -11,7 +11,6 @@
 namespace roomatlas::io {
 namespace {
 
-constexpr std::size_t kChunkHead_bytes = 4096;
 constexpr std::size_t kMessageHead_bytes = 22;
 constexpr std::uint64_t kLongestDescription_bytes = std::uint64_t{1} << 24;
 // Chunks that are not packed and are larger are not held: their records are taken as if they lay
@@ -130,7 +129,7 @@ class Pass {
 
   std::uint64_t take_chunk(std::uint64_t offset, std::uint64_t bytes) {
     const std::uint64_t content = offset + kMcapRecordHeader_bytes;
-    Chunk chunk = read_mcap_chunk_head(file_.view(content, kChunkHead_bytes), offset, bytes);
+    Chunk chunk = read_mcap_chunk_head(file_.view(content, kMcapChunkHead_bytes), offset, bytes);
     if (bytes > std::numeric_limits<std::uint64_t>::max() - content) {
       throw DamagedData("a chunk's length is impossible");
     }

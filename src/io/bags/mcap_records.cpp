@@ -7,9 +7,6 @@
 namespace roomatlas::io {
 namespace {
 
-/// The most that a chunk's head can be: its packing's name is the only part of any length.
-constexpr std::size_t kChunkHead_bytes = 4096;
-
 bool is_text(std::string_view schema_encoding) {
   return schema_encoding == "ros1msg" || schema_encoding == "ros2msg" ||
          schema_encoding == "ros2idl" || schema_encoding == "omgidl";
@@ -91,7 +88,7 @@ void McapFormat::visit(ByteSpan records, RecordVisitor& visitor) const {
 }
 
 void McapFormat::find_content(BagFile& file, Chunk& chunk) const {
-  ByteCursor cursor(file.view(chunk.header_offset, kMcapRecordHeader_bytes + kChunkHead_bytes));
+  ByteCursor cursor(file.view(chunk.header_offset, kMcapRecordHeader_bytes + kMcapChunkHead_bytes));
   if (static_cast<McapOp>(cursor.u8()) != McapOp::chunk) {
     throw DamagedData("no chunk is where the index says");
   }

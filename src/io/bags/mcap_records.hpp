@@ -27,6 +27,8 @@ enum class McapOp : std::uint8_t {
 
 inline constexpr std::string_view kMcapMagic = "\x89MCAP0\r\n";
 inline constexpr std::size_t kMcapRecordHeader_bytes = 9;  ///< what it is, and its length
+/// The most that a chunk's head can be: its packing's name is the only part of any length.
+inline constexpr std::size_t kMcapChunkHead_bytes = 4096;
 
 struct McapSchema {
   std::string name;

@@ -9,8 +9,8 @@ namespace roomatlas::io {
 namespace {
 
 // Odometry that reports less than this between two poses stands.
-constexpr double kStillM = 5e-4;
-constexpr double kStillRad = radians(0.05);
+constexpr double kStandsM = 5e-4;
+constexpr double kStandsRad = radians(0.05);
 constexpr std::int64_t kStill_ns = 1'000'000'000;  // so long at a time drift is learnt from
 constexpr double kDriftPerStill = 0.1;             // of what one such time says is believed
 constexpr double kMostDrift = radians(1.0);  // a second; more is a robot that is turned by hand
@@ -90,7 +90,7 @@ void SteeredOdometry::settle(const Sample& next) {
 
 void SteeredOdometry::learn_drift(const Sample& next) {
   const Pose2 step = inverse(settled_.back().reported) * next.reported;
-  if (step.position().norm() > kStillM || std::abs(step.theta_rad) > kStillRad) {
+  if (step.position().norm() > kStandsM || std::abs(step.theta_rad) > kStandsRad) {
     still_since_ns_ = next.stamp_ns;
     return;
   }

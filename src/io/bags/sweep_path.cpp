@@ -10,8 +10,8 @@ namespace {
 // A robot that moves and turns less than this in a sweep is taken for standing: what the beams are
 // off by is less than the error of their ranges, and odometry of so short a time, which often lags,
 // is no better.
-constexpr double kStillM = 0.03;
-constexpr double kStillRad = radians(1.0);
+constexpr double kMovesM = 0.03;
+constexpr double kMovedRad = radians(1.0);
 // Of a sweep that began at another time than the reading this share of it: the time between is much
 // the same in every reading, so that what is off adds up.
 constexpr double kStillShare = 0.2;
@@ -35,8 +35,8 @@ SweepPath::SweepPath(const RobotPoses& poses, std::int64_t reading_ns, std::int6
 
 bool SweepPath::moves() const {
   return std::any_of(knots_.begin(), knots_.end(), [&](const Pose2& pose) {
-    return pose.position().norm() > still_share_ * kStillM ||
-           std::abs(pose.theta_rad) > still_share_ * kStillRad;
+    return pose.position().norm() > still_share_ * kMovesM ||
+           std::abs(pose.theta_rad) > still_share_ * kMovedRad;
   });
 }
 

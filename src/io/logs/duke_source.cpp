@@ -8,7 +8,7 @@ namespace roomatlas::io {
 namespace {
 
 constexpr double kNoEcho_m = 8.1;  // the scanner's codes for "nothing seen" lie from here to 8.19
-constexpr int kBeams = 181;        // -90 to 90 degrees, both included
+constexpr int kSickBeams = 181;    // -90 to 90 degrees, both included
 
 class DukeSource : public TextSource {
  public:
@@ -16,7 +16,7 @@ class DukeSource : public TextSource {
       : TextSource(file, options, "DP-SLAM") {
     set_odometry("Odometry lines");
     set_has_times(false);
-    set_laser(make_laser({}, kBeams, radians(-90.0), radians(1.0),
+    set_laser(make_laser({}, kSickBeams, radians(-90.0), radians(1.0),
                          std::min(options.laser_max_range_m, kNoEcho_m)));
   }
 
@@ -30,11 +30,11 @@ class DukeSource : public TextSource {
       content.odom_from_robot = numbers.pose(1.0);
     } else if (content.tag == "Laser") {
       const double count = numbers.number("number of readings");
-      if (count != kBeams && numbers.problem().empty()) {
+      if (count != kSickBeams && numbers.problem().empty()) {
         content.problem = "Laser: expected 181 readings, found " + std::to_string(count);
         return content;
       }
-      content.ranges_m = numbers.ranges(kBeams, 1.0);
+      content.ranges_m = numbers.ranges(kSickBeams, 1.0);
     } else {
       content.problem =
           "expected a line that begins with Odometry or Laser, found " + io::quoted(content.tag);

@@ -14,7 +14,7 @@ constexpr double kWheelRadius_m = 0.077;
 constexpr double kHalfAxle_m = 0.165;     // from the middle to a wheel
 constexpr double kTicksPerTurn = 2000.0;  // of a wheel
 constexpr double kLaserAhead_m = 0.145;   // of the axle
-constexpr int kBeams = 682;               // of the scanner ...
+constexpr int kScannerBeams = 682;        // of the scanner ...
 constexpr double kSweep_deg = 240.0;      // ... over this angle
 constexpr int kFirstFree = 70;            // beams outside [first, last) see the rover itself
 constexpr int kLastFree = 612;            // likewise
@@ -29,7 +29,7 @@ struct Layout {
   double right_sign = 1.0;  ///< the wheel that is mounted the other way round counts backwards
 };
 /// As the two robots' logs have them.
-constexpr Layout kLayouts[] = {{25 + kBeams, 3, 4, 1.0}, {13 + kBeams, 2, 3, -1.0}};
+constexpr Layout kLayouts[] = {{25 + kScannerBeams, 3, 4, 1.0}, {13 + kScannerBeams, 2, 3, -1.0}};
 
 const Layout* layout_of(std::size_t fields) {
   const auto found = std::find_if(std::begin(kLayouts), std::end(kLayouts),
@@ -42,8 +42,8 @@ class MinesSource : public TextSource {
   MinesSource(const std::filesystem::path& file, const MissionOptions& options)
       : TextSource(file, options, "tinySLAM") {
     set_odometry("wheel encoders");
-    set_laser(make_laser({kLaserAhead_m, 0.0, 0.0}, kBeams, radians(-kSweep_deg / 2.0),
-                         radians(kSweep_deg) / (kBeams - 1),
+    set_laser(make_laser({kLaserAhead_m, 0.0, 0.0}, kScannerBeams, radians(-kSweep_deg / 2.0),
+                         radians(kSweep_deg) / (kScannerBeams - 1),
                          std::min(options.laser_max_range_m, kFarthest_m)));
   }
 
@@ -59,14 +59,14 @@ class MinesSource : public TextSource {
     NumberFields numbers(fields);
     double left = 0.0;
     double right = 0.0;
-    const int before_ranges = static_cast<int>(layout->fields) - kBeams;
+    const int before_ranges = static_cast<int>(layout->fields) - kScannerBeams;
     for (int field = 1; field <= before_ranges; ++field) {
       const double value = numbers.number(field == 1 ? "time" : "encoder");
       if (field == 1) content.timestamp_s = value * 1e-6;
       if (field == layout->left_field) left = value;
       if (field == layout->right_field) right = layout->right_sign * value;
     }
-    content.ranges_m = numbers.ranges(kBeams, 1e-3);
+    content.ranges_m = numbers.ranges(kScannerBeams, 1e-3);
     content.problem = numbers.problem();
     if (!content.problem.empty()) return content;
     drop_unusable(content.ranges_m);
@@ -75,7 +75,7 @@ class MinesSource : public TextSource {
   }
 
   static void drop_unusable(std::vector<float>& ranges_m) {
-    for (int i = 0; i < kBeams; ++i) {
+    for (int i = 0; i < kScannerBeams; ++i) {
       float& range_m = ranges_m[static_cast<std::size_t>(i)];
       if (i < kFirstFree || i >= kLastFree || range_m < static_cast<float>(kLeast_m)) {
         range_m = std::numeric_limits<float>::quiet_NaN();

@@ -12,11 +12,6 @@ namespace {
 constexpr const char* kSchema = "changes";
 constexpr int kVersion = 1;  // of the layout
 
-/// Invalid UTF-8 in a name becomes U+FFFD instead of an exception.
-std::string compact(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 Json json_of(const Sighting& sighting) {
   return {{"stood_readings", sighting.stood},
           {"passed_readings", sighting.passed},

@@ -10,8 +10,6 @@
 namespace roomatlas::io {
 namespace {
 
-Point2 rounded(const Point2& point) { return {to_millimetre(point.x()), to_millimetre(point.y())}; }
-
 Point2 across(const PlanDoor& door) {
   const Point2 along = (door.jambs.b - door.jambs.a).normalized();
   return {-along.y(), along.x()};
@@ -24,12 +22,12 @@ Ring half_of(const PlanDoor& door, double side) {
   const Point2 way = side * across(door);
   Ring corners;
   for (const Point2& corner : door.opening) {
-    if ((corner - door.jambs.a).dot(way) > kOnLine_m) corners.push_back(rounded(corner));
+    if ((corner - door.jambs.a).dot(way) > kOnLine_m) corners.push_back(to_millimetre(corner));
   }
   if (corners.size() < 2) return {};
   std::sort(corners.begin(), corners.end(),
             [&](const Point2& p, const Point2& q) { return p.dot(along) > q.dot(along); });
-  Ring ring = {rounded(door.jambs.a), rounded(door.jambs.b)};
+  Ring ring = {to_millimetre(door.jambs.a), to_millimetre(door.jambs.b)};
   ring.insert(ring.end(), corners.begin(), corners.end());
   return ring;
 }

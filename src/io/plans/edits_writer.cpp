@@ -1,29 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
 
 #include "edits_schema.hpp"
+#include "geojson_geometry.hpp"
 #include "roomatlas/io/plans/edits_file.hpp"
 #include "text/json.hpp"
 
 namespace roomatlas {
 namespace {
 
-/// To the millimetre.
-double rounded(double value_m) { return std::round(value_m * 1e3) / 1e3 + 0.0; }
-
-Json json_of(const Point2& point) { return {rounded(point.x()), rounded(point.y())}; }
-
 Json json_of(const Ring& ring) {
   Json json = Json::array();
-  for (const Point2& point : ring) json.push_back(json_of(point));
+  for (const Point2& point : ring) json.push_back(to_json(point));
   return json;
 }
 
 Json json_of(const RoomAnchor& anchor) {
   Json json = Json::object();
   if (anchor.id) json["id"] = *anchor.id;
-  if (anchor.at) json["at_m"] = json_of(*anchor.at);
+  if (anchor.at) json["at_m"] = to_json(*anchor.at);
   if (!anchor.outline.empty()) json["outline_m"] = json_of(anchor.outline);
   return json;
 }
@@ -34,9 +29,9 @@ Json value_of(const Edit& edit, const std::string& field) {
   if (field == "name") return edit.name;
   if (field == "kind") return to_string(edit.room_kind);
   if (field == edits_schema::line_field(edit.kind)) {
-    return {json_of(edit.line.a), json_of(edit.line.b)};
+    return {to_json(edit.line.a), to_json(edit.line.b)};
   }
-  if (field == "at_m") return json_of(edit.at);
+  if (field == "at_m") return to_json(edit.at);
   if (field == "outline_m") return edit.outline.empty() ? Json() : json_of(edit.outline);
   if (field == "by_m") return edit.by_m;
   if (field == "thickness_m") return edit.thickness_m > 0.0 ? Json(edit.thickness_m) : Json();

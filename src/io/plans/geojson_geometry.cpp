@@ -87,6 +87,10 @@ double to_millimetre(double value_m) {
   return std::round(value_m * 1000.0) / 1000.0 + 0.0;  // + 0.0 turns -0 into 0
 }
 
+Point2 to_millimetre(const Point2& point_m) {
+  return {to_millimetre(point_m.x()), to_millimetre(point_m.y())};
+}
+
 Json to_json(const Point2& point) {
   return Json::array({to_millimetre(point.x()), to_millimetre(point.y())});
 }

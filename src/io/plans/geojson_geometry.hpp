@@ -14,6 +14,7 @@ inline constexpr double kFarthest_m = 1e8;
 
 /// Rounds to the millimetre, the resolution of a plan file. Throws InputError where not finite.
 [[nodiscard]] double to_millimetre(double value_m);
+[[nodiscard]] Point2 to_millimetre(const Point2& point_m);
 
 [[nodiscard]] Json to_json(const Point2& point);
 [[nodiscard]] Point2 read_position(const JsonField& position);

@@ -15,10 +15,6 @@ namespace {
 constexpr double kSemiMajor_m = 6378137.0;
 constexpr double kFlattening = 1.0 / 298.257223563;  // of the ellipsoid
 
-std::string compact(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 class Features {
  public:
   explicit Features(const GeoReference& reference) : reference_(reference) {}

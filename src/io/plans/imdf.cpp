@@ -18,10 +18,6 @@ namespace {
 
 constexpr const char* kLanguage = "en";
 
-std::string compact(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 Json labels(const std::string& name) {
   return name.empty() ? Json(nullptr) : Json{{kLanguage, name}};
 }

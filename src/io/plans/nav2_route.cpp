@@ -57,9 +57,6 @@ Json edge_of(const RouteGraph& graph, const RouteEdge& edge, std::size_t id, boo
 
 std::string nav2_route_geojson(const FloorPlan& plan) {
   const RouteGraph graph = route_graph_of(plan);
-  const auto compact = [](const Json& value) {
-    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-  };
   const Json header = {{"schema", "nav2 route graph"},
                        {"title", plan.title},
                        {"rooms_without_way", graph.rooms_without_way},

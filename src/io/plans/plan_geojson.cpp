@@ -9,11 +9,6 @@
 namespace roomatlas {
 namespace {
 
-/// Invalid UTF-8 in a name becomes U+FFFD instead of an exception.
-std::string compact(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 Json header_of(const FloorPlan& plan) {
   Json header;
   header["schema"] = plan_schema::kSchema;

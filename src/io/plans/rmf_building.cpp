@@ -13,11 +13,6 @@ namespace {
 
 constexpr const char* kLevel = "L1";
 
-/// YAML has JSON's strings within it; invalid UTF-8 becomes U+FFFD.
-std::string text_of(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 // Parameters say their type by a number before the value.
 Json word(const std::string& value) { return Json::array({1, value}); }
 Json whole(int value) { return Json::array({2, value}); }
@@ -94,7 +89,7 @@ class Level {
   static std::string list(const char* name, const std::vector<Json>& items) {
     std::string text = std::string("    ") + name + ":";
     if (items.empty()) return text + " []\n";
-    for (const Json& item : items) text += "\n      - " + text_of(item);
+    for (const Json& item : items) text += "\n      - " + compact(item);  // YAML has JSON within it
     return text + "\n";
   }
 
@@ -136,7 +131,7 @@ std::string rmf_building_yaml(const FloorPlan& plan) {
   add_lanes(plan, level);
   const std::string title = plan.title.empty() ? "building" : plan.title;
   return "coordinate_system: cartesian_meters\ngraphs: {}\nlevels:\n  " + std::string(kLevel) +
-         ":\n" + level.yaml() + "lifts: {}\nname: " + text_of(title) +
+         ":\n" + level.yaml() + "lifts: {}\nname: " + compact(title) +
          "\nparameters: {}\nreference_level_name: " + kLevel + "\n";
 }
 

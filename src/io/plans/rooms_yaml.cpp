@@ -7,9 +7,7 @@ namespace roomatlas {
 namespace {
 
 /// A double-quoted YAML text; JSON's escapes are YAML's too.
-std::string quoted(const std::string& text) {
-  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string quoted(const std::string& text) { return compact(text); }
 
 std::string flow(const Point2& point) { return to_json(point).dump(); }
 

@@ -78,11 +78,11 @@ class Builder {
       const auto at = cells_.nearest_open(room.label_point);
       if (!at) continue;
       room_nodes_[room.id] = graph_.nodes.size();
-      graph_.nodes.push_back({rounded(*at), room.id, {}});
+      graph_.nodes.push_back({to_millimetre(*at), room.id, {}});
     }
     for (const PlanDoor& door : plan_.doors) {
       if (door.kind == DoorKind::window) continue;
-      const Point2 at = rounded((door.jambs.a + door.jambs.b) / 2.0);
+      const Point2 at = to_millimetre((door.jambs.a + door.jambs.b) / 2.0);
       door_nodes_[door.id] = graph_.nodes.size();
       graph_.nodes.push_back({at, {}, door.id});
     }
@@ -141,7 +141,7 @@ class Builder {
   }
 
   std::size_t bend(const Point2& at) {
-    const Point2 place = rounded(at);
+    const Point2 place = to_millimetre(at);
     const auto [entry, is_new] = bends_.try_emplace({place.x(), place.y()}, graph_.nodes.size());
     if (is_new) graph_.nodes.push_back({place, {}, {}});
     return entry->second;
@@ -173,8 +173,6 @@ class Builder {
       edge.to = now[edge.to];
     }
   }
-
-  static Point2 rounded(const Point2& at) { return {to_millimetre(at.x()), to_millimetre(at.y())}; }
 
   const FloorPlan& plan_;
   RouteCells cells_;

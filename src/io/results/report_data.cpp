@@ -303,7 +303,7 @@ std::string report_data(const ReportSources& from) {
   data["accuracy"] = accuracy_of(plan_accuracy(from.plan, judgement_of(text("judgement_json"))));
   data["charts"] = charts_of(from.evaluation);
   add_mission(from, data);
-  return data.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return compact(data);
 }
 
 }  // namespace roomatlas

@@ -201,7 +201,7 @@ std::string to_json(const std::vector<SeenLast>& seen_last) {
     }
     missions.push_back({{"mission", seen.mission}, {"text", words(seen)}, {"things", things}});
   }
-  return Json({{"missions", missions}}).dump(-1, ' ', false, Json::error_handler_t::replace);
+  return compact({{"missions", missions}});
 }
 
 std::string to_json(const Evaluation& evaluation, const std::optional<Judgement>& judgement,

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kTable = "former_rooms";
 
-PlanRoom room_of(Row& row) {
+PlanRoom former_room_of(Row& row) {
   PlanRoom room;
   room.id = row.integer();
   room.name = row.text();
@@ -45,7 +45,7 @@ std::vector<PlanRoom> read_former_rooms(Database& db) {
   std::vector<PlanRoom> rooms;
   if (!db.connection().tableExists(kTable)) return rooms;  // made by an earlier release
   db.for_each_row("SELECT id, name, area_m2, parts_wkb FROM former_rooms ORDER BY id",
-                  [&](Row& row) { rooms.push_back(room_of(row)); });
+                  [&](Row& row) { rooms.push_back(former_room_of(row)); });
   return rooms;
 }
 

@@ -41,13 +41,13 @@ std::string info_json(const EvoResult& result) {
                      {"ref_name", result.ref_name},
                      {"est_name", result.est_name},
                      {"label", result.label}};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return compact(json);
 }
 
 std::string stats_json(const EvoResult& result) {
   Json json = Json::object();
   for (const auto& [name, value] : named(result.statistics)) json[name] = value;
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return compact(json);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace roomatlas {
 namespace {
 
 constexpr double kBesideM = 0.05;     // the ray runs this far behind the face, and free before it
-constexpr double kStepM = 0.025;      // between samples of the ray
+constexpr double kSampleM = 0.025;    // between samples of the ray
 constexpr double kSkipM = 0.1;        // the corner itself may be rounded
 constexpr double kMinLengthM = 0.35;  // of what is free
 constexpr double kMaxLengthM = 6.0;   // longer openings part nothing
@@ -28,11 +28,11 @@ constexpr double kBeyondM = 0.1;      // a cut reaches this far into the walls
 std::optional<WallChord> chord_from(const OpenFloor& floor, const Point2& end, const Point2& along,
                                     const Point2& into_floor) {
   const Point2 start = end - kBesideM * into_floor;
-  const int most = static_cast<int>(kMaxLengthM / kStepM);
-  for (int k = static_cast<int>(kSkipM / kStepM); k <= most; ++k) {
-    const Point2 off = k * kStepM * along;
+  const int most = static_cast<int>(kMaxLengthM / kSampleM);
+  for (int k = static_cast<int>(kSkipM / kSampleM); k <= most; ++k) {
+    const Point2 off = k * kSampleM * along;
     if (floor.is_open(start + off) && floor.is_open(end + off + kBesideM * into_floor)) continue;
-    if (k * kStepM < kMinLengthM) return std::nullopt;
+    if (k * kSampleM < kMinLengthM) return std::nullopt;
     WallChord chord;
     chord.line = {start, start + off};
     chord.at_a = wall_support(floor, chord.line.a, -along);

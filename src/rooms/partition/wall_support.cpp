@@ -6,7 +6,7 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kStepM = 0.05;
+constexpr double kSupportStepM = 0.05;
 constexpr int kNearSteps = 10;    // 0.5 m
 constexpr int kMiddleSteps = 30;  // 1.5 m
 constexpr int kFarSteps = 50;     // 2.5 m
@@ -21,7 +21,7 @@ WallSupport wall_support(const OpenFloor& floor, const Point2& jamb, const Point
     bool obstacle = false;
     bool open = false;
     for (int k = -kFloorSteps; k <= kFloorSteps; ++k) {
-      const Point2 beside = at + k * kStepM * side;
+      const Point2 beside = at + k * kSupportStepM * side;
       open = open || floor.is_open(beside);
       obstacle = obstacle || (std::abs(k) <= kBandSteps && floor.is_wall(beside));
     }
@@ -29,7 +29,7 @@ WallSupport wall_support(const OpenFloor& floor, const Point2& jamb, const Point
   };
   WallSupport support;
   for (int k = 1; k <= kFarSteps; ++k) {
-    if (!looks_like_wall(jamb + k * kStepM * along)) continue;
+    if (!looks_like_wall(jamb + k * kSupportStepM * along)) continue;
     if (k <= kNearSteps) support.near += 1.0 / kNearSteps;
     if (k <= kMiddleSteps) support.middle += 1.0 / kMiddleSteps;
     support.far += 1.0 / kFarSteps;

@@ -14,7 +14,7 @@
 namespace roomatlas::test {
 namespace {
 
-const std::vector<std::string> kRecordings = {"m.bag", "m.mcap", "m.db3"};
+const std::vector<std::string> kOddRecordings = {"m.bag", "m.mcap", "m.db3"};
 
 /// What a file gives: its readings, or minus one where it is refused as a user is to be told.
 std::int64_t readings_in(const Path& file) {
@@ -30,7 +30,7 @@ std::int64_t readings_in(const Path& file) {
 TEST(OddRecording, CutAnywhereItGivesWhatIsLeftOrIsRefused) {
   const TemporaryFolder folder;
   const std::vector<SimulatedStep> steps = mission_of(SensorKind::laser);
-  for (const std::string& name : kRecordings) {
+  for (const std::string& name : kOddRecordings) {
     write(folder / name, steps);
     const std::string whole = bytes_of(folder / name);
     std::int64_t before = -1;
@@ -52,7 +52,7 @@ TEST(OddRecording, FlippedBytesAreNoMoreThanAnError) {
   std::vector<SimulatedStep> steps = mission_of(SensorKind::laser);
   steps.resize(20);
   std::mt19937 random(7);
-  for (const std::string& name : kRecordings) {
+  for (const std::string& name : kOddRecordings) {
     write(folder / name, steps);
     const std::string whole = bytes_of(folder / name);
     int read = 0;

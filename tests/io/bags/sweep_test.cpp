@@ -14,7 +14,7 @@ namespace {
 constexpr double kHalfRoomM = 4.0;  // a square room around the origin
 
 /// From a pose inside the room to its wall.
-double range_in_room(const Pose2& world_from_beam) {
+double true_range_m(const Pose2& world_from_beam) {
   const Point2 ray = direction(world_from_beam.theta_rad);
   double range_m = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 2; ++axis) {
@@ -43,7 +43,7 @@ TEST(Sweep, AResampledSweepMeetsTheWallsWhereTheyAre) {
   for (int i = 0; i < 500; ++i) {
     const double bearing = -kPi + 2.0 * kPi * (i + 0.3 * std::sin(i)) / 500.0;
     const Pose2 beam{0.32, -0.17, wrap_angle(bearing)};
-    rays.push_back({beam.position(), beam * Point2(range_in_room(beam), 0.0), Echo::surface});
+    rays.push_back({beam.position(), beam * Point2(true_range_m(beam), 0.0), Echo::surface});
   }
   const std::vector<float> ranges_m = resampled(rays, onto);
   int known = 0;
@@ -51,7 +51,7 @@ TEST(Sweep, AResampledSweepMeetsTheWallsWhereTheyAre) {
   for (std::size_t i = 0; i < ranges_m.size(); ++i) {
     if (std::isnan(ranges_m[i])) continue;
     ++known;
-    const double error_m = std::abs(ranges_m[i] - range_in_room(onto.robot_from_beam[i]));
+    const double error_m = std::abs(ranges_m[i] - true_range_m(onto.robot_from_beam[i]));
     EXPECT_LT(error_m, 0.05) << i;
     if (error_m < 1e-4) ++exact;
   }
@@ -110,7 +110,7 @@ ReadLog turning_robot(float time_increment, float scan_time) {
     for (int i = 0; i < kBeams; ++i) {
       const Pose2 laser = robot_at(start_s + i * kSweepS / kBeams) * robot_from_laser;
       const Pose2 beam = laser * Pose2{0.0, 0.0, wrap_angle(-kPi + 2.0 * kPi * i / kBeams)};
-      scan.ranges.push_back(static_cast<float>(range_in_room(beam)));
+      scan.ranges.push_back(static_cast<float>(true_range_m(beam)));
     }
     bag.scan(start_s + kSweepS, scan);
   }
@@ -125,7 +125,7 @@ double mean_miss_m(const ReadLog& log) {
     for (std::size_t i = 0; i < reading.ranges_m.size(); ++i) {
       if (!(reading.ranges_m[i] < reading.sensor->max_range_m)) continue;
       const Pose2 beam = reading.odom_from_robot * reading.sensor->robot_from_beam[i];
-      sum_m += std::abs(range_in_room(beam) - static_cast<double>(reading.ranges_m[i]));
+      sum_m += std::abs(true_range_m(beam) - static_cast<double>(reading.ranges_m[i]));
       ++ends;
     }
   }
@@ -156,7 +156,7 @@ TEST(Sweep, ALaserWhoseBeamsKeepChangingHasFewSensors) {
     scan.ranges.clear();
     for (int i = 0; i < beams; ++i) {
       scan.ranges.push_back(
-          static_cast<float>(range_in_room({0.0, 0.0, wrap_angle(-kPi + 2.0 * kPi * i / beams)})));
+          static_cast<float>(true_range_m({0.0, 0.0, wrap_angle(-kPi + 2.0 * kPi * i / beams)})));
     }
     bag.scan(1.0 + sweep / 10.0, scan);
   }
@@ -184,7 +184,7 @@ MemoryBag swung_laser(double told_s, bool is_reversed) {
       const double time_s = 0.1 * i + 0.1 * share;
       const Pose2 laser{0.6 * std::sin(0.7 * time_s), 0.5, 0.8 * std::sin(1.2 * time_s)};
       const Pose2 ray = laser * Pose2{0.0, 0.0, -kPi + 2.0 * kPi * beam / 360.0};
-      scan.ranges.push_back(static_cast<float>(range_in_room(ray)));
+      scan.ranges.push_back(static_cast<float>(true_range_m(ray)));
     }
     bag.scan(stamp_s, scan);
   }
@@ -257,7 +257,7 @@ MemoryBag turning_cloud(const TimeField& time) {
       const double passed_s = kSweepS * point / kPoints;
       const double angle_rad = radians(static_cast<double>(point) - 180.0);
       const Pose2 beam{0.0, 0.0, angle_rad};
-      const double range_m = range_in_room(robot_at(stamp_s + passed_s) * beam);
+      const double range_m = true_range_m(robot_at(stamp_s + passed_s) * beam);
       const Point2 end = beam * Point2(range_m, 0.0);
       out.add(static_cast<float>(end.x())).add(static_cast<float>(end.y())).add(0.0F);
       const double told = ((time.is_absolute ? stamp_s : 0.0) + passed_s) / time.unit_s;

@@ -14,7 +14,7 @@ namespace roomatlas {
 namespace {
 
 /// A picture as one reads it, top row first: digits are labels.
-std::string pgm(const std::vector<std::string>& rows, const std::string& comment = "") {
+std::string labels_pgm(const std::vector<std::string>& rows, const std::string& comment = "") {
   std::string text = "P5\n" + comment + std::to_string(rows.front().size()) + " " +
                      std::to_string(rows.size()) + "\n255\n";
   for (const std::string& row : rows) {
@@ -31,11 +31,11 @@ std::filesystem::path saved(const test::TemporaryFolder& folder, const std::stri
 
 TEST(LabelPlan, TracesRoomsAlongThePixelsEdges) {
   const test::TemporaryFolder folder;
-  const auto file = saved(folder, pgm({"       ",  //
-                                       " 11 22 ",  //
-                                       " 11  2 ",  //
-                                       "       "},
-                                      "# a comment\n"));
+  const auto file = saved(folder, labels_pgm({"       ",  //
+                                              " 11 22 ",  //
+                                              " 11  2 ",  //
+                                              "       "},
+                                             "# a comment\n"));
   const FloorPlan plan = read_label_plan(file, 0.5);
   ASSERT_EQ(plan.rooms.size(), 2U);
   EXPECT_EQ(plan.rooms[0].id, 1);
@@ -51,10 +51,10 @@ TEST(LabelPlan, TracesRoomsAlongThePixelsEdges) {
 
 TEST(LabelPlan, KeepsHolesAndPartsOfARoom) {
   const test::TemporaryFolder folder;
-  const FloorPlan plan = read_label_plan(saved(folder, pgm({"1111 3",  //
-                                                            "1  1  ",  //
-                                                            "1 21  ",  //
-                                                            "1111 3"})),
+  const FloorPlan plan = read_label_plan(saved(folder, labels_pgm({"1111 3",  //
+                                                                   "1  1  ",  //
+                                                                   "1 21  ",  //
+                                                                   "1111 3"})),
                                          1.0);
   ASSERT_EQ(plan.rooms.size(), 3U);
   ASSERT_EQ(plan.rooms[0].parts.size(), 1U);
@@ -67,7 +67,7 @@ TEST(LabelPlan, KeepsHolesAndPartsOfARoom) {
 
 TEST(LabelPlan, PixelsThatTouchAtACornerAreTwoParts) {
   const test::TemporaryFolder folder;
-  const FloorPlan plan = read_label_plan(saved(folder, pgm({"1 ", " 1"})), 1.0);
+  const FloorPlan plan = read_label_plan(saved(folder, labels_pgm({"1 ", " 1"})), 1.0);
   EXPECT_EQ(plan.rooms.at(0).parts.size(), 2U);
 }
 
@@ -84,13 +84,14 @@ TEST(LabelPlan, SaysWhatIsWrongWithAFile) {
   EXPECT_THAT(refusal("P7\n1 1\n255\n1"), testing::HasSubstr("expected"));
   EXPECT_THAT(refusal("P5\n2 x\n255\n"), testing::HasSubstr("height"));
   EXPECT_THAT(refusal("P5\n2 2\n255\n\1\1"), testing::HasSubstr("cut short"));
-  EXPECT_THAT(refusal(pgm({"  "})), testing::HasSubstr("holds no room"));
+  EXPECT_THAT(refusal(labels_pgm({"  "})), testing::HasSubstr("holds no room"));
   EXPECT_THROW((void)read_label_plan(folder.path() / "none.pgm", 1.0), InputError);
-  EXPECT_THROW((void)read_label_plan(saved(folder, pgm({"1"})), 0.0), UsageError);
+  EXPECT_THROW((void)read_label_plan(saved(folder, labels_pgm({"1"})), 0.0), UsageError);
 }
 
 TEST(LabelPlan, ReadsTheRoomsOfFreiburg79) {
-  const auto file = test::shared_data("rooms/Freiburg79_scan/Freiburg79_scan_gt_labels.pgm.gz");
+  const auto file =
+      test::shared_data("rooms/Freiburg79_scan/Freiburg79_scan_gt_labels.labels_pgm.gz");
   if (!file) return;
   const FloorPlan plan = read_label_plan(*file, 0.05);
   EXPECT_EQ(plan.rooms.size(), 18U);

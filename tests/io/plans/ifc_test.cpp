@@ -7,9 +7,9 @@
 
 #include "draw/flat_fixture.hpp"
 #include "plans/wall_segments.hpp"
-#include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/planar/union.hpp"
 #include "step_entities.hpp"
+#include "support/shipped_world.hpp"
 
 namespace roomatlas {
 namespace {
@@ -21,10 +21,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 const IfcOptions kOptions{"6f1e", std::nullopt, "2026-03-04"};
-
-FloorPlan world(const std::string& name) {
-  return read_plan(Path(ROOMATLAS_SOURCE_DIR) / "data" / "worlds" / (name + ".geojson"));
-}
 
 constexpr const char* kWorlds[] = {"two_rooms",         "eight_rooms", "nine_rooms",
                                    "identical_rooms",   "open_hall",   "afit_floor",
@@ -46,7 +42,7 @@ double area_of(const std::vector<Polygon>& polygons) {
 
 TEST(Ifc, OfEachWorldKeepsTheRulesOfTheSchema) {
   for (const char* name : kWorlds) {
-    const FloorPlan plan = world(name);
+    const FloorPlan plan = test::shipped_world(name);
     const std::string file = ifc_step(plan, kOptions);
     EXPECT_THAT(broken_ifc_rules(file), IsEmpty()) << name;
     EXPECT_EQ(of_type(file, "IFCSPACE").size(), plan.rooms.size()) << name;
@@ -88,7 +84,7 @@ TEST(IfcRules, NoticeWhatIsBroken) {
 // Nothing of a wall is lost, and nothing stands twice.
 TEST(WallSegments, CoverTheWallsWithTheirHolesClosed) {
   for (const char* name : kWorlds) {
-    const FloorPlan plan = world(name);
+    const FloorPlan plan = test::shipped_world(name);
     std::vector<Polygon> bodies = plan.walls;
     for (const PlanDoor& door : plan.doors) bodies.push_back({door.opening, {}});
     std::vector<Polygon> pieces;

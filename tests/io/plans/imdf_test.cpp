@@ -8,8 +8,8 @@
 #include "draw/flat_fixture.hpp"
 #include "imdf_rules.hpp"
 #include "roomatlas/io/plans/feature_ids.hpp"
-#include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/plan/door_keys.hpp"
+#include "support/shipped_world.hpp"
 
 namespace roomatlas {
 namespace {
@@ -24,10 +24,6 @@ using ::testing::SizeIs;
 
 const ImdfOptions kOptions{"6f1e", {48.013, 7.8335, 30.0}, {"Am Ring 5", "Freiburg", "DE", ""}, ""};
 
-FloorPlan world(const std::string& name) {
-  return read_plan(Path(ROOMATLAS_SOURCE_DIR) / "data" / "worlds" / (name + ".geojson"));
-}
-
 /// Of each feature of a type, by name where it has one, else by its place in the file.
 std::map<std::string, std::string> ids_of(const ImdfFiles& files, const std::string& type) {
   std::map<std::string, std::string> ids;
@@ -40,7 +36,7 @@ std::map<std::string, std::string> ids_of(const ImdfFiles& files, const std::str
 TEST(Imdf, OfEachWorldKeepsTheRulesOfTheSpecification) {
   for (const char* name : {"two_rooms", "eight_rooms", "nine_rooms", "identical_rooms", "open_hall",
                            "afit_floor", "slanted_and_curved"}) {
-    const FloorPlan plan = world(name);
+    const FloorPlan plan = test::shipped_world(name);
     const ImdfFiles files = imdf_files(imdf_archive(plan, kOptions));
     EXPECT_THAT(broken_imdf_rules(files), IsEmpty()) << name;
     EXPECT_GE(imdf_features(files, "unit").size(), plan.rooms.size()) << name;

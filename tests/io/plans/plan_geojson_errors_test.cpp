@@ -12,7 +12,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 /// The message that reading the text ends with.
-std::string refusal(const std::string& text) {
+std::string refusal_of(const std::string& text) {
   try {
     (void)testing_io::read_plan_text(text);
   } catch (const InputError& error) {
@@ -47,52 +47,52 @@ TEST(PlanGeojsonErrors, AMissingFileIsNamed) {
 }
 
 TEST(PlanGeojsonErrors, BadJsonIsNamedWithItsPlace) {
-  EXPECT_THAT(refusal("{\n\"type\": oops}"),
+  EXPECT_THAT(refusal_of("{\n\"type\": oops}"),
               AllOf(HasSubstr("plan.geojson: not valid JSON"), HasSubstr("line 2")));
-  EXPECT_THAT(refusal(""), HasSubstr("not valid JSON"));
-  EXPECT_THAT(refusal("[1, 2]"), HasSubstr("expected an object"));
-  EXPECT_THAT(refusal(second_feature(R"({"kind":"wall"})", polygon("[[[1e999,0]]]"))),
+  EXPECT_THAT(refusal_of(""), HasSubstr("not valid JSON"));
+  EXPECT_THAT(refusal_of("[1, 2]"), HasSubstr("expected an object"));
+  EXPECT_THAT(refusal_of(second_feature(R"({"kind":"wall"})", polygon("[[[1e999,0]]]"))),
               HasSubstr("not valid JSON"));
 }
 
 TEST(PlanGeojsonErrors, AnUnknownWordForAnOpeningOrAPieceOfFurnitureIsRefused) {
-  EXPECT_THAT(refusal(second_feature(
+  EXPECT_THAT(refusal_of(second_feature(
                   R"({"kind":"door","id":1,"jambs":[[0,0],[1,0]],"opening":"hole"})", "null")),
               AllOf(HasSubstr("features[1].properties.opening"), HasSubstr("\"window\"")));
-  EXPECT_THAT(refusal(second_feature(
+  EXPECT_THAT(refusal_of(second_feature(
                   R"({"kind":"door","id":1,"jambs":[[0,0],[1,0]],"leaf":[[0,0]]})", "null")),
               AllOf(HasSubstr("features[1].properties.leaf"), HasSubstr("two positions")));
-  EXPECT_THAT(refusal(second_feature(R"({"kind":"furniture","furniture":"soft"})", kTriangle)),
+  EXPECT_THAT(refusal_of(second_feature(R"({"kind":"furniture","furniture":"soft"})", kTriangle)),
               AllOf(HasSubstr("features[1].properties.furniture"), HasSubstr("\"free_standing\"")));
 }
 
 TEST(PlanGeojsonErrors, AForeignHeaderIsRefused) {
   const std::string sound = testing_io::collection("");
-  EXPECT_EQ(refusal(sound), "no error");
-  EXPECT_THAT(refusal(R"({"type":"FeatureCollection","features":[]})"),
+  EXPECT_EQ(refusal_of(sound), "no error");
+  EXPECT_THAT(refusal_of(R"({"type":"FeatureCollection","features":[]})"),
               HasSubstr("roomatlas: missing"));
-  EXPECT_THAT(refusal(replaced(sound, "\"m\"", "\"ft\"")),
+  EXPECT_THAT(refusal_of(replaced(sound, "\"m\"", "\"ft\"")),
               HasSubstr("roomatlas.units: expected \"m\""));
-  EXPECT_THAT(refusal(replaced(sound, "\"m\"", "\"ft\"")), HasSubstr("found \"ft\""));
-  EXPECT_THAT(refusal(replaced(sound, "\"plan\"", "\"route\"")), HasSubstr("roomatlas.schema"));
-  EXPECT_THAT(refusal(replaced(sound, "1,", "2,")), HasSubstr("roomatlas.version"));
-  EXPECT_THAT(refusal(replaced(sound, "FeatureCollection", "Feature")),
+  EXPECT_THAT(refusal_of(replaced(sound, "\"m\"", "\"ft\"")), HasSubstr("found \"ft\""));
+  EXPECT_THAT(refusal_of(replaced(sound, "\"plan\"", "\"route\"")), HasSubstr("roomatlas.schema"));
+  EXPECT_THAT(refusal_of(replaced(sound, "1,", "2,")), HasSubstr("roomatlas.version"));
+  EXPECT_THAT(refusal_of(replaced(sound, "FeatureCollection", "Feature")),
               HasSubstr("type: expected \"FeatureCollection\", found \"Feature\""));
 }
 
 TEST(PlanGeojsonErrors, AnUnknownKindIsNamedWithItsFeature) {
-  EXPECT_THAT(refusal(second_feature(R"({"kind":"stairs"})", kTriangle)),
+  EXPECT_THAT(refusal_of(second_feature(R"({"kind":"stairs"})", kTriangle)),
               AllOf(HasSubstr("plan.geojson: features[1].properties.kind: expected"),
                     HasSubstr("found \"stairs\"")));
-  EXPECT_THAT(refusal(second_feature("{}", kTriangle)),
+  EXPECT_THAT(refusal_of(second_feature("{}", kTriangle)),
               HasSubstr("features[1].properties.kind: missing"));
-  EXPECT_THAT(refusal(second_feature("null", kTriangle)),
+  EXPECT_THAT(refusal_of(second_feature("null", kTriangle)),
               HasSubstr("features[1].properties: expected an object, found null"));
 }
 
 TEST(PlanGeojsonErrors, ABadPropertyIsNamed) {
   const auto room = [](const std::string& more) {
-    return refusal(second_feature(R"({"kind":"room",)" + more + "}", kTriangle));
+    return refusal_of(second_feature(R"({"kind":"room",)" + more + "}", kTriangle));
   };
   EXPECT_EQ(room(R"("id":1)"), "no error");
   EXPECT_THAT(room(R"("name":"x")"), HasSubstr("features[1].properties.id: missing"));
@@ -106,7 +106,7 @@ TEST(PlanGeojsonErrors, ABadPropertyIsNamed) {
 
 TEST(PlanGeojsonErrors, ABadDoorIsNamed) {
   const auto door = [](const std::string& more) {
-    return refusal(second_feature(R"({"kind":"door","id":1,)" + more + "}", kTriangle));
+    return refusal_of(second_feature(R"({"kind":"door","id":1,)" + more + "}", kTriangle));
   };
   EXPECT_EQ(door(R"("jambs":[[0,0],[0,1]])"), "no error");
   EXPECT_THAT(door(R"("width_m":1)"), HasSubstr("properties.jambs: missing"));
@@ -121,7 +121,7 @@ TEST(PlanGeojsonErrors, ABadDoorIsNamed) {
 
 TEST(PlanGeojsonErrors, ABadGeometryIsNamed) {
   const auto wall = [](const std::string& geometry) {
-    return refusal(second_feature(R"({"kind":"wall"})", geometry));
+    return refusal_of(second_feature(R"({"kind":"wall"})", geometry));
   };
   EXPECT_EQ(wall(kTriangle), "no error");
   EXPECT_THAT(wall("null"), HasSubstr("features[1].geometry: expected an object, found null"));
@@ -142,7 +142,7 @@ TEST(PlanGeojsonErrors, ABadGeometryIsNamed) {
 TEST(PlanGeojsonErrors, IdsThatOccurTwiceAreRefused) {
   const std::string room =
       R"({"type":"Feature","properties":{"kind":"room","id":3},"geometry":)" + kTriangle + "}";
-  EXPECT_THAT(refusal(testing_io::collection(room + "," + room)),
+  EXPECT_THAT(refusal_of(testing_io::collection(room + "," + room)),
               HasSubstr("two rooms have the id 3"));
 }
 

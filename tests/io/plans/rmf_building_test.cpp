@@ -6,17 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/io/plans/route_graph.hpp"
+#include "support/shipped_world.hpp"
 
 namespace roomatlas {
 namespace {
 
 using Json = nlohmann::json;
-
-FloorPlan world(const std::string& name) {
-  return read_plan(Path(ROOMATLAS_SOURCE_DIR) / "data" / "worlds" / (name + ".geojson"));
-}
 
 /// The level's lists: each entry is a line of flow style, which is JSON.
 std::map<std::string, std::vector<Json>> lists_of(const std::string& yaml) {
@@ -51,7 +47,7 @@ bool is_typed(const Json& value) {
 }
 
 TEST(RmfBuilding, RefersToItsVerticesByTypedEdges) {
-  const FloorPlan plan = world("eight_rooms");
+  const FloorPlan plan = test::shipped_world("eight_rooms");
   auto lists = lists_of(rmf_building_yaml(plan));
   const std::vector<Json>& vertices = lists["vertices"];
   for (const Json& vertex : vertices) {
@@ -75,7 +71,7 @@ TEST(RmfBuilding, RefersToItsVerticesByTypedEdges) {
 }
 
 TEST(RmfBuilding, HasThePlansSizesInMetres) {
-  const FloorPlan plan = world("eight_rooms");
+  const FloorPlan plan = test::shipped_world("eight_rooms");
   auto lists = lists_of(rmf_building_yaml(plan));
   const auto at = [&](const Json& index) {
     const Json& vertex = lists["vertices"][index.get<std::size_t>()];
@@ -96,7 +92,7 @@ TEST(RmfBuilding, HasThePlansSizesInMetres) {
 }
 
 TEST(RmfBuilding, RoomsOfOneNameStayApart) {
-  FloorPlan plan = world("two_rooms");
+  FloorPlan plan = test::shipped_world("two_rooms");
   for (PlanRoom& room : plan.rooms) room.name = "Lab: \"1\"";
   auto lists = lists_of(rmf_building_yaml(plan));
   std::vector<std::string> names;

@@ -5,8 +5,7 @@
 
 #include <nlohmann/json.hpp>
 #include <numeric>
-
-#include "roomatlas/io/plans/plan_geojson.hpp"
+#include "support/shipped_world.hpp"
 
 namespace roomatlas {
 namespace {
@@ -14,10 +13,6 @@ namespace {
 using Json = nlohmann::json;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-
-FloorPlan world(const std::string& name) {
-  return read_plan(Path(ROOMATLAS_SOURCE_DIR) / "data" / "worlds" / (name + ".geojson"));
-}
 
 Polygon box(double x0, double y0, double x1, double y1) {
   return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}};
@@ -78,7 +73,7 @@ std::size_t parts(const RouteGraph& graph) {
 class RouteGraphOfWorld : public testing::TestWithParam<const char*> {};
 
 TEST_P(RouteGraphOfWorld, RunsThroughAllDoorsAndNoWall) {
-  const FloorPlan plan = world(GetParam());
+  const FloorPlan plan = test::shipped_world(GetParam());
   const RouteGraph graph = route_graph_of(plan);
   EXPECT_EQ(parts(graph), 1U);
   EXPECT_THAT(graph.rooms_without_way, IsEmpty());
@@ -153,7 +148,7 @@ TEST(RouteGraph, WindowsAreNoWay) {
 
 /// As nav2's loader reads it: nodes by id first, then edges that refer to them.
 TEST(Nav2Route, HasNodesAndDirectedEdgesAsTheRouteServerLoadsThem) {
-  const FloorPlan plan = world("eight_rooms");
+  const FloorPlan plan = test::shipped_world("eight_rooms");
   const Json graph = Json::parse(nav2_route_geojson(plan));
   std::map<unsigned, Json> nodes;
   std::set<unsigned> ids;

@@ -11,28 +11,25 @@
 #include <numeric>
 #include <set>
 #include <sstream>
+#include "support/shipped_world.hpp"
 
 namespace roomatlas {
 namespace {
 
 using testing_io::WorldRaster;
 
-const Path kWorlds = Path(ROOMATLAS_SOURCE_DIR) / "data" / "worlds";
-
 std::vector<std::string> shipped_worlds() {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(kWorlds)) {
+  for (const auto& entry : std::filesystem::directory_iterator(test::kWorlds)) {
     if (entry.path().extension() == ".geojson") names.push_back(entry.path().stem().string());
   }
   std::sort(names.begin(), names.end());
   return names;
 }
 
-FloorPlan world_of(const std::string& name) { return read_plan(kWorlds / (name + ".geojson")); }
-
 const WorldRaster& raster_of(const std::string& name) {
   static std::map<std::string, WorldRaster> rasters;
-  if (!rasters.contains(name)) rasters.emplace(name, WorldRaster(world_of(name)));
+  if (!rasters.contains(name)) rasters.emplace(name, WorldRaster(test::shipped_world(name)));
   return rasters.at(name);
 }
 
@@ -49,14 +46,14 @@ std::size_t doors_of(const FloorPlan& world, RoomId room) {
 
 class ShippedWorld : public testing::TestWithParam<std::string> {
  protected:
-  const FloorPlan world_ = world_of(GetParam());
+  const FloorPlan world_ = test::shipped_world(GetParam());
 };
 
 INSTANTIATE_TEST_SUITE_P(EveryOne, ShippedWorld, testing::ValuesIn(shipped_worlds()),
                          [](const auto& world) { return world.param; });
 
 TEST_P(ShippedWorld, IsWrittenAsTheWriterWouldWriteIt) {
-  std::ifstream stream(kWorlds / (GetParam() + ".geojson"), std::ios::binary);
+  std::ifstream stream(test::kWorlds / (GetParam() + ".geojson"), std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();
   EXPECT_EQ(to_geojson(world_), text.str());
@@ -154,7 +151,7 @@ TEST_P(ShippedWorld, NamesNumbersAndSizesBelongToTheirRooms) {
 
 TEST(ShippedWorlds, FurnitureOfTheLargerWorldsStandsClearOfTheDoors) {
   for (const char* name : {"nine_rooms", "afit_floor"}) {
-    const FloorPlan world = world_of(name);
+    const FloorPlan world = test::shipped_world(name);
     EXPECT_GE(world.furniture.size(), 5U);
     for (const Polygon& piece : outlines_of(world.furniture)) {
       for (const PlanDoor& door : world.doors) {
@@ -167,13 +164,13 @@ TEST(ShippedWorlds, FurnitureOfTheLargerWorldsStandsClearOfTheDoors) {
 }
 
 TEST(ShippedWorlds, TwoRoomsAreJoinedByOneDoor) {
-  const FloorPlan world = world_of("two_rooms");
+  const FloorPlan world = test::shipped_world("two_rooms");
   EXPECT_EQ(world.rooms.size(), 2U);
   EXPECT_EQ(world.doors.size(), 1U);
 }
 
 TEST(ShippedWorlds, NineRoomsHasALoopAndADoorBetweenRoomsFiveAndSix) {
-  const FloorPlan world = world_of("nine_rooms");
+  const FloorPlan world = test::shipped_world("nine_rooms");
   EXPECT_EQ(world.rooms.size(), 9U);
   EXPECT_GE(loops_of(world), 1U);
   EXPECT_EQ(
@@ -183,7 +180,7 @@ TEST(ShippedWorlds, NineRoomsHasALoopAndADoorBetweenRoomsFiveAndSix) {
 }
 
 TEST(ShippedWorlds, TheAfitFloorHasItsSizeItsRoomsAndItsLoops) {
-  const FloorPlan world = world_of("afit_floor");
+  const FloorPlan world = test::shipped_world("afit_floor");
   Box2 box;
   for (const Polygon& wall : world.walls) {
     for (const Point2& corner : wall.outer) box.extend(corner);
@@ -219,7 +216,7 @@ TEST(ShippedWorlds, TheAfitFloorHasItsSizeItsRoomsAndItsLoops) {
 }
 
 TEST(ShippedWorlds, TenIdenticalRoomsDifferInPlaceOnly) {
-  const FloorPlan world = world_of("identical_rooms");
+  const FloorPlan world = test::shipped_world("identical_rooms");
   int rooms = 0;
   for (const PlanRoom& room : world.rooms) {
     if (room.kind == RoomKind::corridor) continue;
@@ -234,7 +231,7 @@ TEST(ShippedWorlds, TenIdenticalRoomsDifferInPlaceOnly) {
 }
 
 TEST(ShippedWorlds, TheCurvedWallTurnsByAtMostTenDegreesAndTheWingStandsAtThirty) {
-  const FloorPlan world = world_of("slanted_and_curved");
+  const FloorPlan world = test::shipped_world("slanted_and_curved");
   const auto ring_of = [&](const std::string& name) {
     return std::find_if(world.rooms.begin(), world.rooms.end(),
                         [&](const PlanRoom& room) { return room.name == name; })
@@ -259,7 +256,7 @@ TEST(ShippedWorlds, TheCurvedWallTurnsByAtMostTenDegreesAndTheWingStandsAtThirty
 }
 
 TEST(ShippedWorlds, TheOpenHallHasPillarsAndNoDoors) {
-  const FloorPlan world = world_of("open_hall");
+  const FloorPlan world = test::shipped_world("open_hall");
   ASSERT_EQ(world.rooms.size(), 1U);
   EXPECT_EQ(world.rooms[0].kind, RoomKind::hall);
   EXPECT_TRUE(world.doors.empty());

@@ -10,23 +10,22 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include "support/shipped_world.hpp"
 
 namespace roomatlas {
 namespace {
 
-const Path kWorlds = Path(ROOMATLAS_SOURCE_DIR) / "data" / "worlds";
-
 /// The worlds that have a drive, by name.
 std::vector<std::string> world_names() {
   std::set<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(kWorlds)) {
+  for (const auto& entry : std::filesystem::directory_iterator(test::kWorlds)) {
     if (entry.path().extension() == ".drive") names.insert(entry.path().stem().string());
   }
   return {names.begin(), names.end()};
 }
 
 Drive drive_of(const std::string& name) {
-  std::ifstream stream(kWorlds / (name + ".drive"));
+  std::ifstream stream(test::kWorlds / (name + ".drive"));
   Drive drive;
   for (std::string line; std::getline(stream, line);) {
     std::istringstream words(line.substr(0, line.find('#')));
@@ -62,7 +61,7 @@ int covers_of(const FloorPlan& world, const Point2& point) {
 
 class World : public testing::TestWithParam<std::string> {
  protected:
-  const FloorPlan world_ = read_plan(kWorlds / (GetParam() + ".geojson"));
+  const FloorPlan world_ = read_plan(test::kWorlds / (GetParam() + ".geojson"));
   const Drive drive_ = drive_of(GetParam());
 };
 
@@ -70,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(EveryOne, World, testing::ValuesIn(world_names()),
                          [](const auto& world) { return world.param; });
 
 TEST_P(World, IsWrittenAsTheWriterWouldWriteIt) {
-  std::ifstream stream(kWorlds / (GetParam() + ".geojson"), std::ios::binary);
+  std::ifstream stream(test::kWorlds / (GetParam() + ".geojson"), std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();
   EXPECT_EQ(to_geojson(world_), text.str());
@@ -165,7 +164,7 @@ TEST_P(World, TheDriveCrossesEveryDoorInTheMiddleAndStraight) {
 }
 
 TEST(Worlds, EightRoomsHasEightRoomsTwoCorridorsAndADriveOfTheLengthItClaims) {
-  const FloorPlan world = read_plan(kWorlds / "eight_rooms.geojson");
+  const FloorPlan world = read_plan(test::kWorlds / "eight_rooms.geojson");
   const auto corridors =
       std::count_if(world.rooms.begin(), world.rooms.end(),
                     [](const PlanRoom& room) { return room.kind == RoomKind::corridor; });

@@ -16,25 +16,26 @@ using Mode = GeoPackageStore::Mode;
 /// Where in the life of its third ASR's transaction a child process kills itself.
 enum class Moment { row_written, before_commit, after_commit };
 
-struct Bomb {
+struct WriteBomb {
   Moment moment = Moment::row_written;
   int commits_left = 0;
   bool armed = false;
 };
-Bomb bomb;  // of the child process; SQLite's extension hook takes no argument
+WriteBomb write_bomb;  // of the child process; SQLite's extension hook takes no argument
 
-void on_row(void*, int, const char*, const char* table, sqlite3_int64) {
-  if (bomb.armed && bomb.moment == Moment::row_written && std::string(table) == "path_samples") {
+void on_written_row(void*, int, const char*, const char* table, sqlite3_int64) {
+  if (write_bomb.armed && write_bomb.moment == Moment::row_written &&
+      std::string(table) == "path_samples") {
     ::kill(::getpid(), SIGKILL);
   }
 }
-int on_commit(void*) {
-  if (bomb.armed && bomb.moment == Moment::before_commit) ::kill(::getpid(), SIGKILL);
+int on_write_commit(void*) {
+  if (write_bomb.armed && write_bomb.moment == Moment::before_commit) ::kill(::getpid(), SIGKILL);
   return 0;
 }
-int lay_bomb(sqlite3* db, char**, const void*) {
-  sqlite3_update_hook(db, on_row, nullptr);
-  sqlite3_commit_hook(db, on_commit, nullptr);
+int lay_write_bomb(sqlite3* db, char**, const void*) {
+  sqlite3_update_hook(db, on_written_row, nullptr);
+  sqlite3_commit_hook(db, on_write_commit, nullptr);
   return SQLITE_OK;
 }
 
@@ -43,11 +44,11 @@ void crash_in_the_third_asr(const std::filesystem::path& file, Moment moment) {
   const pid_t child = ::fork();
   ASSERT_GE(child, 0);
   if (child == 0) {
-    bomb.moment = moment;
-    sqlite3_auto_extension(reinterpret_cast<void (*)()>(lay_bomb));
+    write_bomb.moment = moment;
+    sqlite3_auto_extension(reinterpret_cast<void (*)()>(lay_write_bomb));
     GeoPackageStore store(file, Mode::create);
     for (AsrId id = 1; id <= 3; ++id) {
-      bomb.armed = id == 3;
+      write_bomb.armed = id == 3;
       store.put(TruePose{static_cast<double>(id), {}});
       store.put(sample_asr(id, 3000));  // more than SQLite's cache holds
     }

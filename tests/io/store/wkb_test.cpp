@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include "store_samples.hpp"
 
 namespace roomatlas {
 namespace {
@@ -20,11 +21,6 @@ std::string hex(const Bytes& bytes) {
     text += "0123456789abcdef"[byte & 15];
   }
   return text;
-}
-
-void expect_same(const Polygon& a, const Polygon& b) {
-  EXPECT_EQ(a.outer, b.outer);
-  EXPECT_EQ(a.holes, b.holes);
 }
 
 TEST(Wkb, ALineIsWrittenAsTheStandardSays) {

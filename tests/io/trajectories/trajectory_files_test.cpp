@@ -19,7 +19,7 @@ using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 template <typename Call>
-std::string refusal(Call call) {
+std::string refusal_by(Call call) {
   try {
     call();
   } catch (const InputError& error) {
@@ -63,7 +63,7 @@ TEST(Tum, ReadsCommentsAndNamesWhatIsWrong) {
   ASSERT_EQ(read.size(), 1U);
   EXPECT_NEAR(read[0].pose.theta_rad, kPi / 2, 1e-12);
   const auto of = [&](const std::string& text) {
-    return refusal([&] { (void)read_tum(folder.write("b.tum", text)); });
+    return refusal_by([&] { (void)read_tum(folder.write("b.tum", text)); });
   };
   EXPECT_THAT(of("\n1 2 3 0 0 0 0\n"), HasSubstr("b.tum:2: expected 8 numbers (timestamp tx ty"));
   EXPECT_THAT(of("1 2 3 0 0 0 0 0\n"), HasSubstr("b.tum:1: qx qy qz qw: expected a unit"));
@@ -83,18 +83,19 @@ TEST(Relations, AreThePoseAtTheSecondTimeInTheFrameOfTheFirst) {
   EXPECT_EQ(relations[0].t2_s, 1217.490267);
   EXPECT_EQ(relations[0].pose1_from_pose2, (Pose2{0.40795, -0.01633, -0.06962}));
   EXPECT_NEAR(relations[1].pose1_from_pose2.theta_rad, 7 - 2 * kPi, 1e-12);
-  EXPECT_THAT(refusal([&] {
+  EXPECT_THAT(refusal_by([&] {
                 (void)read_relations(folder.write("b.relations", "1 2 3 4 5 6 7 8\n1 2 3\n"));
               }),
               HasSubstr("b.relations:2: expected 8 numbers (t1 t2 x y z roll pitch yaw), found 3"));
-  EXPECT_THAT(refusal([&] { (void)read_relations(folder / "none"); }), HasSubstr("no such file"));
+  EXPECT_THAT(refusal_by([&] { (void)read_relations(folder / "none"); }),
+              HasSubstr("no such file"));
 }
 
 TEST(DriveFile, HoldsOneWayPointALineAndComments) {
   const TemporaryFolder folder;
   const Drive drive = read_drive(folder.write("drive.txt", "# tour\n1 2  # start\n\n-3.5 4e0\n"));
   EXPECT_THAT(drive, testing::ElementsAre(Point2(1, 2), Point2(-3.5, 4)));
-  EXPECT_THAT(refusal([&] { (void)read_drive(folder.write("drive.txt", "1 2\n1 2 3\n")); }),
+  EXPECT_THAT(refusal_by([&] { (void)read_drive(folder.write("drive.txt", "1 2\n1 2 3\n")); }),
               HasSubstr("drive.txt:2: expected 2 numbers (x y), found 3"));
 }
 

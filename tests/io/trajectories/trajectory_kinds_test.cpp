@@ -13,14 +13,14 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TrajectoryFile read(const std::string& text, LogPoses log_poses = LogPoses::recorded) {
+TrajectoryFile read_path(const std::string& text, LogPoses log_poses = LogPoses::recorded) {
   const test::TemporaryFolder folder;
   return read_trajectory(folder.write("file", text), {}, log_poses);
 }
 
 std::string refusal(const std::string& text) {
   try {
-    (void)read(text);
+    (void)read_path(text);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -28,20 +28,21 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(TrajectoryFile, IsToldByTheNumberOfItsColumns) {
-  EXPECT_EQ(read("# a comment\n5 1 2 0 0 0 0 1\n").format, "TUM");
-  const TrajectoryFile stamped = read("# timestamp x y theta\n5.5 1 2 0.5\n6.5 2 2 0.6 # end\n");
+  EXPECT_EQ(read_path("# a comment\n5 1 2 0 0 0 0 1\n").format, "TUM");
+  const TrajectoryFile stamped =
+      read_path("# timestamp x y theta\n5.5 1 2 0.5\n6.5 2 2 0.6 # end\n");
   EXPECT_EQ(stamped.format, "poses");
   ASSERT_EQ(stamped.poses.size(), 2U);
   EXPECT_EQ(stamped.poses[0].timestamp_s, 5.5);
   EXPECT_EQ(stamped.poses[0].pose, (Pose2{1, 2, 0.5}));
-  const TrajectoryFile plain = read("1 2 0.5\n2 2 0.6\n");
+  const TrajectoryFile plain = read_path("1 2 0.5\n2 2 0.6\n");
   EXPECT_EQ(plain.clock, PoseClock::numbers);
   EXPECT_EQ(plain.poses[1].timestamp_s, 1.0);
 }
 
 TEST(TrajectoryFile, OfAGraphHasItsVerticesWithTheirIdsAsTimes) {
   const TrajectoryFile graph =
-      read("EDGE_SE2 7 3 1 0 0 1 0 0 1 0 1\nVERTEX_SE2 7 1 2 0.5\nVERTEX_SE2 3 0 0 0\n");
+      read_path("EDGE_SE2 7 3 1 0 0 1 0 0 1 0 1\nVERTEX_SE2 7 1 2 0.5\nVERTEX_SE2 3 0 0 0\n");
   EXPECT_EQ(graph.format, "g2o");
   EXPECT_EQ(graph.clock, PoseClock::numbers);
   ASSERT_EQ(graph.poses.size(), 2U);
@@ -52,8 +53,8 @@ TEST(TrajectoryFile, OfAGraphHasItsVerticesWithTheirIdsAsTimes) {
 TEST(TrajectoryFile, OfAGraphWithScansHasTheirTimestamps) {
   const std::string scan = "ROBOTLASER1 0 -1 2 1 50 0.1 0 1 3.5 0 0 0 0 0 0 0 0 0 0 0 0 ";
   const TrajectoryFile graph =
-      read("VERTEX2 0 1 2 0.5\n" + scan + "44.25 host 3.5\nVERTEX2 1 2 2 0.5\n" + scan +
-           "44.5 host 3.75\n");
+      read_path("VERTEX2 0 1 2 0.5\n" + scan + "44.25 host 3.5\nVERTEX2 1 2 2 0.5\n" + scan +
+                "44.5 host 3.75\n");
   EXPECT_EQ(graph.clock, PoseClock::timestamps);
   EXPECT_EQ(graph.poses[1].timestamp_s, 44.5);
 }
@@ -66,10 +67,10 @@ TEST(TrajectoryFile, OfALogHasOdometryOrWhereTruthIsMeantItsTruePoses) {
   const std::string log =
       "FLASER 1 3.5 9 2 0 1 2 0.5 100.5 host 0.5\n"
       "TRUEPOS 7 8 0.1 1 2 0.5 100.5 host 0.5\n";
-  const TrajectoryFile recorded = read(log);
+  const TrajectoryFile recorded = read_path(log);
   ASSERT_EQ(recorded.poses.size(), 1U);
   EXPECT_EQ(recorded.poses[0].pose, (Pose2{1, 2, 0.5}));
-  EXPECT_EQ(read(log, LogPoses::truth).poses.at(0).pose, (Pose2{7, 8, 0.1}));
+  EXPECT_EQ(read_path(log, LogPoses::truth).poses.at(0).pose, (Pose2{7, 8, 0.1}));
 }
 
 TEST(TrajectoryFile, WithHeadingsInDegreesIsRefused) {
