@@ -10,8 +10,7 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kRobot_m = 0.15;    // around the path all is floor, see `OccupancyOptions`
-constexpr double kSameDoor_m = 0.5;  // between the middles of a door in two plans
+constexpr double kRobot_m = 0.15;  // around the path all is floor, see `OccupancyOptions`
 
 /// Visits the cells in or near an outline: `visit(cell, is_inside)`.
 template <typename Visit>

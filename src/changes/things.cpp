@@ -8,7 +8,6 @@
 namespace roomatlas::changes {
 namespace {
 
-constexpr double kSameDoor_m = 0.5;    // between the middles of a door in two plans
 constexpr double kWidestDoor_m = 1.8;  // what stands in wider ones is a wall, or furniture
 constexpr double kBesideJamb_m = 0.1;  // of what shuts a door, along the wall
 constexpr double kMostOfIt = 0.75;     // of its cells

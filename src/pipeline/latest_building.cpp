@@ -12,8 +12,6 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kSameDoor_m = 0.45;  // between the middles of a door as found and as drawn
-
 /// The visits of some missions, and from when to when they were driven.
 struct TimeStretch {
   double first_s = std::numeric_limits<double>::infinity();

@@ -11,6 +11,9 @@
 
 namespace roomatlas {
 
+/// Nearer than this the middles of two doors, in two plans of a building, are those of one.
+inline constexpr double kSameDoor_m = 0.5;
+
 /// When something is a change.
 struct ChangeOptions {
   GatherOptions evidence;
