@@ -30,6 +30,9 @@ endforeach()
 if(ROOMATLAS_SANITIZER STREQUAL address)
   # What is undefined ends the program as a wrong access does; both say where.
   set(sanitize -fsanitize=address,undefined -fno-sanitize-recover=undefined)
+  # Else Eigen pads what it allocates where it sees this sanitizer, and Ceres' library, which does not,
+  # frees it as it is.
+  add_compile_definitions(EIGEN_MALLOC_ALREADY_ALIGNED=1)
 elseif(ROOMATLAS_SANITIZER STREQUAL thread)
   set(sanitize -fsanitize=thread)
 elseif(ROOMATLAS_SANITIZER)
