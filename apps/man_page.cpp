@@ -153,6 +153,15 @@ std::string man_page(const ProgramText& program) {
   return text + pages + "\n";
 }
 
+std::string man_page_alone(const ProgramText& program, const std::string& usage) {
+  std::string text = head(program.name, program.meaning);
+  text += section("SYNOPSIS") + bold(program.name) + " " + escaped(usage) + "\n";
+  text += section("DESCRIPTION") + escaped(program.meaning) + ".\n";
+  text += section("OPTIONS") + list_of(program.common);
+  text += section("PARAMETERS") + groups_of(program.parameters);
+  return text + exit_status() + section("SEE ALSO") + ".BR roomatlas (1),\n.BR mpirun (1)\n";
+}
+
 std::string man_page(const ProgramText& program, const CommandText& command) {
   std::string text = head("roomatlas-" + command.name, command.meaning);
   text += section("SYNOPSIS") + usage_of(command) + "\n";

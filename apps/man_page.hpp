@@ -11,6 +11,10 @@ namespace roomatlas::apps {
 /// `roomatlas.1` in roff (man(7)): commands, options of all of them, parameters, exit status.
 [[nodiscard]] std::string man_page(const ProgramText& program);
 
+/// The page of a program that has no commands, such as `roomatlas-fleet.1`.
+/// @param usage what follows its name
+[[nodiscard]] std::string man_page_alone(const ProgramText& program, const std::string& usage);
+
 /// `roomatlas-COMMAND.1`.
 [[nodiscard]] std::string man_page(const ProgramText& program, const CommandText& command);
 

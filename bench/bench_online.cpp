@@ -18,71 +18,12 @@
 #include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/simulate/simulate.hpp"
+#include "row_of_rooms.hpp"
 
 namespace {
 
 using namespace roomatlas;
-
-constexpr double kRoomX = 6.0;  // metres, inside
-constexpr double kRoomY = 5.0;
-constexpr double kWall = 0.2;
-constexpr double kPeriod = kRoomX + kWall;
-constexpr double kDoor = 0.9;
-constexpr int kVariants = 5;  // of the noise: rooms 1, 6, 11 ... get the same readings
-
-Polygon box(double min_x, double min_y, double max_x, double max_y) {
-  return {{{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}}, {}};
-}
-
-/// Equal rooms in a row along x, joined by doors in the middle of their walls.
-FloorPlan row_of_rooms(int rooms) {
-  FloorPlan plan;
-  const double end = rooms * kPeriod;
-  plan.walls = {box(-kWall, -kWall, end, 0.0), box(-kWall, kRoomY, end, kRoomY + kWall)};
-  for (int wall = 0; wall <= rooms; ++wall) {
-    const double x = wall * kPeriod - kWall;
-    const double half = wall == 0 || wall == rooms ? 0.0 : kDoor / 2.0;
-    plan.walls.push_back(box(x, 0.0, x + kWall, kRoomY / 2.0 - half));
-    plan.walls.push_back(box(x, kRoomY / 2.0 + half, x + kWall, kRoomY));
-  }
-  return plan;
-}
-
-/// The readings of one room, from just behind its door to just behind the next. The last step is
-/// the first of the next room, moved by a room.
-std::vector<SimulatedStep> steps_through_a_room(std::uint64_t seed) {
-  const double y = kRoomY / 2.0;
-  const double x = kPeriod + 0.6;  // of the second of four rooms: both neighbours can be seen
-  const Drive drive = {{x, y},       {x + 1.0, y},    {x + 1.8, y + 1.2}, {x + 3.6, y + 1.2},
-                       {x + 4.4, y}, {x + kPeriod, y}};
-  SimulationOptions options;
-  options.seed = seed;
-  std::vector<SimulatedStep> steps;
-  simulate(row_of_rooms(4), drive, options,
-           [&](const SimulatedStep& step) { steps.push_back(step); });
-  return steps;
-}
-
-/// The readings of very many equal rooms, of which a few are simulated.
-class Row {
- public:
-  Row() {
-    for (int i = 0; i < kVariants; ++i) {
-      variants_.push_back(steps_through_a_room(static_cast<std::uint64_t>(i + 1)));
-      // the same sensor throughout, as in one log
-      for (SimulatedStep& step : variants_.back()) {
-        step.reading.sensor = variants_.front().front().reading.sensor;
-      }
-    }
-  }
-
-  [[nodiscard]] const std::vector<SimulatedStep>& steps_in(int room) const {
-    return variants_[static_cast<std::size_t>((room - 1) % kVariants)];
-  }
-
- private:
-  std::vector<std::vector<SimulatedStep>> variants_;
-};
+using namespace roomatlas::bench;
 
 /// Passes ASRs on and adds up their bytes.
 class CountingSink : public AsrSink {
@@ -122,38 +63,25 @@ double quantile(std::vector<double> values, double share) {
 /// A mission on its way along the row.
 class Mission {
  public:
-  Mission(const Row& row, AsrSink& sink) : row_(row), recorder_({}, RobotFootprint{}, sink) {}
+  Mission(const Row& row, AsrSink& sink)
+      : drive_(row, 0.1), recorder_({}, RobotFootprint{}, sink) {}
 
   /// Takes the next reading; returns what that cost.
   double step_us() {
-    const auto& steps = row_.steps_in(room_);
-    RangeReading reading = steps[at_].reading;
-    reading.timestamp_s = time_s_;
-    reading.odom_from_robot = odom_from_robot_;
+    const RangeReading reading = drive_.next();
     const double before_us = now_us();
     recorder_.add(reading, reading.odom_from_robot);
     const double cost_us = now_us() - before_us;
-    odom_from_robot_ = odom_from_robot_ * (inverse(steps[at_].reading.odom_from_robot) *
-                                           steps[at_ + 1].reading.odom_from_robot);
-    time_s_ += 0.1;
     ++steps_;
-    if (++at_ + 1 == steps.size()) {
-      at_ = 0;
-      ++room_;
-    }
     return cost_us;
   }
   void finish() { recorder_.finish(); }
-  [[nodiscard]] int room() const { return room_; }  ///< of the next reading, from 1
+  [[nodiscard]] int room() const { return drive_.room(); }  ///< of the next reading, from 1
   [[nodiscard]] std::int64_t steps() const { return steps_; }
 
  private:
-  const Row& row_;
+  RowDrive drive_;
   AsrRecorder recorder_;
-  Pose2 odom_from_robot_;
-  double time_s_ = 1e9;
-  int room_ = 1;
-  std::size_t at_ = 0;
   std::int64_t steps_ = 0;
 };
 

@@ -21,6 +21,13 @@ if(ROOMATLAS_PROGRAM)
   endif()
   if(TARGET roomatlas-fleet)
     install(TARGETS roomatlas-fleet COMPONENT fleet)
+    if(NOT CMAKE_CROSSCOMPILING)
+      install(CODE "
+        execute_process(COMMAND \"${CMAKE_COMMAND}\" \"-DFLEET=$<TARGET_FILE:roomatlas-fleet>\"
+          \"-DPREFIX=\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\" -DMAN=${CMAKE_INSTALL_MANDIR}
+          -DGZIP=${ROOMATLAS_PACKAGES} -P \"${PROJECT_SOURCE_DIR}/cmake/install_text.cmake\"
+          COMMAND_ERROR_IS_FATAL ANY)" COMPONENT fleet)
+    endif()
     list(APPEND installed roomatlas-fleet)
   endif()
 endif()

@@ -23,6 +23,7 @@
 #include "console.hpp"
 #include "exit_code.hpp"
 #include "fleet.hpp"
+#include "man_page.hpp"
 #include "printable.hpp"
 #include "roomatlas/core/issue.hpp"
 
@@ -39,10 +40,8 @@ struct CommandLine {
 
 /// @returns the exit code of a command line that is answered at once
 std::optional<int> read(int argc, char** argv, CommandLine& line) {
-  CLI::App app(
-      "Roomatlas for a fleet: mission logs -> one building, by the ranks of an MPI run:\n"
-      "mpirun --enable-recovery -n 8 roomatlas-fleet MISSIONS... -o building.gpkg",
-      "roomatlas-fleet");
+  CLI::App app("mission logs of a fleet -> one building, by the ranks of an MPI run",
+               "roomatlas-fleet");
   app.set_version_flag("--version", ROOMATLAS_VERSION);
   app.set_config("--config", "", "read parameters from this file (TOML)")->configurable(false);
   app.config_formatter(std::make_shared<ConfigurationFile>(app));
@@ -61,6 +60,11 @@ std::optional<int> read(int argc, char** argv, CommandLine& line) {
   bind_parameters(app, line.settings);
   const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
   const bool speaks = rank == nullptr || std::string(rank) == "0";  // one of all is enough
+  app.footer("mpirun --enable-recovery -n 8 roomatlas-fleet MISSION... -o building.gpkg");
+  if (argc == 2 && std::string(argv[1]) == "--man") {  // for who installs it
+    fmt::print("{}", man_page_alone(text_of(app), "[OPTIONS] MISSION... -o building.gpkg"));
+    return kOk;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

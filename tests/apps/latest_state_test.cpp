@@ -244,6 +244,19 @@ TEST_F(LatestStateOfABuilding, IsInTheSummaryAndInTheStore) {
             0.8);
 }
 
+TEST_F(LatestStateOfABuilding, IsOnTheReportPageWhereAClickShowsIt) {
+  ROOMATLAS_NEEDS("chromium");
+  ROOMATLAS_NEEDS("node");
+  ASSERT_EQ(joined(a_ + " " + b_, "page.gpkg").exit_code, 0);
+  const std::string page = path("page.html");
+  ASSERT_EQ(run("-q report " + path("page.gpkg") + " -o " + page).exit_code, 0);
+  const Outcome looked = run_other("timeout 300 node " + std::string(ROOMATLAS_SOURCE_DIR) +
+                                   "/tests/apps/browser/changed.mjs " + page + " " +
+                                   path("profile"));
+  EXPECT_EQ(looked.exit_code, 0) << looked.err;
+  EXPECT_EQ(looked.out, "rows 3; 1 ring, there; 1 ring, there; complaints ");
+}
+
 TEST_F(LatestStateOfABuilding, WithoutChangesIsTheSumToTheByte) {
   const Outcome done = joined(a_ + " " + same_, "unchanged.gpkg");
   ASSERT_EQ(done.exit_code, 0) << done.err;

@@ -96,27 +96,42 @@ TEST(Completion, ForAnotherShellIsRefused) {
   EXPECT_THAT(outcome.err, HasSubstr("expected one of bash, zsh, fish, found \"tcsh\""));
 }
 
+/// What the checkers that are there find in a page.
+void expect_sound(const std::string& page, const Folder& folder) {
+  EXPECT_THAT(content_of(page), HasSubstr(".SH NAME\n")) << page;
+  if (has("mandoc")) {
+    const std::string said =
+        said_by("sh", folder, "mandoc -Tlint -W warning " + page + " | grep -v 'missing date'\n");
+    EXPECT_EQ(said, "");
+  }
+  if (has("groff")) {
+    EXPECT_EQ(said_by("sh", folder, "groff -man -ww -z " + page + "\n"), "");
+  }
+}
+
 TEST(ManualPages, AreOneForTheProgramAndOneForEachCommand) {
   const Folder folder;
   ASSERT_EQ(run("man -o " + (folder / "man").string()).exit_code, 0);
   int pages = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder / "man")) {
     ++pages;
-    const std::string page = entry.path().string();
-    EXPECT_THAT(content_of(page), HasSubstr(".SH NAME\n")) << page;
-    if (has("mandoc")) {
-      const std::string said =
-          said_by("sh", folder, "mandoc -Tlint -W warning " + page + " | grep -v 'missing date'\n");
-      EXPECT_EQ(said, "");
-    }
-    if (has("groff")) {
-      EXPECT_EQ(said_by("sh", folder, "groff -man -ww -z " + page + "\n"), "");
-    }
+    expect_sound(entry.path().string(), folder);
   }
   EXPECT_GE(pages, 18);
   EXPECT_EQ(run("man").out, content_of(folder / "man" / "roomatlas.1"));
   EXPECT_EQ(run("man build").out, content_of(folder / "man" / "roomatlas-build.1"));
 }
+
+#ifdef ROOMATLAS_FLEET
+TEST(ManualPages, AreOneForTheFleetWithItsParameters) {
+  const Folder folder;
+  const std::string page = (folder / "roomatlas-fleet.1").string();
+  (void)said_by("sh", folder, std::string(ROOMATLAS_FLEET) + " --man > " + page + "\n");
+  expect_sound(page, folder);
+  EXPECT_THAT(content_of(page), HasSubstr("\\fB\\-\\-output\\fR"));
+  EXPECT_THAT(content_of(page), HasSubstr("\\fB\\-\\-jobs\\fR"));
+}
+#endif
 
 TEST(ManualPages, SayWhatTheHelpSays) {
   const std::string page = run("man build").out;

@@ -71,25 +71,41 @@ function makeEditor(data, view) {
     }
     element('edit-list').replaceChildren(...edits.map((one) => {
       const item = document.createElement('li');
-      item.textContent = words(one);
+      const button = document.createElement('button');
+      button.type = 'button';
+      button.textContent = 'Remove';
+      button.setAttribute('aria-label', `Remove: ${words(one)}`);
+      button.addEventListener('click', () => remove(one));
+      item.append(`${words(one)} `, button);
       return item;
     }));
-    element('edit-undo').disabled = edits.length === 0;
+    element('edit-undo').disabled = edits.length === 0 && done.length === 0;
     element('edit-redo').disabled = undone.length === 0;
   }
+  function remove(one) {
+    change(edits.filter((other) => other !== one));
+    reset();
+    element('edit-undo').focus();  // its button is gone
+    desk.say(`${words(one)}: removed.`);
+  }
+  /// What came to a list of statements and went.
+  const told = (before, after) => [...after.filter((one) => !before.includes(one)).map(words),
+    ...before.filter((one) => !after.includes(one)).map((one) => `${words(one)} removed`)].join(', ');
   function undo() {
-    if (!edits.length) return desk.say('Nothing is left to undo.');
-    undone.push(edits);
+    if (!edits.length && !done.length) return desk.say('Nothing is left to undo.');
+    const was = edits;
+    undone.push(was);
     edits = done.length ? done.pop() : edits.slice(0, -1);
     reset();
-    return desk.say(`Undone: ${words(undone[undone.length - 1][edits.length])}.`);
+    return desk.say(`Undone: ${told(edits, was)}.`);
   }
   function redo() {
     if (!undone.length) return desk.say('Nothing is left to do again.');
-    done.push(edits);
+    const was = edits;
+    done.push(was);
     edits = undone.pop();
     reset();
-    return desk.say(`Done again: ${words(edits[edits.length - 1])}.`);
+    return desk.say(`Done again: ${told(was, edits)}.`);
   }
   const text = () => `{"format": "roomatlas-edits", "version": 1, "frame": "building", "edits": [${
     edits.map((one) => `\n ${JSON.stringify(one)}`).join(',')}\n]}\n`;

@@ -92,6 +92,15 @@ function makeMap(data, onSelect) {
     if (!isFromMap) map.fitBounds(selected.getBounds().pad(1.5), { maxZoom: 6, animate: false });
   }
 
+  // Rings a place, in building metres.
+  function showPlace(at) {
+    if (selected) selected.remove();
+    selected = L.circleMarker(latLng(at), { pane: 'missions', interactive: false, fill: false, color: '#0072b2', weight: 4, radius: 16 }).addTo(map);
+    isMoved = true;
+    map.setView(latLng(at), Math.max(map.getZoom(), 5), { animate: false });
+    container.scrollIntoView({ block: 'nearest' });
+  }
+
   // The map is as high as the plan needs, and shows all of it until somebody moves or zooms it.
   const fitting = { padding: [12, 12], animate: false };
   let isMoved = false;
@@ -122,5 +131,5 @@ function makeMap(data, onSelect) {
   for (const pane of ['tooltipPane', 'missions']) map.getPane(pane).setAttribute('aria-hidden', 'true');
   plan.picture.setAttribute('role', 'img');
   plan.picture.setAttribute('aria-label', `Floor plan; rooms: ${data.rooms.length}, doors: ${data.doors.length}. The table of rooms lists them.`);
-  return { map, layers, show, select, setMoment, roomAt };
+  return { map, layers, show, select, showPlace, setMoment, roomAt };
 }

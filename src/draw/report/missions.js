@@ -1,6 +1,25 @@
 'use strict';
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Several missions of a building: which drove when, who saw which room, and how well they agree.
+// What newer missions saw otherwise than older ones.
+// seenLast: of the summary, or nothing; showOnMap(at): brings a place of the building into view
+function fillChanged(seenLast, showOnMap) {
+  const things = ((seenLast || {}).missions || []).flatMap((seen) => seen.things.map((thing) => ({ ...thing, mission: seen.mission })));
+  document.getElementById('changed-part').hidden = things.length === 0;
+  const onRow = (tr, thing) => {
+    tr.className = 'clickable';
+    tr.tabIndex = 0;
+    tr.addEventListener('click', () => showOnMap(thing.at));
+    tr.addEventListener('keydown', (event) => { if (event.key === 'Enter') showOnMap(thing.at); });
+  };
+  fillTable(document.getElementById('changed'), [
+    { label: 'What', value: (thing) => thing.kind },
+    { label: 'Seen by', value: (thing) => thing.mission },
+    { label: 'Size m', value: (thing) => thing.size_m, text: (thing) => thing.size_m.toFixed(2), number: true },
+    { label: 'Where m', value: (thing) => thing.at[0], text: (thing) => thing.at.map((metres) => metres.toFixed(1)).join(', '), number: true },
+  ], things, { onRow });
+}
+
 // missions: of the summary's evaluation; rooms: [{ id, name }]
 function fillMissions(missions, rooms) {
   const element = (id) => document.getElementById(id);

@@ -147,6 +147,7 @@
   // Missions
   const missions = (summary.evaluation || {}).missions;
   if (missions) fillMissions(missions, data.rooms);
+  if (missions) fillChanged(summary.seen_last, (at) => view.showPlace(at));
   else hide('missions-section');
 
   // Warnings
