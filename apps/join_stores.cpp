@@ -14,6 +14,7 @@
 #include "plan_report.hpp"
 #include "roomatlas/asr/joined_source.hpp"
 #include "roomatlas/core/counted.hpp"
+#include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "store_edits.hpp"
 #include "store_metadata.hpp"
@@ -150,6 +151,13 @@ std::vector<WrittenBuilding> StoresToJoin::write(const Settings& settings,
     }
     const Path store = numbered(place, ++number);
     tell(building, store);
+    for (const std::size_t i : building.answered_otherwise) {
+      spdlog::warn(
+          "{}: its readings have two answers, and the others bear out the one that is not drawn "
+          "there; it was joined so: `roomatlas assemble {} --alternative {}` draws it alone",
+          files_[i].string(), files_[i].string(),
+          answers_in(missions_[i]->metadata()).drawn == 1 ? 2 : 1);
+    }
     const std::size_t rooms = write_building(settings, building, missions_, store);
     spdlog::info("{}: {} of {}", store.string(), counted(rooms, "room"),
                  counted(building.members.size(), "mission"));

@@ -2,7 +2,8 @@
 // Memory of `roomatlas map` against the length of a mission: logs of rows of equal rooms, of a
 // robot with sonars and of one with a laser, mapped by the program itself.
 //
-//   bench_memory [READINGS [ROOMS...]]    readings a room; default: 1000, of 100 and 1000 rooms
+//   bench_memory [sonar|laser|both [READINGS [ROOMS...]]]
+// READINGS a room. Default: both, 1000, of 100 and 1000 rooms.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -60,17 +61,18 @@ void compare(const char* name, SimulationOptions options, double readings_a_room
 }  // namespace
 
 int main(int argc, char** argv) {
-  const double readings_a_room = argc > 1 ? std::atof(argv[1]) : 1000.0;
+  const std::string sensor = argc > 1 ? argv[1] : "both";
+  const double readings_a_room = argc > 2 ? std::atof(argv[2]) : 1000.0;
   std::vector<int> rooms;
-  for (int i = 2; i < argc; ++i) rooms.push_back(std::atoi(argv[i]));
+  for (int i = 3; i < argc; ++i) rooms.push_back(std::atoi(argv[i]));
   if (rooms.empty()) rooms = {100, 1000};
   const fs::path folder = fs::temp_directory_path() / "roomatlas_bench_memory";
   fs::create_directories(folder);
   std::printf("%-6s %6s %9s %9s %9s %9s %7s\n", "sensor", "rooms", "readings", "log (MB)",
               "time (s)", "peak (MB)", "ratio");
   SimulationOptions options;
-  compare("sonar", options, readings_a_room, rooms, folder);
+  if (sensor != "laser") compare("sonar", options, readings_a_room, rooms, folder);
   options.sensor = SensorKind::laser;
-  compare("laser", options, readings_a_room, rooms, folder);
+  if (sensor != "sonar") compare("laser", options, readings_a_room, rooms, folder);
   fs::remove_all(folder);
 }

@@ -2,7 +2,9 @@
 #include "roomatlas/join/join_missions.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <utility>
 
 #include "joint_graph.hpp"
 #include "packed.hpp"
@@ -76,7 +78,7 @@ class Component {
       solve();
       visits_since_ = 0.0;
     }
-    MissionMap placed{mission.shapes, {}, mission.sensor, {}};
+    MissionMap placed{mission.shapes, {}, mission.sensor, {}, {}};
     for (const AsrShape& shape : mission.shapes) {
       placed.mission_from_asr[shape.id] = placement_.at(shape.id);
     }
@@ -201,6 +203,43 @@ void note(const MissionSearch& search, JoinedMission& mission) {
   mission.runner_up_score = search.places.size() > 1 ? search.places[1].score : 0.0;
 }
 
+/// Looks for missions as each of their answers has them.
+class AnswerSearch {
+ public:
+  AnswerSearch(const std::vector<MissionMap>& missions, const PlaceMissionOptions& options)
+      : missions_(missions), options_(options) {}
+
+  struct Found {
+    const MissionMap* map = nullptr;  ///< of the answer that is borne out, or of the first
+    MissionSearch search;
+  };
+  Found in(const Component& component, std::size_t mission, const Progress& progress) {
+    const MissionMap& first = missions_[mission];
+    Found found{&first, component.search(first, progress)};
+    if (first.other_answer.empty()) return found;
+    // What the mission measured was measured for the first.
+    const auto entry = others_.try_emplace(
+        mission, MissionMap{first.shapes, first.other_answer, first.sensor, {}, {}});
+    const MissionMap& other = entry.first->second;
+    MissionSearch of_other = component.search(other, progress);
+    if (is_better(of_other, found.search)) found = {&other, std::move(of_other)};
+    return found;
+  }
+
+ private:
+  [[nodiscard]] bool is_better(const MissionSearch& other, const MissionSearch& first) const {
+    if (other.verdict != PlaceVerdict::placed) return false;
+    if (first.verdict != PlaceVerdict::placed) return true;
+    const double score = other.places[0].score;
+    return score - first.places[0].score >=
+           options_.min_margin + options_.margin_sigmas * std::sqrt(score);
+  }
+
+  const std::vector<MissionMap>& missions_;
+  const PlaceMissionOptions& options_;
+  std::map<std::size_t, MissionMap> others_;
+};
+
 /// Where a mission was looked for in another building says nothing of the one that it founds.
 void forget_search(JoinedMission& base) {
   base.best = {};
@@ -213,6 +252,7 @@ JoinedMissions join_missions(const std::vector<MissionMap>& missions, const Join
                              const Progress& progress, const Workers& workers) {
   JoinedMissions joined;
   joined.missions.resize(missions.size());
+  AnswerSearch answers(missions, options.place);
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < missions.size(); ++i) open.push_back(i);
   for (int number = 0; !open.empty(); ++number) {
@@ -236,14 +276,15 @@ JoinedMissions join_missions(const std::vector<MissionMap>& missions, const Join
         report(progress, "join missions",
                1.0 - static_cast<double>(open.size()) / static_cast<double>(missions.size()));
         JoinedMission& mission = joined.missions[*at];
-        const MissionSearch search = component.search(missions[*at], progress);
+        const auto [map, search] = answers.in(component, *at, progress);
         if (number == 0 || search.verdict == PlaceVerdict::placed) note(search, mission);
         if (search.verdict != PlaceVerdict::placed) {
           ++at;
           continue;
         }
-        component.join(missions[*at], search.places[0]);
+        component.join(*map, search.places[0]);
         mission.component = number;
+        mission.is_other_answer = map != &missions[*at];
         at = open.erase(at);
       }
     }

@@ -57,18 +57,23 @@ class LoopCloser {
     ClosedLoops result;
     if (const auto rival = rival_of(state_, tried_, asrs_.size(), cell_m())) {
       result.second = rival->second;
+      result.second->other = placement_in(options_.take_second ? state_ : tried_[rival->which]);
       if (options_.take_second) take(tried_[rival->which]);
     }
     match_all_again(true);
     result.lost_before = state_.lost_before;
     result.closures = std::move(state_.closures);
-    for (std::size_t i = 0; i < asrs_.size(); ++i) {
-      result.placement[asrs_[i].id] = state_.placed.pose(i);
-    }
+    result.placement = placement_in(state_);
     return result;
   }
 
  private:
+  [[nodiscard]] Placement placement_in(const LoopsState& state) const {
+    Placement placement;
+    for (std::size_t i = 0; i < asrs_.size(); ++i) placement[asrs_[i].id] = state.placed.pose(i);
+    return placement;
+  }
+
   struct DrivenInto {
     std::size_t from = 0;
     Pose2 from_from_to;

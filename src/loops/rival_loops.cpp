@@ -76,8 +76,8 @@ std::optional<RivalLoops> rival_of(const LoopsState& kept, const std::vector<Loo
     if (score <= 0.0 || score < kNearlyAsWell * sum_of(here)) continue;
     if (!paired_difference(here, there).is_within_chance()) continue;
     if (best && score * cell_m <= best->second.score_m) continue;
-    best =
-        RivalLoops{which, {moved.count, moved.farthest_m, score * cell_m, sum_of(here) * cell_m}};
+    best = RivalLoops{which,
+                      {moved.count, moved.farthest_m, score * cell_m, sum_of(here) * cell_m, {}}};
   }
   return best;
 }

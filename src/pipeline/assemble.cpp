@@ -187,6 +187,7 @@ Assembly assemble_corrected(MissionKind kind, const AsrSource& source, Corrected
   const Issues unused = unused_closures(corrected, options.assemble.closures);
   Assembly assembly;
   assembly.answers = answers_of(corrected, options.assemble.answer);
+  if (corrected.second_loops) assembly.other_answer = std::move(corrected.second_loops->other);
   assembly.graph = std::move(corrected.graph);
   assembly.correction = std::move(corrected.correction);
   assembly.closures = std::move(corrected.closures);

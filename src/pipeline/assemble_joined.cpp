@@ -54,6 +54,7 @@ Candidate candidate_of(std::size_t index, const AssemblyStore& store, const Opti
   for (const AsrShape& shape : candidate.map.shapes) candidate.walls += shape.points.size();
   if (candidate.sensor == SensorKind::laser && !candidate.is_joined) {
     candidate.map.measured = measured_of(store, options);
+    candidate.map.other_answer = store.other_answer();
   }
   return candidate;
 }
@@ -65,15 +66,21 @@ bool is_before(const Candidate& a, const Candidate& b) {
                              ? Point2::Zero()
                              : one.map.shapes[0].points[0].position;
     return std::tuple(!one.is_joined, one.sensor == SensorKind::sonar,
+                      !one.map.other_answer.empty(),  // which of two is true the others say
                       std::numeric_limits<std::size_t>::max() - one.walls, first.x(), first.y());
   };
   return key(a) < key(b);
 }
 
+Placement renumbered(const Placement& placement, AsrId offset) {
+  Placement raised;
+  for (const auto& [id, pose] : placement) raised[id + offset] = pose;
+  return raised;
+}
+
 void renumber(MissionMap& map, AsrId offset) {
-  Placement placement;
-  for (const auto& [id, pose] : map.mission_from_asr) placement[id + offset] = pose;
-  map.mission_from_asr = std::move(placement);
+  map.mission_from_asr = renumbered(map.mission_from_asr, offset);
+  map.other_answer = renumbered(map.other_answer, offset);
   for (AsrShape& shape : map.shapes) shape.id += offset;
   for (OwnMeasurement& one : map.measured) {
     one.from += offset;
@@ -133,6 +140,7 @@ class BuildingMaker {
 
   void add(const Candidate& candidate, const AssemblyStore& store, const JoinedMission& mission) {
     building_.missions.push_back(candidate.store);
+    if (mission.is_other_answer) building_.answered_otherwise.push_back(candidate.store);
     if (mission.is_base) building_.verdict = mission.verdict;
     const AsrId offset = last_;
     std::map<AsrId, AsrId> own;

@@ -145,7 +145,7 @@ TEST_F(DamagedStore, WhatIsExportedCanBeRead) {
 TEST_F(DamagedStore, MetadataThatIsNotWhatItsKeySaysIsRefusedByItsKey) {
   const std::string deep = std::string(2000, '[') + std::string(2000, ']');
   for (const std::string key : {"mission_json", "odometry_json", "judgement_json", "answers_json",
-                                "seen_last_json", "edits_json"}) {
+                                "other_answer_json", "seen_last_json", "edits_json"}) {
     for (const std::string& value : {std::string("{"), std::string("[]"), std::string("17"), deep,
                                      std::string(R"({"count":"x","edits":5,"signals":[[]]})")}) {
       const std::string store = copy("INSERT OR REPLACE INTO metadata (key, value) VALUES ('" +

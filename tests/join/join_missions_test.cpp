@@ -112,6 +112,32 @@ TEST(JoinMissions, LeavesAMissionOfAnotherBuildingAlone) {
   }
 }
 
+/// The same mission, led astray in a doorway: what comes after lies elsewhere.
+Placement astray(const MissionMap& mission, AsrId from, const Pose2& by) {
+  Placement placement = mission.mission_from_asr;
+  const Pose2 door = placement.at(from);
+  for (auto& [id, pose] : placement) {
+    if (id > from) pose = door * by * inverse(door) * pose;
+  }
+  return placement;
+}
+
+TEST(JoinMissions, TakesThatOfTwoAnswersWhichTheOthersBearOut) {
+  const Pose2 second_from_world{20.0, -7.0, radians(123.0)};
+  const std::vector<MissionMap> truth = {driven(building(), {0, 1, 2, 3, 4}, 1, {}),
+                                         driven(building(), {1, 2, 3, 4}, 11, second_from_world)};
+  const Placement wrong = astray(truth[1], 12, {1.5, -0.8, radians(90.0)});
+  for (const bool is_first_wrong : {true, false}) {
+    std::vector<MissionMap> missions = truth;
+    missions[1].other_answer = wrong;
+    if (is_first_wrong) std::swap(missions[1].other_answer, missions[1].mission_from_asr);
+    const JoinedMissions joined = join_missions(missions, for_small_missions());
+    EXPECT_EQ(joined.missions[1].component, 0);
+    EXPECT_EQ(joined.missions[1].is_other_answer, is_first_wrong);
+    EXPECT_LT(largest_error_m(joined, truth[1], inverse(second_from_world)), 0.05);
+  }
+}
+
 TEST(JoinMissions, KeepsTheHeadingsThatAMissionsOwnCorrectionFound) {
   const Row row =
       row_of({4.0, 5.3, 7.1, 3.6, 6.2, 4.4, 5.8, 6.6}, {0.8, 1.4, 1.1, 0.0, 1.9, 0.6, 1.2, 1.6});

@@ -32,6 +32,8 @@ struct Assembly {
   std::optional<Judgement> judgement;  ///< how far it can be relied on; none without readings
   std::vector<SeenLast> seen_last;     ///< what changed between several missions, by time
   Answers answers;                     ///< which of several that the readings allow this is
+  Placement other_answer;  ///< of the visits, in the answer that this is not; empty where there is
+                           ///< none, and of sonars, whose visits it bends
   FloorPlan plan;
   std::optional<FloorPlan> measured_plan;  ///< as measured, where the walls of `plan` are regular
 };

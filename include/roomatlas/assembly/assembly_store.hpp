@@ -35,6 +35,8 @@ class AssemblyStore : public AsrSource {
   [[nodiscard]] virtual bool has_assembly() const = 0;
   /// The last assembly. Throws InputError where there is none.
   [[nodiscard]] virtual Correction correction() const = 0;
+  /// See `Assembly::other_answer`.
+  [[nodiscard]] virtual Placement other_answer() const { return {}; }
   [[nodiscard]] virtual FloorPlan plan() const = 0;
   /// The matches of rooms that were tried.
   [[nodiscard]] virtual std::vector<Closure> closures() const { return {}; }

@@ -46,6 +46,7 @@ struct JoinedMission {
   MissionPlace best;  ///< of the last search; without pieces where nothing was found, and
                       ///< of a base that others joined
   double runner_up_score = 0.0;  ///< of the next place that is another; 0 without
+  bool is_other_answer = false;  ///< the others bear out `MissionMap::other_answer`
 };
 
 struct JoinedMissions {
@@ -57,7 +58,8 @@ struct JoinedMissions {
 /// Joins missions of one building of which nothing is known but themselves: each is looked for in
 /// what is joined already, its visits are matched with those around, and the whole is solved anew;
 /// matches that contradict the others are thrown out. A mission for which there is no place, or
-/// two, stays a component of its own.
+/// two, stays a component of its own. Of a mission with two answers both are looked for, and the
+/// other is taken where it alone finds a place, or a better one by the margin of two places.
 /// @param missions visits' ids differ between all of them. Each is tried in this order: who wants
 ///   one result for every order sorts them first
 /// @param workers threads, or several processes: each placing, and each match of two visits, is

@@ -17,6 +17,7 @@ struct SecondLoops {
   double farthest_m = 0.0;  ///< ... by so much at most
   double score_m = 0.0;     ///< of wall that speaks for it, seen in these visits
   double kept_m = 0.0;      ///< the same of the one kept
+  Placement other;          ///< of the ASRs, in the one that is not taken
 };
 
 /// Where matching rooms with each other leads.

@@ -14,8 +14,9 @@ namespace roomatlas {
 /// What of several missions holds together, or one that nothing holds. Visits are numbered as
 /// `JoinedSource` numbers those of `missions`.
 struct JoinedBuilding {
-  std::vector<std::size_t> missions;   ///< indices of the stores that were given, the base first
-  std::vector<MemberMission> members;  ///< of all of these stores
+  std::vector<std::size_t> missions;  ///< indices of the stores that were given, the base first
+  std::vector<std::size_t> answered_otherwise;  ///< those of them whose other answer was joined
+  std::vector<MemberMission> members;           ///< of all of these stores
   Placement placement;
   std::vector<Closure> closures;                ///< tried between visits of different missions
   PlaceVerdict verdict = PlaceVerdict::placed;  ///< why it stands alone, where it does

@@ -225,6 +225,29 @@ Answers answers_in(const std::map<std::string, std::string>& metadata) {
   }
 }
 
+std::string to_json(const Placement& placement) {
+  Json visits = Json::array();
+  for (const auto& [id, pose] : placement) {
+    visits.push_back({id, pose.x_m, pose.y_m, pose.theta_rad});
+  }
+  return visits.dump();
+}
+
+Placement other_answer_in(const std::map<std::string, std::string>& metadata) {
+  const auto text = metadata.find("other_answer_json");
+  if (text == metadata.end() || text->second.empty()) return {};
+  Placement placement;
+  try {
+    for (const Json& visit : Json::parse(text->second)) {
+      placement[visit.at(0)] = {visit.at(1), visit.at(2), visit.at(3)};
+    }
+  } catch (const Json::exception& error) {
+    throw InputError(std::string("the places of the other answer are damaged (") + error.what() +
+                     "): assemble the store again");
+  }
+  return placement;
+}
+
 std::string summary_json(const std::map<std::string, std::string>& metadata,
                          const Correction& correction, const FloorPlan& plan,
                          const RoomGraph& graph, const std::optional<Evaluation>& evaluation) {

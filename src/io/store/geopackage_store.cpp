@@ -172,6 +172,8 @@ std::optional<Judgement> GeoPackageStore::judgement() const {
   return judgement == values.end() ? std::nullopt : judgement_of(judgement->second);
 }
 
+Placement GeoPackageStore::other_answer() const { return other_answer_in(metadata()); }
+
 std::map<std::string, std::string> GeoPackageStore::metadata() const {
   return state_->reading([](Database& db) {
     std::map<std::string, std::string> values;

@@ -209,6 +209,7 @@ std::map<std::string, std::string> metadata_of(const Assembly& assembly,
   if (assembly.sonars) values["odometry_json"] = to_json(assembly.sonars->habits);
   values["judgement_json"] = assembly.judgement ? to_json(*assembly.judgement) : "";
   values["answers_json"] = assembly.answers.count > 1 ? to_json(assembly.answers) : "";
+  values["other_answer_json"] = assembly.other_answer.empty() ? "" : to_json(assembly.other_answer);
   values["seen_last_json"] = assembly.seen_last.empty() ? "" : to_json(assembly.seen_last);
   return values;
 }

@@ -27,6 +27,11 @@ namespace roomatlas {
 /// @throws InputError where its text is none of `to_json`
 [[nodiscard]] Answers answers_in(const std::map<std::string, std::string>& metadata);
 
+/// Where visits lie: [[visit, x (m), y (m), heading (rad)], ...].
+[[nodiscard]] std::string to_json(const Placement& placement);
+/// That of the answer that a map is not, see `Assembly::other_answer`.
+[[nodiscard]] Placement other_answer_in(const std::map<std::string, std::string>& metadata);
+
 /// What is drawn as later missions saw it, as one JSON object.
 [[nodiscard]] std::string to_json(const std::vector<SeenLast>& seen_last);
 

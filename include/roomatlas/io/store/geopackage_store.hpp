@@ -76,6 +76,7 @@ class GeoPackageStore : public CheckpointSink, public AssemblyStore {
   [[nodiscard]] FloorPlan measured_plan() const;
   /// How far the assembly can be relied on; nothing where it was not judged.
   [[nodiscard]] std::optional<Judgement> judgement() const;
+  [[nodiscard]] Placement other_answer() const override;
   /// The matches of rooms that were tried. Information is zero in a store of an earlier release.
   [[nodiscard]] std::vector<Closure> closures() const override;
 
