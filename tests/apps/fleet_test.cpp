@@ -46,11 +46,12 @@ class Fleet : public ::testing::Test {
     std::filesystem::create_directory(*folder_ / name);
     return *folder_ / name;
   }
-  /// What mpirun is told.
+  /// What mpirun is told. Open MPI leaks, in modules that are gone when AddressSanitizer would name
+  /// them: ranks are not asked for leaks.
   static std::string ranks(int count, const std::string& logs, const std::filesystem::path& out,
                            const std::string& flags = "") {
-    return flags + " --oversubscribe -n " + std::to_string(count) + " " + ROOMATLAS_FLEET + " " +
-           logs + " --jobs 1 -o " + (out / "building.gpkg").string();
+    return flags + " -x ASAN_OPTIONS=detect_leaks=0 --oversubscribe -n " + std::to_string(count) +
+           " " + ROOMATLAS_FLEET + " " + logs + " --jobs 1 -o " + (out / "building.gpkg").string();
   }
   static std::string building_in(const std::filesystem::path& folder) {
     return content_of(folder / "building.gpkg");
