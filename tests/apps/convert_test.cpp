@@ -76,7 +76,8 @@ TEST(Convert, WithoutOdometryItIsNoCarmenLog) {
   EXPECT_EQ(run("-q convert " + bag + scans + scan_only.string()).exit_code, 0);
   const Outcome told = run("-q --json info " + scan_only.string());
   ASSERT_EQ(told.exit_code, 0) << told.err;
-  for (const auto& topic : nlohmann::json::parse(told.out)["recording"]["topics"]) {
+  const auto json = nlohmann::json::parse(told.out);
+  for (const auto& topic : json["recording"]["topics"]) {
     EXPECT_NE(topic["name"], "/odom");
     EXPECT_NE(topic["name"], "/tf");
   }

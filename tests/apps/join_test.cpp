@@ -116,7 +116,8 @@ TEST_F(Join, SaysOfEachMissionWhatItSawAndHowFarItIsOffTheTruth) {
   write_tum(stretched, wrong);
   const Outcome judged = run("-q --json evaluate " + store + " --truth one=" + stretched);
   ASSERT_EQ(judged.exit_code, 0) << judged.err;
-  for (const Json& mission : Json::parse(judged.out)["plans"][0]["missions"]["list"]) {
+  const Json told = Json::parse(judged.out);
+  for (const Json& mission : told["plans"][0]["missions"]["list"]) {
     const double fitted_m =
         mission["true_poses"]["after"]["fitted_position_m"]["rmse"].get<double>();
     EXPECT_EQ(fitted_m > 0.3, mission["name"] == "one.clf") << mission["name"] << " " << fitted_m;
