@@ -250,9 +250,9 @@ TEST_F(LatestStateOfABuilding, IsOnTheReportPageWhereAClickShowsIt) {
   ASSERT_EQ(joined(a_ + " " + b_, "page.gpkg").exit_code, 0);
   const std::string page = path("page.html");
   ASSERT_EQ(run("-q report " + path("page.gpkg") + " -o " + page).exit_code, 0);
-  const Outcome looked = run_other("timeout 300 node " + std::string(ROOMATLAS_SOURCE_DIR) +
-                                   "/tests/apps/browser/changed.mjs " + page + " " +
-                                   path("profile"));
+  const Outcome looked =
+      run_other("timeout 300 node " + std::string(ROOMATLAS_SOURCE_DIR) +
+                "/tests/apps/browser/changed.mjs " + page + " " + path("profile"));
   EXPECT_EQ(looked.exit_code, 0) << looked.err;
   EXPECT_EQ(looked.out, "rows 3; 1 ring, there; 1 ring, there; complaints ");
 }

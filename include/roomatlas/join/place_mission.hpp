@@ -26,8 +26,8 @@ struct MissionMap {
   SensorKind sensor = SensorKind::laser;  ///< sonars' corrections bend more
   /// What its correction was made of; empty: only how it came out is known.
   std::vector<OwnMeasurement> measured;
-  /// Where a second answer puts the visits, which the mission's readings allow nearly as well; empty
-  /// where there is but one.
+  /// Where a second answer puts the visits, which the mission's readings allow nearly as well;
+  /// empty where there is but one.
   Placement other_answer;
 };
 

@@ -90,8 +90,7 @@ TEST(LabelPlan, SaysWhatIsWrongWithAFile) {
 }
 
 TEST(LabelPlan, ReadsTheRoomsOfFreiburg79) {
-  const auto file =
-      test::shared_data("rooms/Freiburg79_scan/Freiburg79_scan_gt_labels.pgm.gz");
+  const auto file = test::shared_data("rooms/Freiburg79_scan/Freiburg79_scan_gt_labels.pgm.gz");
   if (!file) return;
   const FloorPlan plan = read_label_plan(*file, 0.05);
   EXPECT_EQ(plan.rooms.size(), 18U);
