@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "rival_loops.hpp"
 #include "roomatlas/core/for_each_index.hpp"
@@ -95,7 +96,7 @@ class LoopCloser {
       const double growth_m =
           std::min(options_.max_near_growth_m, 2.0 * uncertainties[k].position_m);
       if (pairs[k].apart_m <= options_.near_m + growth_m)
-        near.push_back({pairs[k], uncertainties[k]});
+        near.emplace_back(pairs[k], uncertainties[k]);
     }
     std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) {
       return a.first.apart_m < b.first.apart_m;
@@ -199,9 +200,8 @@ class LoopCloser {
       match_all_again(false);
       const bool is_worse =
           state_.total_score() <= best_score || state_.contradicted_share() > most_contradicted;
-      tried_.push_back(is_worse ? state_ : std::move(best));
+      tried_.push_back(is_worse ? state_ : std::exchange(best, state_));
       if (is_worse) continue;
-      best = state_;
       best_score = state_.total_score();
       is_better = true;
     }
