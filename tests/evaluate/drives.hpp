@@ -23,10 +23,10 @@ inline Trajectory bent(std::size_t poses, double start_s = 100.0) {
 /// The same drive as someone else would have it: in another frame, with noise.
 inline Trajectory disturbed(Trajectory drive, double noise, const Pose2& other_from_frame) {
   std::mt19937 random(3);
-  std::normal_distribution<double> normal(0.0, noise);
+  std::normal_distribution<double> normal;  // no noise is no distribution
   for (StampedPose& stamped : drive) {
-    stamped.pose =
-        other_from_frame * stamped.pose * Pose2{normal(random), normal(random), normal(random)};
+    stamped.pose = other_from_frame * stamped.pose *
+                   Pose2{noise * normal(random), noise * normal(random), noise * normal(random)};
   }
   return drive;
 }

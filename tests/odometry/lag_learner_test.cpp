@@ -31,11 +31,12 @@ struct LateDrive {
 
 double learnt(const LateDrive& drive) {
   std::mt19937 engine(3);
-  std::normal_distribution<double> normal(0.0, drive.noise_rad);
+  std::normal_distribution<double> normal;
   LagLearner learner;
   double before_rad = 0.0;
   for (double time_s = 5.0; time_s < 65.0; time_s += drive.every_s) {
-    const double matched_rad = drive.turns * heading_rad(time_s) + normal(engine);
+    const double matched_rad =
+        drive.turns * heading_rad(time_s) + drive.noise_rad * normal(engine);
     const double odometry_rad = 3.0 + drive.gain * drive.turns * heading_rad(time_s - drive.lag_s);
     learner.add(time_s, wrap_angle(odometry_rad), matched_rad - before_rad);
     before_rad = matched_rad;
