@@ -35,8 +35,7 @@ double learnt(const LateDrive& drive) {
   LagLearner learner;
   double before_rad = 0.0;
   for (double time_s = 5.0; time_s < 65.0; time_s += drive.every_s) {
-    const double matched_rad =
-        drive.turns * heading_rad(time_s) + drive.noise_rad * normal(engine);
+    const double matched_rad = drive.turns * heading_rad(time_s) + drive.noise_rad * normal(engine);
     const double odometry_rad = 3.0 + drive.gain * drive.turns * heading_rad(time_s - drive.lag_s);
     learner.add(time_s, wrap_angle(odometry_rad), matched_rad - before_rad);
     before_rad = matched_rad;
