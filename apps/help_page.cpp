@@ -50,7 +50,7 @@ std::string joined(const std::vector<std::string>& words, const char* sign) {
 }
 
 /// On a page the short name and the first long one, else all.
-std::string left_of(const OptionText& option, HelpSize size) {
+std::string left_column_of(const OptionText& option, HelpSize size) {
   std::vector<std::string> names = option.spoken_names();
   if (size == HelpSize::page && !option.is_place) {
     const auto first_long = std::find_if(
@@ -74,7 +74,7 @@ std::string meaning_of(const OptionText& option, HelpSize size) {
 std::string entries(const std::vector<OptionText>& options, HelpSize size) {
   std::string text;
   for (const OptionText& option : options) {
-    text += entry(left_of(option, size), meaning_of(option, size));
+    text += entry(left_column_of(option, size), meaning_of(option, size));
   }
   return text;
 }

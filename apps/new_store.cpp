@@ -34,18 +34,18 @@ void replace(const fs::path& place, const fs::path& by) {
 }
 
 /// How far a store of this version has come.
-struct StageSettings {
+struct MadeSoFar {
   bool is_mapped = false;  ///< the whole mission is in it
   bool is_assembled = false;
   bool is_unfinished = false;  ///< some rooms of it, behind which a run can go on
 };
 
 /// None for a file that is missing or no store of this version.
-std::optional<StageSettings> stage_of(const fs::path& file) {
+std::optional<MadeSoFar> made_so_far(const fs::path& file) {
   try {
     const GeoPackageStore store(file, GeoPackageStore::Mode::read);
-    return StageSettings{store.metadata().contains("mission_sha256"), store.has_assembly(),
-                         store.unfinished().has_value()};
+    return MadeSoFar{store.metadata().contains("mission_sha256"), store.has_assembly(),
+                     store.unfinished().has_value()};
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -69,14 +69,14 @@ void NewStore::put_in_place() const {
 
 fs::path NewStore::keep_unfinished() const {
   if (file_ == place_) return place_;
-  const auto former = stage_of(place_);
+  const auto former = made_so_far(place_);
   if (!former || former->is_mapped || former->is_assembled) return file_;
   replace(place_, file_);
   return place_;
 }
 
 void NewStore::give_up() const {
-  const auto stage = stage_of(file_);
+  const auto stage = made_so_far(file_);
   if (!stage || (!stage->is_mapped && !stage->is_unfinished)) return remove();
   spdlog::warn("{}: {} mapped in it; the next run goes on from there", file_.string(),
                stage->is_mapped ? "the whole mission is" : "the rooms so far are");
@@ -97,7 +97,7 @@ void remove_leftovers(const fs::path& store) {
 
 void settle_new_store(const fs::path& place) {
   const fs::path made = place_beside(place);
-  const auto stage = stage_of(made);
+  const auto stage = made_so_far(made);
   if (!stage || !stage->is_mapped) {
     if (!stage || !stage->is_unfinished) remove_store(made);
     return;

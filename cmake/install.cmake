@@ -2,6 +2,21 @@
 # component is a package (cmake/package.cmake); plug-ins and Python say theirs themselves.
 include(CMakePackageConfigHelpers)
 
+# roomatlas_install_text(PROGRAM COMPONENT [COMMANDS]): its manual page, and where it has commands a page
+# for each and completions. Where the program cannot run here (built for another machine), none.
+function(roomatlas_install_text program component)
+  if(CMAKE_CROSSCOMPILING)
+    return()
+  endif()
+  cmake_parse_arguments(ARG "COMMANDS" "" "" ${ARGN})
+  install(CODE "
+    execute_process(COMMAND \"${CMAKE_COMMAND}\" \"-DPROGRAM=$<TARGET_FILE:${program}>\"
+      \"-DPREFIX=\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\" -DMAN=${CMAKE_INSTALL_MANDIR}
+      -DDATA=${CMAKE_INSTALL_DATADIR} -DCOMMANDS=${ARG_COMMANDS} -DGZIP=${ROOMATLAS_PACKAGES}
+      -P \"${PROJECT_SOURCE_DIR}/cmake/install_text.cmake\"
+      COMMAND_ERROR_IS_FATAL ANY)" COMPONENT ${component})
+endfunction()
+
 install(TARGETS roomatlas_library EXPORT roomatlas_targets COMPONENT dev)
 install(DIRECTORY include/roomatlas TYPE INCLUDE COMPONENT dev FILES_MATCHING PATTERN *.hpp)
 set(installed roomatlas_library)
@@ -10,24 +25,10 @@ if(ROOMATLAS_PROGRAM)
   file(GLOB worlds CONFIGURE_DEPENDS data/worlds/*.geojson)  # to try it with
   install(FILES ${worlds} DESTINATION ${CMAKE_INSTALL_DATADIR}/roomatlas/worlds COMPONENT program)
   list(APPEND installed roomatlas)
-  # Where the program cannot run here (built for another machine), it is installed without them.
-  if(NOT CMAKE_CROSSCOMPILING)
-    install(CODE "
-      execute_process(COMMAND \"${CMAKE_COMMAND}\" \"-DPROGRAM=$<TARGET_FILE:roomatlas>\"
-        \"-DPREFIX=\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\" -DMAN=${CMAKE_INSTALL_MANDIR}
-        -DDATA=${CMAKE_INSTALL_DATADIR} -DGZIP=${ROOMATLAS_PACKAGES}
-        -P \"${PROJECT_SOURCE_DIR}/cmake/install_text.cmake\"
-        COMMAND_ERROR_IS_FATAL ANY)" COMPONENT program)
-  endif()
+  roomatlas_install_text(roomatlas program COMMANDS)
   if(TARGET roomatlas-fleet)
     install(TARGETS roomatlas-fleet COMPONENT fleet)
-    if(NOT CMAKE_CROSSCOMPILING)
-      install(CODE "
-        execute_process(COMMAND \"${CMAKE_COMMAND}\" \"-DFLEET=$<TARGET_FILE:roomatlas-fleet>\"
-          \"-DPREFIX=\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\" -DMAN=${CMAKE_INSTALL_MANDIR}
-          -DGZIP=${ROOMATLAS_PACKAGES} -P \"${PROJECT_SOURCE_DIR}/cmake/install_text.cmake\"
-          COMMAND_ERROR_IS_FATAL ANY)" COMPONENT fleet)
-    endif()
+    roomatlas_install_text(roomatlas-fleet fleet)
     list(APPEND installed roomatlas-fleet)
   endif()
 endif()

@@ -35,7 +35,7 @@ function(roomatlas_precompile_as target other)
 endfunction()
 
 # roomatlas_compile_together(TARGET): the sources of a folder are compiled up to eight at a time: what
-# they all include is read once, which halves the time. Two of a folder therefore give no two things of
+# they all include is read once. Two of a folder therefore give no two things of
 # their own one name.
 function(roomatlas_compile_together target)
   if(NOT ROOMATLAS_TOGETHER)

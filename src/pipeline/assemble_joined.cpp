@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <ranges>
 #include <set>
 #include <string>
 #include <tuple>
@@ -42,6 +43,17 @@ std::vector<OwnMeasurement> measured_of(const AssemblyStore& store, const Option
   return measured;
 }
 
+/// @throws InputError where it is not of the visits that the store has
+Placement other_answer_of(const AssemblyStore& store, const Placement& placement) {
+  Placement other = store.other_answer();
+  const bool is_whole =
+      other.empty() || std::ranges::equal(std::views::keys(other), std::views::keys(placement));
+  if (is_whole) return other;
+  throw InputError(store.mission().file +
+                   ": metadata.other_answer_json does not hold the visits of the mission; run "
+                   "`roomatlas assemble` again");
+}
+
 Candidate candidate_of(std::size_t index, const AssemblyStore& store, const Options& options) {
   if (!store.has_assembly()) {
     throw InputError(store.mission().file + ": not assembled; run `roomatlas assemble` first");
@@ -54,7 +66,7 @@ Candidate candidate_of(std::size_t index, const AssemblyStore& store, const Opti
   for (const AsrShape& shape : candidate.map.shapes) candidate.walls += shape.points.size();
   if (candidate.sensor == SensorKind::laser && !candidate.is_joined) {
     candidate.map.measured = measured_of(store, options);
-    candidate.map.other_answer = store.other_answer();
+    candidate.map.other_answer = other_answer_of(store, candidate.map.mission_from_asr);
   }
   return candidate;
 }

@@ -175,6 +175,23 @@ TEST_F(Join, LeavesAMissionOfAnotherBuildingAloneAndSaysSo) {
   EXPECT_FALSE(std::filesystem::exists(place + "/building.gpkg"));
 }
 
+TEST_F(Join, RefusesAnOtherAnswerThatIsNotOfTheVisits) {
+  const std::string stores[] = {(*folder_ / "one.gpkg").string(), (*folder_ / "two.gpkg").string()};
+  ASSERT_EQ(run("-q map " + one_ + " -o " + stores[0]).exit_code, 0);
+  ASSERT_EQ(run("-q map " + two_ + " -o " + stores[1]).exit_code, 0);
+  for (const std::string& store : stores) ASSERT_EQ(run("-q assemble " + store).exit_code, 0);
+  for (const char* damaged : {"[[1, 0, 0, 0]]", "[[1, 0, 0]]", "[]"}) {
+    {
+      GeoPackageStore store(stores[1], GeoPackageStore::Mode::update);
+      store.put_metadata({{"other_answer_json", damaged}});
+    }
+    const Outcome done = run("-q join " + stores[0] + " " + stores[1] + " -o " +
+                             (*folder_ / "damaged.gpkg").string() + " --force");
+    EXPECT_EQ(done.exit_code, std::string(damaged) == "[]" ? 0 : 3) << damaged << done.err;
+    if (done.exit_code != 0) EXPECT_THAT(done.err, HasSubstr("metadata.other_answer_json"));
+  }
+}
+
 TEST_F(Join, RefusesAStoreThatIsNotAssembled) {
   const std::string store = (*folder_ / "mapped.gpkg").string();
   ASSERT_EQ(run("-q map " + one_ + " -o " + store).exit_code, 0);

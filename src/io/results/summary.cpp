@@ -5,6 +5,7 @@
 
 #include "errors_json.hpp"
 #include "plan_evaluation_json.hpp"
+#include "plans/geojson_geometry.hpp"
 #include "roomatlas/io/results/judgement_json.hpp"
 #include "store/stored_habits.hpp"
 #include "text/json.hpp"
@@ -238,11 +239,16 @@ Placement other_answer_in(const std::map<std::string, std::string>& metadata) {
   if (text == metadata.end() || text->second.empty()) return {};
   Placement placement;
   try {
-    for (const Json& visit : Json::parse(text->second)) {
-      placement[visit.at(0)] = {visit.at(1), visit.at(2), visit.at(3)};
+    const Json visits = Json::parse(text->second);
+    for (const Json& visit : visits) {
+      const Pose2 pose{visit.at(1), visit.at(2), visit.at(3)};
+      if (pose.position().norm() > kFarthest_m)
+        throw InputError("metadata.other_answer_json: visit " + visit.at(0).dump() +
+                         " lies farther than 1e8 m: assemble the store again");
+      placement[visit.at(0)] = pose;
     }
   } catch (const Json::exception& error) {
-    throw InputError(std::string("the places of the other answer are damaged (") + error.what() +
+    throw InputError(std::string("metadata.other_answer_json is damaged (") + error.what() +
                      "): assemble the store again");
   }
   return placement;
