@@ -186,7 +186,7 @@ TEST_F(Join, RefusesAnOtherAnswerThatIsNotOfTheVisits) {
       store.put_metadata({{"other_answer_json", damaged}});
     }
     const Outcome done = run("-q join " + stores[0] + " " + stores[1] + " -o " +
-                             (*folder_ / "damaged.gpkg").string() + " --force");
+                             (*folder_ / "damaged.gpkg").string());
     EXPECT_EQ(done.exit_code, std::string(damaged) == "[]" ? 0 : 3) << damaged << done.err;
     if (done.exit_code != 0) EXPECT_THAT(done.err, HasSubstr("metadata.other_answer_json"));
   }
