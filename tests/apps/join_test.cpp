@@ -180,18 +180,19 @@ TEST_F(Join, RefusesAnOtherAnswerThatIsNotOfTheVisits) {
   ASSERT_EQ(run("-q map " + one_ + " -o " + stores[0]).exit_code, 0);
   ASSERT_EQ(run("-q map " + two_ + " -o " + stores[1]).exit_code, 0);
   for (const std::string& store : stores) ASSERT_EQ(run("-q assemble " + store).exit_code, 0);
-  for (const char* damaged : {"[[1, 0, 0, 0]]", "[[1, 0, 0]]", "[]"}) {
+  for (const char* damaged :
+       {R"({"visits":[[1, 0, 0, 0]]})", R"({"visits":[[1, 0, 0]]})", "[]", ""}) {
     {
       GeoPackageStore store(stores[1], GeoPackageStore::Mode::update);
       store.put_metadata({{"other_answer_json", damaged}});
     }
     const Outcome done = run("-q join " + stores[0] + " " + stores[1] + " -o " +
                              (*folder_ / "damaged.gpkg").string());
-    if (std::string(damaged) == "[]") {
+    if (std::string(damaged).empty()) {
       EXPECT_EQ(done.exit_code, 0) << done.err;
     } else {
       EXPECT_EQ(done.exit_code, 3) << damaged << done.err;
-      EXPECT_THAT(done.err, HasSubstr("metadata.other_answer_json")) << damaged;
+      EXPECT_THAT(done.err, HasSubstr("other_answer_json")) << damaged;
     }
   }
 }

@@ -26,7 +26,8 @@ TEST(Answers, StandInTheSummary) {
   const Placement other = {{1, {0.1, -2.0, 3.0}}, {7, {1e-9, 4.0, -0.5}}};
   EXPECT_EQ(other_answer_in({{"other_answer_json", to_json(other)}}), other);
   EXPECT_TRUE(other_answer_in({{"other_answer_json", ""}}).empty());
-  for (const char* damaged : {"[[1, 2]]", "[", "17", R"([["a", 0, 0, 0]])", "[[1, 1e9, 0, 0]]"}) {
+  for (const char* damaged : {R"({"visits":[[1, 2]]})", "{", "[]", "{}",
+                              R"({"visits":[["a", 0, 0, 0]]})", R"({"visits":[[1, 1e9, 0, 0]]})"}) {
     EXPECT_THROW((void)other_answer_in({{"other_answer_json", damaged}}), InputError) << damaged;
   }
   const std::string summary = summary_json({{"answers_json", answers}}, {}, {}, {}, std::nullopt);

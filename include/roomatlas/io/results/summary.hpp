@@ -27,7 +27,7 @@ namespace roomatlas {
 /// @throws InputError where its text is none of `to_json`
 [[nodiscard]] Answers answers_in(const std::map<std::string, std::string>& metadata);
 
-/// Where visits lie: [[visit, x (m), y (m), heading (rad)], ...].
+/// Where visits lie: {"visits": [[visit, x (m), y (m), heading (rad)], ...]}.
 [[nodiscard]] std::string to_json(const Placement& placement);
 /// That of the answer that a map is not, see `Assembly::other_answer`.
 [[nodiscard]] Placement other_answer_in(const std::map<std::string, std::string>& metadata);
