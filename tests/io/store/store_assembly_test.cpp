@@ -48,6 +48,17 @@ TEST_F(StoredAssembly, ThePlanAsMeasuredStandsBesideTheOtherAndSharesItsNames) {
   EXPECT_EQ(store.plan().walls.size(), sample_plan().walls.size());
 }
 
+TEST_F(StoredAssembly, ThePlacesOfTheOtherAnswerReadBackBitForBitAndGoWithTheNext) {
+  Assembly assembly = sample_assembly(sample_correction(3), sample_plan());
+  assembly.other_answer = {{1, {}}, {2, {1.0 / 3.0, -2e-9, 3.1}}, {3, {41.5, 7.0, -0.25}}};
+  store_.put(assembly, "");
+  store_.finish();
+  EXPECT_EQ(GeoPackageStore(file_, Mode::read).other_answer(), assembly.other_answer);
+  GeoPackageStore again(file_, Mode::update);
+  again.put(sample_assembly(sample_correction(3), sample_plan()), "");
+  EXPECT_TRUE(again.other_answer().empty());
+}
+
 TEST_F(StoredAssembly, ANewOneReplacesTheFormerWithoutATrace) {
   Assembly former = sample_assembly(sample_correction(3), sample_plan(), {{1, 5}, {2, 5}, {3, 6}});
   former.measured_plan = sample_plan();
