@@ -26,25 +26,24 @@ SearchWindow window_of(const Uncertainty& between, const ClosureOptions& options
 
 class LoopCloser {
  public:
-  LoopCloser(const std::vector<Asr>& asrs, const std::vector<AsrShape>& shapes,
-             const RoomGraph& driven, const CorrectOptions& correct, const ClosureOptions& options,
+  LoopCloser(const DrivenRooms& rooms, const CorrectOptions& correct, const ClosureOptions& options,
              const Progress& progress, int jobs)
-      : asrs_(asrs),
-        shapes_(shapes),
+      : asrs_(rooms.asrs),
+        shapes_(rooms.shapes),
         options_(options),
         progress_(progress),
         jobs_(jobs),
         passage_robust_sigmas_(correct.passage_robust_sigmas),
         state_{PlacedGraph(options.robust_sigmas), {}, {}, {}} {
     std::map<AsrId, std::size_t> index_of;
-    for (std::size_t i = 0; i < asrs.size(); ++i) index_of[asrs[i].id] = i;
-    into_.resize(asrs.size());
-    for (const PassageEdge& edge : driven.edges) {
+    for (std::size_t i = 0; i < asrs_.size(); ++i) index_of[asrs_[i].id] = i;
+    into_.resize(asrs_.size());
+    for (const PassageEdge& edge : rooms.graph.edges) {
       if (index_of.at(edge.from) >= index_of.at(edge.to)) continue;
       into_[index_of.at(edge.to)] = {index_of.at(edge.from), edge.from_from_to,
                                      information_of(edge, correct)};
     }
-    component_ = components_of(driven);
+    component_ = components_of(rooms.graph);
   }
 
   ClosedLoops run() {
@@ -316,10 +315,9 @@ class LoopCloser {
 
 }  // namespace
 
-ClosedLoops close_loops(const std::vector<Asr>& asrs, const std::vector<AsrShape>& shapes,
-                        const RoomGraph& driven, const CorrectOptions& correct,
+ClosedLoops close_loops(const DrivenRooms& rooms, const CorrectOptions& correct,
                         const ClosureOptions& options, const Progress& progress, int jobs) {
-  return LoopCloser(asrs, shapes, driven, correct, options, progress, jobs).run();
+  return LoopCloser(rooms, correct, options, progress, jobs).run();
 }
 
 }  // namespace roomatlas

@@ -108,16 +108,17 @@ MappedBuilding drafted_of(const AsrSource& source, const std::vector<VisitsOfTim
                inverse(axes));
 }
 
-/// Where readings lie where the robot was, on all that they show; else by the outlines.
-MappedBuilding building_of(MissionKind kind, const AsrSource& source,
-                           const std::vector<VisitsOfTime>& times, const RobotFootprint& footprint,
-                           const Options& options, const Progress& progress, Assembly& assembly) {
-  if (kind != MissionKind::paper && options.assemble.plan == PlanStyle::drafted) {
-    return drafted_of(source, times, footprint, options, progress, assembly);
-  }
+MappedBuilding outlined_of(const AsrSource& source, const RobotFootprint& footprint,
+                           const Options& options, const Progress& progress,
+                           const Assembly& assembly) {
   return rooms_by_outlines(
       source, assembly.graph, placement_of(assembly.correction), footprint,
       {options.assemble.rooms, options.map.record.map, options.assemble.map_again}, progress);
+}
+
+/// Only where readings lie where the robot was, all that they show can be drawn.
+bool is_drafted(MissionKind kind, const Options& options) {
+  return kind != MissionKind::paper && options.assemble.plan == PlanStyle::drafted;
 }
 
 std::vector<AsrId> without(const std::vector<AsrId>& ids, const std::set<AsrId>& some) {
@@ -196,8 +197,11 @@ Assembly assemble_corrected(MissionKind kind, const AsrSource& source, Corrected
 
   const AsrSource& recorded = corrected.recorded_again ? *corrected.recorded_again : source;
   const SelectedAsrs drawn(recorded, without(recorded.ids(), corrected.not_drawn));
-  MappedBuilding building = building_of(kind, WithPaths(drawn, assembly.paths), corrected.times,
-                                        footprint, options, progress, assembly);
+  const WithPaths read(drawn, assembly.paths);
+  MappedBuilding building =
+      is_drafted(kind, options)
+          ? drafted_of(read, corrected.times, footprint, options, progress, assembly)
+          : outlined_of(read, footprint, options, progress, assembly);
   std::set<AsrId> without_room = corrected.not_drawn;
   for (const AsrId id : drawn.ids()) {  // all of its path lies where something stands by now
     const bool is_lost = !assembly.seen_last.empty() && !building.room_of_asr.contains(id);

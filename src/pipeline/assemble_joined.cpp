@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <ranges>
 #include <set>
 #include <string>
 #include <tuple>
@@ -46,9 +45,10 @@ std::vector<OwnMeasurement> measured_of(const AssemblyStore& store, const Option
 /// @throws InputError where it is not of the visits that the store has
 Placement other_answer_of(const AssemblyStore& store, const Placement& placement) {
   Placement other = store.other_answer();
+  const auto is_of_one_visit = [](const auto& a, const auto& b) { return a.first == b.first; };
   const bool is_whole =
-      other.empty() || std::ranges::equal(std::views::keys(other), std::views::keys(placement));
-  if (is_whole) return other;
+      std::equal(other.begin(), other.end(), placement.begin(), placement.end(), is_of_one_visit);
+  if (other.empty() || is_whole) return other;
   throw InputError(store.mission().file +
                    ": metadata.other_answer_json does not hold the visits of the mission; run "
                    "`roomatlas assemble` again");

@@ -46,7 +46,7 @@ CorrectedMission correct_laser_mission(const AsrSource& source, const Options& o
   ClosureOptions closures = with_edited_closures(source, assemble.edits, assemble.closures);
   closures.take_second = assemble.answer == 2;
   ClosedLoops loops =
-      close_loops(asrs, shapes, result.graph, assemble.correct, closures, progress, options.jobs);
+      close_loops({asrs, shapes, result.graph}, assemble.correct, closures, progress, options.jobs);
   result.second_loops = loops.second;
   for (const Closure& closure : loops.closures) {
     if (closure.verdict == ClosureVerdict::accepted) add_edge(result.graph, edge_of(closure));

@@ -119,6 +119,7 @@ std::vector<VisitsOfTime> in_order_of_time(const std::vector<Asr>& asrs,
     }
   }
   std::vector<VisitsOfTime> in_order;
+  in_order.reserve(times.size());
   for (TimeStretch& time : times) in_order.push_back(std::move(time.of));
   return in_order;
 }

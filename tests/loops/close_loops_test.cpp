@@ -166,14 +166,14 @@ TEST(CloseLoops, PartsThatNothingConnectsAreNotMatchedWithEachOther) {
     shapes.push_back(shape_of(asr, {}, {}));
     asrs.back().exits.clear();
   }
-  const ClosedLoops loops = close_loops(asrs, shapes, build_graph(asrs), {}, {});
+  const ClosedLoops loops = close_loops({asrs, shapes, build_graph(asrs)}, {}, {});
   EXPECT_TRUE(loops.closures.empty());
   ASSERT_EQ(loops.placement.size(), asrs.size());
   for (const Asr& asr : asrs) EXPECT_EQ(loops.placement.at(asr.id), asr.odom_from_asr);
 }
 
 TEST(CloseLoops, OfNothingIsNothing) {
-  const ClosedLoops loops = close_loops({}, {}, build_graph({}), {}, {});
+  const ClosedLoops loops = close_loops({{}, {}, build_graph({})}, {}, {});
   EXPECT_TRUE(loops.closures.empty());
   EXPECT_TRUE(loops.placement.empty());
 }

@@ -20,6 +20,13 @@ struct SecondLoops {
   Placement other;          ///< of the ASRs, in the one that is not taken
 };
 
+/// What a mission saw of its rooms, and how it drove between them. References, for one call.
+struct DrivenRooms {
+  const std::vector<Asr>& asrs;
+  const std::vector<AsrShape>& shapes;  ///< parallel to `asrs`
+  const RoomGraph& graph;               ///< of `asrs`, vertices in this order
+};
+
 /// Where matching rooms with each other leads.
 struct ClosedLoops {
   std::vector<Closure> closures;  ///< all that were tried in the last round, accepted or not
@@ -31,13 +38,10 @@ struct ClosedLoops {
 /// Matches rooms by their walls, within the uncertainty between them. First in the order of the
 /// mission, so that each closure found narrows the search for the next; then all pairs that came
 /// to lie near to each other again, in rounds.
-/// @param shapes parallel to `asrs`
-/// @param driven the graph of `asrs`, vertices in this order
 /// @throws Interrupted
 /// @param jobs threads at once, see `for_each_index`
-[[nodiscard]] ClosedLoops close_loops(const std::vector<Asr>& asrs,
-                                      const std::vector<AsrShape>& shapes, const RoomGraph& driven,
-                                      const CorrectOptions& correct, const ClosureOptions& options,
-                                      const Progress& progress = {}, int jobs = 1);
+[[nodiscard]] ClosedLoops close_loops(const DrivenRooms& rooms, const CorrectOptions& correct,
+                                      const ClosureOptions& options, const Progress& progress = {},
+                                      int jobs = 1);
 
 }  // namespace roomatlas
