@@ -2,6 +2,7 @@
 #include "roomatlas/asr/joined_source.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "roomatlas/core/issue.hpp"
 
@@ -44,6 +45,12 @@ Asr JoinedSource::get(AsrId id, AsrDetail detail) const {
     if (exit.neighbor) *exit.neighbor += part->offset;
   }
   return asr;
+}
+
+SelectedAsrs without(const AsrSource& source, const std::set<AsrId>& some) {
+  std::vector<AsrId> others = source.ids();
+  std::erase_if(others, [&](AsrId id) { return some.contains(id); });
+  return {source, std::move(others)};
 }
 
 }  // namespace roomatlas

@@ -87,7 +87,7 @@ class Component {
 
   /// Once all are placed: every visit is matched again with those of other missions that came to
   /// lie near, farther around, and what was found before is forgotten.
-  void match_again() {
+  void match_again(double loss_width = 1.0) {
     VisitsNear near(options_.near_m);
     closures_.clear();
     for (const MissionMap* mission : missions_) {
@@ -95,7 +95,23 @@ class Component {
       closures_.insert(closures_.end(), found.begin(), found.end());
       for (const AsrShape& shape : mission->shapes) near.add(shape, placement_.at(shape.id));
     }
-    solve();
+    solve(loss_width);
+  }
+
+  /// Where matches that readings bear out were thrown out, a mission may lie where it bent to, held
+  /// there by false matches of what looks alike. All is matched again, under losses that are wide
+  /// first and narrow to what they are (graduated non-convexity, Blake and Zisserman 1987).
+  /// @returns whether the matches that hold have more in common since; else all is as it was
+  bool straighten() {
+    if (!throws_out()) return false;
+    const Placement placement = placement_;
+    const std::vector<Closure> closures = closures_;
+    const double before = holding(closures_);
+    for (const double width : {64.0, 16.0, 4.0, 1.0}) match_again(width);
+    if (holding(closures_) > before) return true;
+    placement_ = placement;
+    closures_ = closures;
+    return false;
   }
 
  private:
@@ -106,11 +122,12 @@ class Component {
   };
 
   /// By one for all: then no rounding of another machine moves anything.
-  void solve() {
-    if (!workers_.is_shared()) return solve_joint(missions_, options_, placement_, closures_);
+  void solve(double loss_width = 1.0) {
+    if (!workers_.is_shared())
+      return solve_joint(missions_, options_, placement_, closures_, loss_width);
     constexpr std::size_t kOnce = 1;
     const Solved solved = made_by<Solved>(workers_, kOnce, 1, [&](std::size_t) {
-                            solve_joint(missions_, options_, placement_, closures_);
+                            solve_joint(missions_, options_, placement_, closures_, loss_width);
                             return Solved{poses_of(placement_), verdicts_of(closures_)};
                           }).front();
     std::size_t i = 0;
@@ -179,6 +196,24 @@ class Component {
         judge(closure.match, is_laser ? options_.min_agreeing : options_.min_agreeing_sonar,
               options_.min_agreement);
     return closure;
+  }
+
+  /// Points in common of the matches that hold.
+  [[nodiscard]] static double holding(const std::vector<Closure>& closures) {
+    double score = 0.0;
+    for (const Closure& closure : closures) {
+      if (closure.verdict == ClosureVerdict::accepted) score += closure.score();
+    }
+    return score;
+  }
+
+  /// Whether solving threw out a match that readings do not contradict.
+  [[nodiscard]] bool throws_out() const {
+    return std::any_of(closures_.begin(), closures_.end(), [&](const Closure& closure) {
+      return closure.verdict == ClosureVerdict::contradicted &&
+             judge(closure.match, options_.min_agreeing, options_.min_agreement) ==
+                 ClosureVerdict::accepted;
+    });
   }
 
   struct Known {
@@ -291,6 +326,9 @@ JoinedMissions join_missions(const std::vector<MissionMap>& missions, const Join
     for (int round = 0; component.missions() > 1 && round < options.rounds; ++round) {
       report(progress, "join missions again", static_cast<double>(round) / options.rounds);
       component.match_again();
+    }
+    for (int round = 0; component.missions() > 1 && round < options.straightenings; ++round) {
+      if (!component.straighten()) break;
     }
     if (component.missions() > 1) forget_search(joined.missions[base]);
     joined.placement.insert(component.placement().begin(), component.placement().end());

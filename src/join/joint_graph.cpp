@@ -163,7 +163,7 @@ int solve(const PoseGraph& graph, const NodeOf& node_of,
 }  // namespace
 
 void solve_joint(const std::vector<const MissionMap*>& missions, const JoinOptions& options,
-                 Placement& placement, std::vector<Closure>& closures) {
+                 Placement& placement, std::vector<Closure>& closures, double loss_width) {
   PoseGraph graph;
   NodeOf node_of;
   for (const MissionMap* mission : missions) add_nodes(*mission, placement, graph, node_of);
@@ -176,7 +176,7 @@ void solve_joint(const std::vector<const MissionMap*>& missions, const JoinOptio
     closure_of_edge.push_back(&closure);
     graph.edges.push_back({node_of.at(closure.from), node_of.at(closure.to), EdgeKind::loop,
                            closure.match.first_from_second, closure.match.information,
-                           options.robust_sigmas});
+                           loss_width * options.robust_sigmas});
   }
   (void)solve(graph, node_of, closure_of_edge, first, placement);
 }

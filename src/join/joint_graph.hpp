@@ -15,8 +15,9 @@ namespace roomatlas {
 /// @param missions of one component
 /// @param placement where their visits are so far; those are moved
 /// @param closures between them
+/// @param loss_width times `robust_sigmas`: how far off a match may be and still pull
 void solve_joint(const std::vector<const MissionMap*>& missions, const JoinOptions& options,
-                 Placement& placement, std::vector<Closure>& closures);
+                 Placement& placement, std::vector<Closure>& closures, double loss_width = 1.0);
 
 /// Moves the visits of one mission alone, against what is joined already, which stays where it is:
 /// costs what the mission costs. Of its matches those that contradict the others get that verdict.

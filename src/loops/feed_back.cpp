@@ -19,6 +19,7 @@ std::map<AsrId, std::set<AsrId>> overlapping(const std::vector<AsrShape>& shapes
   for (const AsrShape& shape : shapes) of[shape.id].insert(shape.id);
   for (const Closure& closure : closures) {
     if (closure.verdict != ClosureVerdict::accepted) continue;
+    if (!of.contains(closure.from) || !of.contains(closure.to)) continue;
     of[closure.from].insert(closure.to);
     of[closure.to].insert(closure.from);
   }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <set>
 #include <string>
 #include <utility>
@@ -121,13 +120,6 @@ bool is_drafted(MissionKind kind, const Options& options) {
   return kind != MissionKind::paper && options.assemble.plan == PlanStyle::drafted;
 }
 
-std::vector<AsrId> without(const std::vector<AsrId>& ids, const std::set<AsrId>& some) {
-  std::vector<AsrId> others;
-  std::copy_if(ids.begin(), ids.end(), std::back_inserter(others),
-               [&](AsrId id) { return !some.contains(id); });
-  return others;
-}
-
 /// Visits from which nothing was drawn are given to the rooms in which most of their path lies.
 void give_rooms(const AsrSource& source, const std::set<AsrId>& visits, const Placement& placement,
                 MappedBuilding& building) {
@@ -196,7 +188,7 @@ Assembly assemble_corrected(MissionKind kind, const AsrSource& source, Corrected
   assembly.paths = std::move(corrected.paths);
 
   const AsrSource& recorded = corrected.recorded_again ? *corrected.recorded_again : source;
-  const SelectedAsrs drawn(recorded, without(recorded.ids(), corrected.not_drawn));
+  const SelectedAsrs drawn = without(recorded, corrected.not_drawn);
   const WithPaths read(drawn, assembly.paths);
   MappedBuilding building =
       is_drafted(kind, options)

@@ -145,6 +145,13 @@ bool leave_out(const std::vector<MemberMission>& members, const std::vector<std:
   return has_laser;
 }
 
+/// Readings of lasers matched once more where the missions lie now, with all that lies on them.
+Paths fed_back(const AsrSource& source, const CorrectedMission& corrected, const Options& options) {
+  const SelectedAsrs lasers = without(source, corrected.not_drawn);
+  return feed_back(lasers, shapes_of(lasers, options), corrected.closures,
+                   placement_of(corrected.correction), options.assemble.feed_back, options.jobs);
+}
+
 /// Takes a store's missions and visits into a building, with the numbers that follow.
 class BuildingMaker {
  public:
@@ -257,6 +264,10 @@ Assembly assemble_joined(AssemblyStore& store, const JoinedBuilding& building,
       leave_out(building.members, options.assemble.missions, corrected.not_drawn);
   if (has_laser && options.assemble.draw_latest) {
     corrected.times = in_order_of_time(asrs, building.members, corrected.not_drawn);
+  }
+  if (has_laser && options.assemble.feed_back.enabled) {
+    report(progress, "match readings", -1.0);
+    corrected.paths = fed_back(store, corrected, options);
   }
   Assembly assembly =
       assemble_corrected(has_laser ? MissionKind::laser : MissionKind::sonar, store,

@@ -8,10 +8,7 @@
 #include "strategies.hpp"
 
 namespace roomatlas {
-namespace {
 
-/// The maps of all ASRs, from readings that are loaded for as many ASRs at a time as there are
-/// jobs.
 std::vector<AsrShape> shapes_of(const AsrSource& source, const Options& options) {
   const std::vector<AsrId> ids = source.ids();
   const SharedSource shared(source);
@@ -20,8 +17,6 @@ std::vector<AsrShape> shapes_of(const AsrSource& source, const Options& options)
                     options.assemble.closures.match);
   });
 }
-
-}  // namespace
 
 PassageEdge edge_of(const Closure& closure) {
   PassageEdge edge;

@@ -39,6 +39,10 @@ struct CorrectedMission {
 /// A match that holds, as a measurement of the graph.
 [[nodiscard]] PassageEdge edge_of(const Closure& closure);
 
+/// The maps of all ASRs, from readings that are loaded for as many ASRs at a time as there are
+/// jobs.
+[[nodiscard]] std::vector<AsrShape> shapes_of(const AsrSource& source, const Options& options);
+
 /// Rooms are found again by their walls, and readings matched with all rooms that lie on their own.
 [[nodiscard]] CorrectedMission correct_laser_mission(const AsrSource& source,
                                                      const Options& options,

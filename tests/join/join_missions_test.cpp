@@ -159,6 +159,54 @@ TEST(JoinMissions, KeepsTheHeadingsThatAMissionsOwnCorrectionFound) {
             0.3);  // 1.3 m, were they not kept
 }
 
+/// Three rooms, and a corridor of pilasters all alike but for a few boxes.
+Row rooms_and_corridor() {
+  Row row = row_of({4.0, 5.3, 7.1}, {0.8, 1.4, 1.1});
+  const double from = 17.0;
+  const double length = 36.0;
+  for (const DrawnWall& wall : room_walls(from, 0.0, length, 3.0, 0.9)) row.walls.push_back(wall);
+  for (double x = from + 1.6; x < from + length; x += 1.0) {
+    for (const double y : {0.0, 2.7}) {
+      for (const DrawnWall& wall : room_walls(x, y, 0.3, 0.3, 0.0)) row.walls.push_back(wall);
+    }
+  }
+  for (const double x : {13.3, 24.7, 34.1}) {
+    for (const DrawnWall& wall : room_walls(from + x, 0.0, 0.7, 0.6, 0.0))
+      row.walls.push_back(wall);
+  }
+  for (double x = 2.0; x < length; x += 4.0) row.middles.push_back({from + x, 1.5});
+  return row;
+}
+
+TEST(JoinMissions, StraightensAMissionThatOthersOnlyMeetWhereItHasBent) {
+  const Row row = rooms_and_corridor();
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < row.middles.size(); ++i) all.push_back(i);
+  const Pose2 second_from_world{4.0, 2.0, 0.7};
+  const MissionMap truth = driven(row, all, 11, second_from_world);
+  std::vector<MissionMap> missions = {driven(row, {0, 1, 2}, 1, {}), truth,
+                                      driven(row, all, 41, {1.0, 1.0, 2.0})};
+  // Odometry drew each step of the second too long; nothing told it so.
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  information.diagonal() << 1e3, 1e3, 1e4;
+  const AsrId last = 10 + static_cast<AsrId>(all.size());
+  for (AsrId id = 11; id < last; ++id) {
+    Pose2 longer = inverse(truth.mission_from_asr.at(id)) * truth.mission_from_asr.at(id + 1);
+    const double stretch = 1.0 + 0.20 / longer.position().norm();
+    longer.x_m *= stretch;
+    longer.y_m *= stretch;
+    missions[1].measured.push_back({id, id + 1, longer, information, false});
+    missions[1].mission_from_asr[id + 1] = missions[1].mission_from_asr[id] * longer;
+  }
+  const JoinedMissions joined = join_missions(missions, for_small_missions());
+  for (const JoinedMission& mission : joined.missions) ASSERT_EQ(mission.component, 0);
+  EXPECT_LT(largest_error_m(joined, truth, inverse(second_from_world)), 0.5);
+  JoinOptions options = for_small_missions();
+  options.straightenings = 0;
+  const JoinedMissions bent = join_missions(missions, options);
+  EXPECT_GT(largest_error_m(bent, truth, inverse(second_from_world)), 0.75);
+}
+
 TEST(JoinMissions, GivesTheSameForAnyNumberOfJobs) {
   const std::vector<MissionMap> missions = {
       driven(building(), {0, 1, 2, 3}, 1, {}),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "roomatlas/asr/store.hpp"
@@ -46,5 +47,8 @@ class SelectedAsrs : public AsrSource {
   const AsrSource& source_;
   std::vector<AsrId> ids_;
 };
+
+/// All but some; `source` must outlive it.
+[[nodiscard]] SelectedAsrs without(const AsrSource& source, const std::set<AsrId>& some);
 
 }  // namespace roomatlas

@@ -31,11 +31,12 @@ struct JoinOptions {
   double solve_growth = 0.3;
   double search_growth_m2 = 5.0;  ///< who found no place is looked for again once so much more
                                   ///< floor and wall is known
-  int rounds = 2;                 ///< ... is straightened in so many rounds
-  int min_agreeing = 60;          ///< points on common walls, of lasers ...
-  int min_agreeing_sonar = 30;    ///< ... and where one of the two is a sonars' visit
-  double min_agreement = 0.65;    ///< of the points that can tell
-  double robust_sigmas = 2.0;     ///< matches off by more lose weight (Cauchy)
+  int rounds = 2;                 ///< ... is straightened in so many rounds ...
+  int straightenings = 4;  ///< ... and again, so often at most, where good matches were thrown out
+  int min_agreeing = 60;   ///< points on common walls, of lasers ...
+  int min_agreeing_sonar = 30;  ///< ... and where one of the two is a sonars' visit
+  double min_agreement = 0.65;  ///< of the points that can tell
+  double robust_sigmas = 2.0;   ///< matches off by more lose weight (Cauchy)
 };
 
 /// What became of one mission.

@@ -26,7 +26,8 @@ struct FeedBackOptions {
 /// ASR and of all that a closure lays on it: the map and the path in turn make each other truer,
 /// the expectation-maximization localization of the paper's section V. The frames stay.
 /// @param shapes of all ASRs, parallel to `source.ids()`
-/// @param closures those accepted tell which ASRs lie on each other
+/// @param closures those accepted tell which ASRs lie on each other; those of other ASRs count for
+///   nothing
 /// @returns one path an ASR, in its frame and one pose a reading; readings that match too little
 ///   keep their pose
 /// @param jobs threads at once, see `for_each_index`; so many ASRs' readings are loaded at a time
