@@ -161,11 +161,11 @@ class MissionPlacer {
     place.pieces.resize(pieces_.size());
     Pose2 guess = vote.building_from_mission;
     for (std::size_t i = vote.piece; i < pieces_.size(); ++i) {
-      place.pieces[i] = placed(pieces_[i], guess);
+      place.pieces[i] = followed_to(i, vote, guess);
     }
     place.building_from_mission = place.pieces[vote.piece].place.building_from_query;
     guess = place.building_from_mission;
-    for (std::size_t i = vote.piece; i-- > 0;) place.pieces[i] = placed(pieces_[i], guess);
+    for (std::size_t i = vote.piece; i-- > 0;) place.pieces[i] = followed_to(i, vote, guess);
     for (const PlacedPiece& piece : place.pieces) {
       place.score += piece.is_inside ? piece.place.score : std::min(0.0, piece.place.score);
       if (!piece.is_inside) continue;
@@ -173,6 +173,32 @@ class MissionPlacer {
       place.contradicting += piece.place.contradicting + piece.place.missing;
     }
     return place;
+  }
+
+  /// From where the piece before lies, or else, since the mission may have bent where the building
+  /// is not known, from where the piece itself votes.
+  [[nodiscard]] PlacedPiece followed_to(std::size_t piece, const Vote& vote, Pose2& guess) const {
+    PlacedPiece result = placed(pieces_[piece], guess);
+    if (result.fits) return result;
+    const Vote* own = vote_alike(piece, vote);
+    if (own == nullptr) return result;
+    Pose2 own_guess = own->building_from_mission;
+    PlacedPiece other = placed(pieces_[piece], own_guess);
+    if (!other.fits) return result;
+    guess = own_guess;
+    return other;
+  }
+
+  /// The best of a piece's own votes for the same place; null where there is none.
+  [[nodiscard]] const Vote* vote_alike(std::size_t piece, const Vote& vote) const {
+    const Vote* best = nullptr;
+    for (const Vote& other : votes_) {
+      const bool is_alike =
+          other.piece == piece &&
+          are_alike(vote.building_from_mission, other.building_from_mission, pieces_[piece].middle);
+      if (is_alike && (best == nullptr || other.score > best->score)) best = &other;
+    }
+    return best;
   }
 
   [[nodiscard]] PlacedPiece placed(const Piece& piece, Pose2& guess) const {

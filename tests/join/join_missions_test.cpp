@@ -92,6 +92,25 @@ TEST(JoinMissions, PutsEachWhereItWasHoweverItsFrameIsTurned) {
   }
 }
 
+TEST(JoinMissions, FindsBothEndsOfAMissionThatBentWhereNobodyElseWas) {
+  const Row row = row_of({4.0, 5.3, 7.1, 3.6, 6.2, 4.4, 5.8, 6.6, 5.0},
+                         {0.8, 1.4, 1.1, 0.0, 1.9, 0.6, 1.2, 1.6, 0.9});
+  const Pose2 second_from_world{20.0, -7.0, radians(123.0)};
+  const MissionMap truth = driven(row, {0, 1, 2, 3, 4, 5, 6, 7, 8}, 11, second_from_world);
+  MissionMap bent = truth;
+  for (auto& [id, pose] : bent.mission_from_asr) {
+    if (id > 14) pose = Pose2{0.6, 0.4, 0.0} * pose;
+  }
+  const std::vector<MissionMap> missions = {driven(row, {0, 1, 2, 6, 7, 8}, 1, {}), bent};
+  const JoinedMissions joined = join_missions(missions, for_small_missions());
+  ASSERT_EQ(joined.missions[1].component, 0);
+  for (const AsrId id : {11, 12, 13, 17, 18, 19}) {
+    const Pose2 true_pose = inverse(second_from_world) * truth.mission_from_asr.at(id);
+    EXPECT_LT((joined.placement.at(id).position() - true_pose.position()).norm(), 0.25) << id;
+  }
+  EXPECT_TRUE(joined.missions[1].best.pieces.back().fits);
+}
+
 TEST(JoinMissions, LeavesAMissionThroughRoomsAlikeAlone) {
   const std::vector<MissionMap> missions = {driven(rooms_alike(), {0, 1, 2, 3, 4}, 1, {}),
                                             driven(rooms_alike(), {1, 2}, 11, {3.0, 1.0, 0.4})};
