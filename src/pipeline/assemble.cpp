@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -120,21 +123,46 @@ bool is_drafted(MissionKind kind, const Options& options) {
   return kind != MissionKind::paper && options.assemble.plan == PlanStyle::drafted;
 }
 
-/// Visits from which nothing was drawn are given to the rooms in which most of their path lies.
+/// The room that a path comes nearest to.
+std::optional<RoomId> nearest_room(const std::vector<Point2>& path,
+                                   const std::vector<PlacedOutline>& outlines) {
+  std::optional<RoomId> nearest;
+  double least_m = std::numeric_limits<double>::infinity();
+  for (const PlacedOutline& room : outlines) {
+    for (const Point2& at : path) {
+      const double away_m = distance_to_boundary(room.outline.outer, at);
+      if (!(away_m < least_m)) continue;
+      least_m = away_m;
+      nearest = room.room;
+    }
+  }
+  return nearest;
+}
+
+/// The room in which most of a path lies; of one that is in none, as between the posts of a door,
+/// the nearest.
+std::optional<RoomId> room_of(const std::vector<Point2>& path,
+                              const std::vector<PlacedOutline>& outlines) {
+  std::map<RoomId, int> poses;
+  for (const Point2& at : path) {
+    for (const PlacedOutline& room : outlines) {
+      if (contains(room.outline, at)) ++poses[room.room];
+    }
+  }
+  const auto most = std::max_element(
+      poses.begin(), poses.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == poses.end() ? nearest_room(path, outlines) : most->first;
+}
+
+/// Visits from which nothing was drawn are given to the rooms where their path lies.
 void give_rooms(const AsrSource& source, const std::set<AsrId>& visits, const Placement& placement,
                 MappedBuilding& building) {
   for (const AsrId id : visits) {
-    std::map<RoomId, int> poses;
+    std::vector<Point2> path;
     for (const PathSample& sample : source.get(id, AsrDetail::path).path) {
-      const Point2 at = placement.at(id) * sample.asr_from_robot.position();
-      for (const PlacedOutline& room : building.outlines) {
-        if (contains(room.outline, at)) ++poses[room.room];
-      }
+      path.push_back(placement.at(id) * sample.asr_from_robot.position());
     }
-    const auto most =
-        std::max_element(poses.begin(), poses.end(),
-                         [](const auto& a, const auto& b) { return a.second < b.second; });
-    if (most != poses.end()) building.room_of_asr[id] = most->first;
+    if (const auto room = room_of(path, building.outlines)) building.room_of_asr[id] = *room;
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `join` and `build` of several logs as a user runs them: missions of simulated rooms.
+#include <SQLiteCpp/Database.h>
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -162,6 +163,19 @@ TEST_F(Join, DrawsWhatSomeOfTheMissionsSawAlone) {
   EXPECT_NEAR(area_m2(store), all_m2, 1e-3);
   EXPECT_EQ(run("-q assemble " + store + " --missions other").exit_code, 2);
   EXPECT_EQ(run("-q assemble " + place + "/missions/one.gpkg --missions 1").exit_code, 2);
+}
+
+TEST_F(Join, GivesAVisitThatLiesInNoRoomToTheNearest) {
+  const std::string place = (*folder_ / "beyond").string();
+  ASSERT_EQ(run("-q build " + one_ + " " + two_ + " -o " + place).exit_code, 0);
+  const std::string store = place + "/building.gpkg";
+  SQLite::Database(store, SQLite::OPEN_READWRITE)
+      .exec(
+          "UPDATE corrections SET after_x_m = after_x_m + 50 "
+          "WHERE asr = (SELECT last_asr FROM missions WHERE id = 2)");
+  const Outcome done = run("-q assemble " + store + " --missions 1");
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_EQ(GeoPackageStore(store, GeoPackageStore::Mode::read).plan().rooms.size(), 2U);
 }
 
 TEST_F(Join, LeavesAMissionOfAnotherBuildingAloneAndSaysSo) {
