@@ -8,8 +8,17 @@
 namespace roomatlas {
 namespace {
 
-constexpr std::size_t kRayStride = 5;  ///< every fifth ray is asked: walls are many
-constexpr std::size_t kHitStride = 3;  ///< every third hit
+constexpr std::size_t kRayStride = 5;    ///< every fifth ray is asked: walls are many
+constexpr std::size_t kHitStride = 3;    ///< every third hit
+constexpr std::size_t kManyVisits = 64;  ///< near a visit: of twice as many half the rays are asked
+
+using Others = std::vector<const PlacedEvidence*>;
+
+/// Where a building was driven often, fewer rays of each visit say as much: the cost grows with
+/// the visits, not with their square.
+std::size_t stride_among(const Others& others, std::size_t stride) {
+  return stride * std::max<std::size_t>(1, (others.size() + kManyVisits - 1) / kManyVisits);
+}
 
 Box2 box_of(const Segment2& segment) {
   return {segment.a.cwiseMin(segment.b), segment.a.cwiseMax(segment.b)};
@@ -58,13 +67,17 @@ ConsistencyValue rays_through_walls(const PlacedAll& all, const ConsistencyOptio
   std::int64_t met = 0;
   std::int64_t through = 0;
   for (const PlacedEvidence& a : all) {
+    Others others;
     for (const PlacedEvidence& b : all) {
-      if (&a == &b || !near(a.seen, b.solid, 0.0)) continue;
-      const Pose2 b_from_a = inverse(b.building_from_asr) * a.building_from_asr;
+      if (&a != &b && near(a.seen, b.solid, 0.0)) others.push_back(&b);
+    }
+    const std::size_t stride = stride_among(others, kRayStride);
+    for (const PlacedEvidence* b : others) {
+      const Pose2 b_from_a = inverse(b->building_from_asr) * a.building_from_asr;
       const auto& rays = a.evidence->rays;
-      for (std::size_t i = 0; i < rays.size(); i += kRayStride) {
+      for (std::size_t i = 0; i < rays.size(); i += stride) {
         const auto behind_m = behind_wall_m(transformed(b_from_a, rays[i].segment),
-                                            b.evidence->walls, options.deep_m);
+                                            b->evidence->walls, options.deep_m);
         if (!behind_m) continue;
         if (!rays[i].is_hit && *behind_m < options.deep_m) continue;  // it says nothing of the wall
         ++met;
@@ -82,20 +95,24 @@ std::vector<VisitAgreement> judge_visits(const PlacedAll& all, const Consistency
     VisitAgreement& sums = visits.emplace_back();
     sums.asr = a.evidence->asr;
     std::vector<bool> is_known(rays.size(), false);
+    Others others;
     for (const PlacedEvidence& b : all) {
-      if (&a == &b || !near(a.seen, b.seen, options.deep_m)) continue;
-      const Pose2 b_from_a = inverse(b.building_from_asr) * a.building_from_asr;
-      for (std::size_t i = 0; i < rays.size(); i += kHitStride) {
+      if (&a != &b && near(a.seen, b.seen, options.deep_m)) others.push_back(&b);
+    }
+    const std::size_t stride = stride_among(others, kHitStride);
+    for (const PlacedEvidence* b : others) {
+      const Pose2 b_from_a = inverse(b->building_from_asr) * a.building_from_asr;
+      for (std::size_t i = 0; i < rays.size(); i += stride) {
         if (!rays[i].is_hit) continue;
         const Segment2 ray = transformed(b_from_a, rays[i].segment);
         const Point2& hit = ray.b;
-        if (add(b.evidence->seen.nearest_hit(hit, ray.b - ray.a, options.deep_m),
-                b.evidence->seen.free_rays(hit) >= options.min_free_rays, options.deep_m, sums)) {
+        if (add(b->evidence->seen.nearest_hit(hit, ray.b - ray.a, options.deep_m),
+                b->evidence->seen.free_rays(hit) >= options.min_free_rays, options.deep_m, sums)) {
           is_known[i] = true;
         }
       }
     }
-    for (std::size_t i = 0; i < rays.size(); i += kHitStride) sums.hits += rays[i].is_hit ? 1 : 0;
+    for (std::size_t i = 0; i < rays.size(); i += stride) sums.hits += rays[i].is_hit ? 1 : 0;
     sums.known = std::count(is_known.begin(), is_known.end(), true);
   }
   return visits;

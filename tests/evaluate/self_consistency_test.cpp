@@ -135,6 +135,30 @@ TEST(SelfConsistency, HitsInsideAnotherRoomAndRaysThroughItsWallsContradict) {
   EXPECT_GT(value_of(wrong, F::rays_through_walls), 0.3);
 }
 
+TEST(SelfConsistency, OfManyVisitsOfOneRoomFewerRaysSayAsMuch) {
+  const AsrEvidence one = evidence_of(seen_room(1), {});
+  const auto judged_of = [&](AsrId visits) {  // half of them a metre off
+    std::vector<AsrEvidence> all;
+    std::map<AsrId, Pose2> placement;
+    std::map<AsrId, RoomId> rooms;
+    for (AsrId id = 1; id <= visits; ++id) {
+      all.push_back(one);
+      all.back().asr = id;
+      placement[id] = id % 2 == 0 ? Pose2{} : Pose2{1, 1, 0};
+      rooms[id] = 1;
+    }
+    return self_consistency(all, placement, rooms, {});
+  };
+  const SelfConsistency all_rays = judged_of(64);
+  const SelfConsistency fewer = judged_of(160);
+  for (const auto figure : {F::hits_in_free_space, F::rays_through_walls, F::doubled_walls}) {
+    EXPECT_GT(value_of(all_rays, figure), 0.0);
+    EXPECT_NEAR(value_of(fewer, figure), value_of(all_rays, figure),
+                0.1 * value_of(all_rays, figure))
+        << to_string(figure);
+  }
+}
+
 TEST(SelfConsistency, DoesNotDependOnWhereTheBuildingLies) {
   const auto evidence = two_rooms();
   const Pose2 second{3.6, 0.3, radians(4)};
