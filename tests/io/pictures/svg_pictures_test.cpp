@@ -55,6 +55,14 @@ TEST(Png, IsNotBlankAndTheSameEveryTime) {
   std::filesystem::remove(file);
 }
 
+TEST(Png, IsDrawnOfAnElementOfMoreThanTenMegabytes) {
+  const std::string svg = kSvg.substr(0, kSvg.rfind("</svg>")) + R"(<rect fill="none" id=")" +
+                          std::string(11'000'000, 'x') + R"("/></svg>)";
+  const Path file = temporary("large.png");
+  EXPECT_NO_THROW(write_png(file, svg, 25.4));
+  EXPECT_EQ(read(file).substr(1, 3), "PNG");
+}
+
 TEST(Pdf, HasTheSizeOnPaperThatTheDocumentStatesAndTheSameBytesEveryTime) {
   const Path file = temporary("drawn.pdf");
   write_pdf(file, kSvg, "Two squares", "2003-02-19");
