@@ -2,24 +2,23 @@
 // What numbers on the command line and in its file must be.
 #pragma once
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <cmath>
-#include <sstream>
 #include <string>
 
 namespace roomatlas::apps {
 
-/// As CLI::Range, which lets NaN pass because it is neither below nor above a limit.
+/// As CLI::Range, which lets NaN pass because it is neither below nor above a limit, and writes a
+/// whole number of seven digits in a way that it does not read.
 [[nodiscard]] inline CLI::Validator within(double low, double high) {
   const auto check = [low, high](std::string& text) {
     double value = 0.0;
     const bool fits = CLI::detail::lexical_cast(text, value) && low <= value && value <= high;
-    std::ostringstream complaint;
-    if (!fits) complaint << "Value " << text << " not in range " << low << " to " << high;
-    return complaint.str();
+    return fits ? "" : fmt::format("Value {} not in range {} to {}", text, low, high);
   };
-  return {check, CLI::Range(low, high).get_description()};
+  return {check, fmt::format("FLOAT in [{} - {}]", low, high)};
 }
 
 /// Any number but NaN and the infinities; the help does not mention it.
