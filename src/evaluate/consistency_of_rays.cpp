@@ -10,14 +10,33 @@ namespace {
 
 constexpr std::size_t kRayStride = 5;    ///< every fifth ray is asked: walls are many
 constexpr std::size_t kHitStride = 3;    ///< every third hit
-constexpr std::size_t kManyVisits = 64;  ///< near a visit: of twice as many half the rays are asked
+constexpr std::size_t kManyVisits = 64;  ///< near a visit: twice as many are asked of half each
 
 using Others = std::vector<const PlacedEvidence*>;
 
-/// Where a building was driven often, fewer rays of each visit say as much: the cost grows with
-/// the visits, not with their square.
-std::size_t stride_among(const Others& others, std::size_t stride) {
-  return stride * std::max<std::size_t>(1, (others.size() + kManyVisits - 1) / kManyVisits);
+template <typename IsNear>
+Others others_than(const PlacedEvidence& a, const PlacedAll& all, const IsNear& is_near) {
+  Others others;
+  for (const PlacedEvidence& b : all) {
+    if (&a != &b && is_near(b)) others.push_back(&b);
+  }
+  return others;
+}
+
+/// Every so manieth ray of a visit. Where a building was driven often, each of the others is asked
+/// of a share of them, in turn: a visit asks no more however many lie near it, and asks of all.
+/// @param ask takes the ray's number, the ray in the other's frame, and the other
+template <typename Ask>
+void for_each_asked(const PlacedEvidence& a, const Others& others, std::size_t stride,
+                    const Ask& ask) {
+  const auto& rays = a.evidence->rays;
+  const std::size_t shares = std::max<std::size_t>(1, others.size() / kManyVisits);
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    const Pose2 b_from_a = inverse(others[k]->building_from_asr) * a.building_from_asr;
+    for (std::size_t i = stride * (k % shares); i < rays.size(); i += stride * shares) {
+      ask(i, transformed(b_from_a, rays[i].segment), *others[k]->evidence);
+    }
+  }
 }
 
 Box2 box_of(const Segment2& segment) {
@@ -67,23 +86,17 @@ ConsistencyValue rays_through_walls(const PlacedAll& all, const ConsistencyOptio
   std::int64_t met = 0;
   std::int64_t through = 0;
   for (const PlacedEvidence& a : all) {
-    Others others;
-    for (const PlacedEvidence& b : all) {
-      if (&a != &b && near(a.seen, b.solid, 0.0)) others.push_back(&b);
-    }
-    const std::size_t stride = stride_among(others, kRayStride);
-    for (const PlacedEvidence* b : others) {
-      const Pose2 b_from_a = inverse(b->building_from_asr) * a.building_from_asr;
-      const auto& rays = a.evidence->rays;
-      for (std::size_t i = 0; i < rays.size(); i += stride) {
-        const auto behind_m = behind_wall_m(transformed(b_from_a, rays[i].segment),
-                                            b->evidence->walls, options.deep_m);
-        if (!behind_m) continue;
-        if (!rays[i].is_hit && *behind_m < options.deep_m) continue;  // it says nothing of the wall
-        ++met;
-        if (*behind_m > options.deep_m) ++through;
-      }
-    }
+    const Others others =
+        others_than(a, all, [&](const PlacedEvidence& b) { return near(a.seen, b.solid, 0.0); });
+    const auto ask = [&](std::size_t i, const Segment2& ray, const AsrEvidence& b) {
+      const auto behind_m = behind_wall_m(ray, b.walls, options.deep_m);
+      if (!behind_m) return;
+      // A ray without a hit that ends before the wall says nothing of it.
+      if (!a.evidence->rays[i].is_hit && *behind_m < options.deep_m) return;
+      ++met;
+      if (*behind_m > options.deep_m) ++through;
+    };
+    for_each_asked(a, others, kRayStride, ask);
   }
   return mean_of(ConsistencyFigure::rays_through_walls, static_cast<double>(through), met);
 }
@@ -95,24 +108,17 @@ std::vector<VisitAgreement> judge_visits(const PlacedAll& all, const Consistency
     VisitAgreement& sums = visits.emplace_back();
     sums.asr = a.evidence->asr;
     std::vector<bool> is_known(rays.size(), false);
-    Others others;
-    for (const PlacedEvidence& b : all) {
-      if (&a != &b && near(a.seen, b.seen, options.deep_m)) others.push_back(&b);
-    }
-    const std::size_t stride = stride_among(others, kHitStride);
-    for (const PlacedEvidence* b : others) {
-      const Pose2 b_from_a = inverse(b->building_from_asr) * a.building_from_asr;
-      for (std::size_t i = 0; i < rays.size(); i += stride) {
-        if (!rays[i].is_hit) continue;
-        const Segment2 ray = transformed(b_from_a, rays[i].segment);
-        const Point2& hit = ray.b;
-        if (add(b->evidence->seen.nearest_hit(hit, ray.b - ray.a, options.deep_m),
-                b->evidence->seen.free_rays(hit) >= options.min_free_rays, options.deep_m, sums)) {
-          is_known[i] = true;
-        }
+    const Others others = others_than(
+        a, all, [&](const PlacedEvidence& b) { return near(a.seen, b.seen, options.deep_m); });
+    const auto ask = [&](std::size_t i, const Segment2& ray, const AsrEvidence& b) {
+      if (!rays[i].is_hit) return;
+      if (add(b.seen.nearest_hit(ray.b, ray.b - ray.a, options.deep_m),
+              b.seen.free_rays(ray.b) >= options.min_free_rays, options.deep_m, sums)) {
+        is_known[i] = true;
       }
-    }
-    for (std::size_t i = 0; i < rays.size(); i += stride) sums.hits += rays[i].is_hit ? 1 : 0;
+    };
+    for_each_asked(a, others, kHitStride, ask);
+    for (std::size_t i = 0; i < rays.size(); i += kHitStride) sums.hits += rays[i].is_hit ? 1 : 0;
     sums.known = std::count(is_known.begin(), is_known.end(), true);
   }
   return visits;

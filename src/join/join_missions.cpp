@@ -207,7 +207,8 @@ class Component {
     return score;
   }
 
-  /// Whether solving threw out a match that readings do not contradict.
+  /// Whether solving threw out a match that readings do not contradict. Whatever the sensors, it
+  /// has the points that one of lasers must have: few of a sonar are no reason to look again.
   [[nodiscard]] bool throws_out() const {
     return std::any_of(closures_.begin(), closures_.end(), [&](const Closure& closure) {
       return closure.verdict == ClosureVerdict::contradicted &&

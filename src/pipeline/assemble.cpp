@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -123,10 +122,9 @@ bool is_drafted(MissionKind kind, const Options& options) {
   return kind != MissionKind::paper && options.assemble.plan == PlanStyle::drafted;
 }
 
-/// The room that a path comes nearest to.
-std::optional<RoomId> nearest_room(const std::vector<Point2>& path,
-                                   const std::vector<PlacedOutline>& outlines) {
-  std::optional<RoomId> nearest;
+/// The room that a path comes nearest to; 0 where there is none at all.
+RoomId nearest_room(const std::vector<Point2>& path, const std::vector<PlacedOutline>& outlines) {
+  RoomId nearest = 0;
   double least_m = std::numeric_limits<double>::infinity();
   for (const PlacedOutline& room : outlines) {
     for (const Point2& at : path) {
@@ -141,8 +139,7 @@ std::optional<RoomId> nearest_room(const std::vector<Point2>& path,
 
 /// The room in which most of a path lies; of one that is in none, as between the posts of a door,
 /// the nearest.
-std::optional<RoomId> room_of(const std::vector<Point2>& path,
-                              const std::vector<PlacedOutline>& outlines) {
+RoomId room_of(const std::vector<Point2>& path, const std::vector<PlacedOutline>& outlines) {
   std::map<RoomId, int> poses;
   for (const Point2& at : path) {
     for (const PlacedOutline& room : outlines) {
@@ -162,7 +159,7 @@ void give_rooms(const AsrSource& source, const std::set<AsrId>& visits, const Pl
     for (const PathSample& sample : source.get(id, AsrDetail::path).path) {
       path.push_back(placement.at(id) * sample.asr_from_robot.position());
     }
-    if (const auto room = room_of(path, building.outlines)) building.room_of_asr[id] = *room;
+    building.room_of_asr[id] = room_of(path, building.outlines);
   }
 }
 

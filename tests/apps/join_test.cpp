@@ -176,6 +176,11 @@ TEST_F(Join, GivesAVisitThatLiesInNoRoomToTheNearest) {
   const Outcome done = run("-q assemble " + store + " --missions 1");
   EXPECT_EQ(done.exit_code, 0) << done.err;
   EXPECT_EQ(GeoPackageStore(store, GeoPackageStore::Mode::read).plan().rooms.size(), 2U);
+
+  // Nor is there a nearest where there is none.
+  const Outcome without = run("-q assemble " + store + " --missions 1 --min-room 100");
+  EXPECT_EQ(without.exit_code, 4) << without.err;  // it says so, and writes all files
+  EXPECT_EQ(GeoPackageStore(store, GeoPackageStore::Mode::read).plan().rooms.size(), 0U);
 }
 
 TEST_F(Join, LeavesAMissionOfAnotherBuildingAloneAndSaysSo) {

@@ -154,7 +154,7 @@ TEST(SelfConsistency, OfManyVisitsOfOneRoomFewerRaysSayAsMuch) {
   for (const auto figure : {F::hits_in_free_space, F::rays_through_walls, F::doubled_walls}) {
     EXPECT_GT(value_of(all_rays, figure), 0.0);
     EXPECT_NEAR(value_of(fewer, figure), value_of(all_rays, figure),
-                0.1 * value_of(all_rays, figure))
+                0.05 * value_of(all_rays, figure))
         << to_string(figure);
   }
 }
