@@ -88,14 +88,24 @@ std::string name_in(const std::string& line) {
   return CLI::detail::remove_quotes(name);
 }
 
-/// Reads one line as the program would.
+void bind(CLI::App& app, const Parameter& parameter) {
+  CLI::Option* option =
+      std::visit([&](const auto& kind) { return bind(app, parameter, kind); }, parameter.kind)
+          ->group(heading_of(parameter.stage));
+  if (parameter.stage == Stage::run) option->configurable(false);
+}
+
+/// Reads one line as the program would, which has the parameter that the line names among others.
 void try_line(const std::string& name, const std::string& line) {
   CLI::App app;
   Settings unused;
-  bind_parameters(app, unused);
+  const std::vector<Parameter> parameters = parameters_of(unused);
+  for (const Parameter& parameter : parameters) {
+    if (name == parameter.name || name == "no-" + parameter.name) bind(app, parameter);
+  }
   if (app.get_option_no_throw("--" + name) == nullptr) {
     std::vector<std::string> names;
-    for (const Parameter& parameter : parameters_of(unused)) names.push_back(parameter.name);
+    for (const Parameter& parameter : parameters) names.push_back(parameter.name);
     throw UsageError("no such parameter: " + name + did_you_mean(name, names));
   }
   std::istringstream in(line);
@@ -147,12 +157,7 @@ std::vector<Line> lines_of(const std::string& toml) {
 }  // namespace
 
 void bind_parameters(CLI::App& app, Settings& settings) {
-  for (const Parameter& parameter : parameters_of(settings)) {
-    CLI::Option* option =
-        std::visit([&](const auto& kind) { return bind(app, parameter, kind); }, parameter.kind)
-            ->group(heading_of(parameter.stage));
-    if (parameter.stage == Stage::run) option->configurable(false);
-  }
+  for (const Parameter& parameter : parameters_of(settings)) bind(app, parameter);
 }
 
 void complete(Settings& settings, const CLI::App& app) {

@@ -48,5 +48,6 @@ if(ROOMATLAS_FUZZ)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL Clang)
     message(FATAL_ERROR "ROOMATLAS_FUZZ needs clang, whose libFuzzer it uses: cmake --preset fuzz")
   endif()
-  add_compile_options(-fsanitize=fuzzer-no-link)
+  add_compile_options(-fsanitize=fuzzer-no-link
+                      -fsanitize-coverage-allowlist=${PROJECT_SOURCE_DIR}/tests/fuzz/guided.txt)
 endif()

@@ -2,7 +2,7 @@
 // Configurations: the file of --config, and what a store keeps of the parameters it was made with.
 #include <CLI/CLI.hpp>
 
-#include <sstream>
+#include <memory>
 
 #include "bind_parameters.hpp"
 #include "roomatlas/core/issue.hpp"
@@ -11,14 +11,22 @@
 namespace roomatlas::fuzz {
 namespace {
 
+/// With all parameters, once for all inputs: their file has one name.
+CLI::App& app_with(const Path& file) {
+  static apps::Settings settings;
+  static const auto app = [&] {
+    auto made = std::make_unique<CLI::App>();
+    apps::bind_parameters(*made, settings);
+    made->set_config("--config", file.string());
+    made->config_formatter(std::make_shared<apps::ConfigurationFile>(*made));
+    return made;
+  }();
+  return *app;
+}
+
 void read_file(const Path& file, const std::string&) {
-  apps::Settings settings;
-  CLI::App app;
-  apps::bind_parameters(app, settings);
-  app.set_config("--config", file.string());
-  app.config_formatter(std::make_shared<apps::ConfigurationFile>(app));
   try {
-    app.parse(std::string());
+    app_with(file).parse(std::string());
   } catch (const CLI::ParseError& wrong) {
     throw UsageError(wrong.what());
   }

@@ -109,4 +109,15 @@ std::string mutated(std::string bytes, const std::string& other, Random& random,
   return bytes;
 }
 
+std::string grown(const std::string& bytes, Random& random, std::size_t most_bytes) {
+  Stretch at = stretch_of(bytes, random);
+  if (below(random, 4) == 0) at = {0, bytes.size()};
+  if (bytes.size() >= most_bytes || at.length == 0) return bytes;
+  const std::string again = bytes.substr(at.begin, at.length);
+  std::string between;
+  between.reserve(most_bytes);
+  while (bytes.size() + between.size() + again.size() <= most_bytes) between += again;
+  return bytes.substr(0, at.begin) + between + bytes.substr(at.begin);
+}
+
 }  // namespace roomatlas::fuzz

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The targets as a test with any compiler: replay_readers NAME [COUNT [SEED]] gives the reader its
-// seeds and COUNT mutations of them. Each input has 10 s of processor time and 1 GiB of memory.
+// seeds and COUNT mutations of them, some of which it lets grow to 1 MiB. Each input has 10 s of
+// processor time and 1 GiB of memory; what was used at most is said.
 // What fails is told by its number; replay_readers NAME FILE reads it again from a file, and
 // replay_readers --list names the targets.
 #include <sys/resource.h>
 #include <sys/time.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <iterator>
 
@@ -22,6 +25,7 @@ using namespace roomatlas::fuzz;
 
 constexpr long kMost_s = 10;
 constexpr std::size_t kMostBytes = std::size_t{1} << 20;
+constexpr int kGrown = 200;  // of so many inputs one grows
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kIsSanitized = true;  // which takes terabytes of addresses
@@ -43,28 +47,47 @@ void bound_memory() {
   setrlimit(RLIMIT_DATA, &limit);
 }
 
-void run_within_time(const Target& target, const std::string& bytes) {
+/// The processor time that it took.
+double run_within_time(const Target& target, const std::string& bytes) {
+  const std::clock_t begin = std::clock();
   const itimerval time{{0, 0}, {kMost_s, 0}};
   setitimer(ITIMER_VIRTUAL, &time, nullptr);
   run_input(target, bytes);
+  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+/// A mutation of a seed, that of this number.
+std::string input_of(const std::vector<std::string>& seeds, int index, std::uint64_t seed) {
+  Random random(seed * 1'000'003 + static_cast<std::uint64_t>(index));
+  const std::string& bytes = seeds[random() % seeds.size()];
+  const std::string& other = seeds[random() % seeds.size()];
+  if (index % kGrown != 0) return mutated(bytes, other, random, kMostBytes);
+  return mutated(grown(bytes, random, kMostBytes), other, random, kMostBytes);
+}
+
+double most_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
 void replay(const Target& target, int count, std::uint64_t seed) {
   const std::vector<std::string> seeds = target.seeds();
   bound_memory();
-  for (const std::string& bytes : seeds) run_within_time(target, bytes);
+  double slowest_s = 0.0;
+  for (const std::string& bytes : seeds) {
+    slowest_s = std::max(slowest_s, run_within_time(target, bytes));
+  }
   for (int i = 1; i <= count; ++i) {
     number = i;
-    Random random(seed * 1'000'003 + static_cast<std::uint64_t>(i));
-    const std::string& bytes = seeds[random() % seeds.size()];
-    const std::string& other = seeds[random() % seeds.size()];
-    const std::string input = mutated(bytes, other, random, kMostBytes);
+    const std::string input = input_of(seeds, i, seed);
     if (const char* keep = std::getenv("ROOMATLAS_KEEP_INPUT")) {
       std::ofstream(keep, std::ios::binary) << input;
     }
-    run_within_time(target, input);
+    slowest_s = std::max(slowest_s, run_within_time(target, input));
   }
-  std::printf("%s: %zu seeds and %d mutations\n", target.name.c_str(), seeds.size(), count);
+  std::printf("%s: %zu seeds and %d mutations, at most %.2f s and %.0f MB\n", target.name.c_str(),
+              seeds.size(), count, slowest_s, most_memory_mb());
 }
 
 }  // namespace
@@ -82,7 +105,7 @@ int main(int count, char** arguments) {
     const std::string what = count > 2 ? arguments[2] : "2000";
     if (std::filesystem::is_regular_file(what)) {
       std::ifstream in(what, std::ios::binary);
-      run_within_time(target, std::string(std::istreambuf_iterator<char>(in), {}));
+      (void)run_within_time(target, std::string(std::istreambuf_iterator<char>(in), {}));
     } else {
       replay(target, std::atoi(what.c_str()),
              count > 3 ? std::strtoull(arguments[3], nullptr, 10) : 1);

@@ -26,6 +26,7 @@ class Scratch {
         ((is_there ? memory : fs::temp_directory_path()) / "roomatlas-fuzz-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder for inputs");
     path_ = name;
+    setenv("TMPDIR", name.c_str(), 1);  // what readers unpack goes there too
   }
   ~Scratch() {
     std::error_code ignored;

@@ -34,7 +34,21 @@ bool is_control(char c) {
   return (byte < 0x20 && std::strchr("\t\n\v\f\r", byte) == nullptr) || byte == 0x7f;
 }
 
-gzFile open_or_throw(const std::filesystem::path& file) {
+/// What is read ahead: no more than a short file has, since logs are opened several times each.
+std::size_t read_ahead(std::uintmax_t file_bytes, bool is_plain) {
+  constexpr std::uintmax_t kPage = 4096;
+  if (!is_plain || file_bytes >= 2 * kBlock) return 2 * kBlock;
+  return static_cast<std::size_t>(std::max(file_bytes, kPage));
+}
+
+/// 0 where that is not known, as of a pipe.
+std::uintmax_t bytes_of(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(file, error);
+  return error ? 0 : bytes;
+}
+
+gzFile open_or_throw(const std::filesystem::path& file, std::uintmax_t file_bytes) {
   const std::string name = file.string();
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
@@ -49,7 +63,7 @@ gzFile open_or_throw(const std::filesystem::path& file) {
   if (handle == nullptr) {
     throw InputError(name + ": cannot be opened: " + std::strerror(errno != 0 ? errno : ENOMEM));
   }
-  gzbuffer(handle, static_cast<unsigned>(2 * kBlock));
+  gzbuffer(handle, static_cast<unsigned>(read_ahead(file_bytes, file_bytes > 0)));
   return handle;
 }
 
@@ -67,10 +81,10 @@ void require_regular_file(const std::filesystem::path& file) {
 }
 
 LineReader::LineReader(const std::filesystem::path& file)
-    : name_(file.string()), file_(new GzFile{open_or_throw(file)}), buffer_(2 * kBlock) {
-  std::error_code error;
-  const std::uintmax_t bytes = std::filesystem::file_size(file, error);
-  file_bytes_ = error ? 0 : bytes;
+    : name_(file.string()),
+      file_bytes_(bytes_of(file)),
+      file_(new GzFile{open_or_throw(file, file_bytes_)}),
+      buffer_(read_ahead(file_bytes_, file_bytes_ > 0 && gzdirect(file_->handle) == 1)) {
   fill();
   check_first_block();
   find_line_end();

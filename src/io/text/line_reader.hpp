@@ -63,12 +63,12 @@ class LineReader {
   std::string_view skip_long_line();
 
   std::string name_;
+  std::uintmax_t file_bytes_ = 0;
   std::unique_ptr<GzFile, GzFileDelete> file_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0;  ///< of what has not been handed out
   std::size_t filled_ = 0;
   char line_end_ = '\n';
-  std::uintmax_t file_bytes_ = 0;
   std::uint64_t unpacked_bytes_ = 0;
   std::int64_t line_number_ = 0;
   bool line_is_terminated_ = true;
