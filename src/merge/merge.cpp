@@ -5,12 +5,14 @@
 #include "floors.hpp"
 #include "labels.hpp"
 #include "room_kind.hpp"
+#include "roomatlas/plan/room_ids.hpp"
 #include "roomatlas/planar/simplify.hpp"
 #include "wall_outline.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 
 namespace roomatlas {
@@ -114,8 +116,9 @@ std::vector<PlanDoor> doors_of(const std::vector<Door>& doors, const MillimetreG
 
 /// Doors are of no room that is not in the plan.
 void forget_missing_rooms(FloorPlan& plan) {
+  const std::set<RoomId> rooms = room_ids(plan);
   const auto forget = [&](std::optional<RoomId>& side) {
-    if (side && !has_room(plan, *side)) side.reset();
+    if (side && !rooms.contains(*side)) side.reset();
   };
   for (PlanDoor& door : plan.doors) {
     forget(door.room_a);

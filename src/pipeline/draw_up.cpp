@@ -1,27 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "draw_up.hpp"
 
+#include <map>
+#include <set>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "roomatlas/plan/room_ids.hpp"
 
 namespace roomatlas {
 namespace {
 
-std::vector<AsrId> asrs_of(RoomId room, const std::map<AsrId, RoomId>& room_of_asr) {
-  std::vector<AsrId> asrs;
-  for (const auto& [asr, its_room] : room_of_asr) {
-    if (its_room == room) asrs.push_back(asr);
-  }
+/// The visits of each room, in their order.
+std::map<RoomId, std::vector<AsrId>> asrs_by_room(const std::map<AsrId, RoomId>& room_of_asr) {
+  std::map<RoomId, std::vector<AsrId>> asrs;
+  for (const auto& [asr, room] : room_of_asr) asrs[room].push_back(asr);
   return asrs;
 }
 
 }  // namespace
 
 void draw_up(MappedBuilding building, const AssembleOptions& options, Assembly& assembly) {
+  const std::map<RoomId, std::vector<AsrId>> asrs_of = asrs_by_room(building.room_of_asr);
   const auto plan_of = [&](const auto& outlines, const auto& placed_doors, const auto& bodies) {
     FloorPlan plan = merge(outlines, placed_doors, options.merge, bodies);
     for (PlanRoom& room : plan.rooms) {
-      room.asrs = asrs_of(room.id, building.room_of_asr);
+      const auto asrs = asrs_of.find(room.id);
+      room.asrs = asrs == asrs_of.end() ? std::vector<AsrId>() : asrs->second;
       if (const auto name = building.names.find(room.id); name != building.names.end()) {
         room.name = name->second;
       }
@@ -35,8 +41,9 @@ void draw_up(MappedBuilding building, const AssembleOptions& options, Assembly& 
   const std::vector<Polygon> no_bodies;
   if (building.is_drafted) {
     assembly.plan = plan_of(building.outlines, building.doors, building.wall_bodies);
+    const std::set<RoomId> rooms = room_ids(assembly.plan);
     std::erase_if(building.edges, [&](const PlanEdge& edge) {
-      return !has_room(assembly.plan, edge.room);  // it has no place of its own
+      return !rooms.contains(edge.room);  // it has no place of its own
     });
     assembly.plan.edges = std::move(building.edges);
     assembly.measured_plan = plan_of(building.measured_outlines, building.doors, no_bodies);
