@@ -9,6 +9,7 @@ namespace roomatlas {
 namespace {
 
 constexpr int kMaxCells = 20'000;  // ends the search in shapes of kilometres that are metres wide
+constexpr std::size_t kMaxTold = 100'000'000;  // distances to edges: the same for shapes of many
 
 /// A square of the search, with the best clearance that any point in it could have.
 struct SearchCell {
@@ -25,6 +26,13 @@ struct SearchCell {
   bool operator<(const SearchCell& other) const { return bound_m < other.bound_m; }
 };
 
+/// Of a shape that no building has, with more than 5,000 edges, fewer cells are tried.
+int most_cells(const Polygon& polygon) {
+  std::size_t edges = polygon.outer.size();
+  for (const Ring& hole : polygon.holes) edges += hole.size();
+  return static_cast<int>(std::min<std::size_t>(kMaxCells, kMaxTold / edges));
+}
+
 }  // namespace
 
 Point2 interior_point(const Polygon& polygon, double precision_m) {
@@ -35,7 +43,8 @@ Point2 interior_point(const Polygon& polygon, double precision_m) {
   SearchCell best(clearance, (box.min + box.max) / 2.0, 0.0);
   std::priority_queue<SearchCell> queue;
   queue.emplace(clearance, best.center, half);
-  for (int tried = 0; tried < kMaxCells && !queue.empty(); ++tried) {
+  const int most = most_cells(polygon);
+  for (int tried = 0; tried < most && !queue.empty(); ++tried) {
     const SearchCell cell = queue.top();
     queue.pop();
     if (cell.clearance_m > best.clearance_m) best = cell;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "number_text.hpp"
+#include "roomatlas/planar/heal.hpp"
 #include "roomatlas/planar/union.hpp"
 #include "roomatlas/simulate/world.hpp"
 
@@ -9,8 +10,10 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kLeastOverlap_m2 = 0.1;  // of two rooms; less is careless drawing
-constexpr std::size_t kNamesListed = 5;   // in a message
+constexpr double kLeastOverlap_m2 = 0.1;    // of two rooms; less is careless drawing
+constexpr std::size_t kNamesListed = 5;     // in a message
+constexpr int kOverlapsListed = 100;        // of a world that lies on itself all over
+constexpr std::size_t kComparedARoom = 40;  // rooms near a room, in the mean: no building has more
 
 std::string title_of(const PlanRoom& room) {
   const std::string number = std::to_string(room.id);
@@ -30,14 +33,38 @@ bool are_apart(const Box2& a, const Box2& b) {
   return (a.min.array() >= b.max.array()).any() || (b.min.array() >= a.max.array()).any();
 }
 
+/// Of so many corners that a search for all crossings might not end.
+bool is_scribble(const PlanRoom& room) {
+  constexpr std::size_t kFew = 200;
+  return std::any_of(room.parts.begin(), room.parts.end(), [](const Polygon& part) {
+    return part.outer.size() > kFew && !planar::is_simple(part);
+  });
+}
+
+/// Rooms are compared two by two, until that would take more than a building does.
 void check_overlaps(const FloorPlan& world, Issues& issues) {
   std::vector<Box2> boxes;
-  for (const PlanRoom& room : world.rooms) boxes.push_back(bounds_of(room));
+  for (const PlanRoom& room : world.rooms) {
+    const bool is_comparable = !is_scribble(room);
+    boxes.push_back(is_comparable ? bounds_of(room) : Box2());
+    if (is_comparable) continue;
+    issues.push_back({Severity::error, "", 0, title_of(room),
+                      "has an outline that crosses itself: draw it without crossings"});
+  }
+  std::size_t compared = 0;
+  int listed = 0;
   for (std::size_t i = 0; i < world.rooms.size(); ++i) {
     for (std::size_t j = i + 1; j < world.rooms.size(); ++j) {
       if (are_apart(boxes[i], boxes[j])) continue;
+      if (listed == kOverlapsListed || ++compared > kComparedARoom * world.rooms.size()) {
+        issues.push_back({Severity::error, "", 0, "rooms",
+                          "lie on one another all over: not all were compared; expected the rooms "
+                          "of one floor, side by side"});
+        return;
+      }
       const double common_m2 = overlap_area(world.rooms[i].parts, world.rooms[j].parts);
       if (common_m2 <= kLeastOverlap_m2) continue;
+      ++listed;
       issues.push_back({Severity::error, "", 0, title_of(world.rooms[i]),
                         "overlaps " + title_of(world.rooms[j]) + " on " + number_text(common_m2) +
                             " m2: move or cut one of the two outlines"});

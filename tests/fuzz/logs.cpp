@@ -2,6 +2,7 @@
 // Mission logs of text: CARMEN's and the small formats, plain and gzip, and the poses in them.
 #include <zlib.h>
 
+#include "large.hpp"
 #include "mission.hpp"
 #include "roomatlas/io/logs/open_mission.hpp"
 #include "roomatlas/io/trajectories/trajectory_file.hpp"
@@ -85,7 +86,7 @@ void read_poses(const Path& file, const std::string&) {
 }  // namespace
 
 std::vector<Target> log_targets() {
-  return {{"logs", "mission.clf", text_seeds, read_log},
+  return {{"logs", "mission.clf", text_seeds, read_log, large_logs},
           {"trajectory", "poses.txt", pose_seeds, read_poses},
           {"packed_logs", "mission.clf.gz", packed_seeds, read_log}};
 }

@@ -44,6 +44,13 @@ Stretch stretch_of(const std::string& bytes, Random& random) {
   return stretch;
 }
 
+/// From a byte up to the next that is the same, as from comma to comma: lists of these stay lists.
+Stretch until_its_like(const std::string& bytes, std::size_t begin) {
+  if (begin >= bytes.size()) return {begin, 0};
+  const std::size_t next = bytes.find(bytes[begin], begin + 1);
+  return {begin, (next == std::string::npos ? bytes.size() : next) - begin};
+}
+
 bool is_of_number(char c) {
   return std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-';
 }
@@ -111,7 +118,9 @@ std::string mutated(std::string bytes, const std::string& other, Random& random,
 
 std::string grown(const std::string& bytes, Random& random, std::size_t most_bytes) {
   Stretch at = stretch_of(bytes, random);
-  if (below(random, 4) == 0) at = {0, bytes.size()};
+  const std::size_t way = below(random, 4);
+  if (way == 0) at = {0, bytes.size()};
+  if (way >= 2) at = until_its_like(bytes, at.begin);
   if (bytes.size() >= most_bytes || at.length == 0) return bytes;
   const std::string again = bytes.substr(at.begin, at.length);
   std::string between;

@@ -15,7 +15,8 @@ using Random = std::mt19937_64;
 [[nodiscard]] std::string mutated(std::string bytes, const std::string& other, Random& random,
                                   std::size_t most_bytes);
 
-/// As large as it may be: one stretch of it, from a byte to all, again and again at its place.
+/// As large as it may be: one stretch of it, from a byte to all or from one comma to the next,
+/// again and again at its place.
 [[nodiscard]] std::string grown(const std::string& bytes, Random& random, std::size_t most_bytes);
 
 }  // namespace roomatlas::fuzz

@@ -2,6 +2,7 @@
 // Maps: PGM and PNG, plain and gzip, the YAML files beside them, pictures of room numbers.
 #include <fstream>
 
+#include "large.hpp"
 #include "roomatlas/io/maps/label_plan.hpp"
 #include "roomatlas/io/maps/read_map.hpp"
 #include "roomatlas/io/maps/read_world.hpp"
@@ -57,10 +58,11 @@ std::vector<std::string> description_seeds() {
 }  // namespace
 
 std::vector<Target> picture_targets() {
-  return {{"pictures", "map.pgm", picture_seeds, read_picture},
+  return {{"pictures", "map.pgm", picture_seeds, read_picture, large_pictures},
           {"map_descriptions", "map.yaml", description_seeds, read_described},
           {"label_pictures", "labels.pgm", picture_seeds,
-           [](const Path& file, const std::string&) { (void)read_label_plan(file, 0.05); }}};
+           [](const Path& file, const std::string&) { (void)read_label_plan(file, 0.05); },
+           large_pictures}};
 }
 
 }  // namespace roomatlas::fuzz

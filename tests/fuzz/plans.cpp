@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // GeoJSON: worlds and plans of ours, rooms of other programs; corrections by hand.
+#include "large.hpp"
 #include "roomatlas/io/maps/read_world.hpp"
 #include "roomatlas/io/plans/edits_file.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
@@ -52,7 +53,7 @@ void read_geojson(const Path& file, const std::string&) {
 }  // namespace
 
 std::vector<Target> plan_targets() {
-  return {{"worlds", "world.geojson", world_seeds, read_geojson},
+  return {{"worlds", "world.geojson", world_seeds, read_geojson, large_worlds},
           {"plans", "plan.geojson", world_seeds,
            [](const Path& file, const std::string&) { (void)read_plan(file); }},
           {"edits", "edits.json", [] { return std::vector<std::string>{kEdits}; },

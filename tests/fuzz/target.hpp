@@ -18,6 +18,8 @@ struct Target {
   std::function<std::vector<std::string>()> seeds;
   /// Reads all there is. Throws what a reader may throw: InputError, NotEnoughError, UsageError.
   std::function<void(const Path& file, const std::string& bytes)> read;
+  /// Inputs of about a megabyte, which are replayed only.
+  std::function<std::vector<std::string>()> large = [] { return std::vector<std::string>(); };
 };
 
 [[nodiscard]] const std::vector<Target>& all_targets();

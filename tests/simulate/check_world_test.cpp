@@ -2,6 +2,7 @@
 #include "roomatlas/core/issue.hpp"
 #include "roomatlas/simulate/world.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -69,6 +70,35 @@ std::string input_error(const Action& action) {
 TEST(CheckWorld, FindsNothingWrongWithASoundWorld) {
   EXPECT_EQ(text_of(check_world(three_rooms())), "");
   EXPECT_NO_THROW(require_sound(three_rooms()));
+}
+
+/// 300 rooms on one place have 44,850 pairs: the first are said, and that there are more.
+TEST(CheckWorld, OfAHeapOfRoomsNamesTheFirstThatOverlap) {
+  FloorPlan world = three_rooms();
+  world.rooms.clear();
+  for (RoomId id = 1; id <= 300; ++id) {
+    world.rooms.push_back(room(id, "", rectangle(0.01 * static_cast<double>(id), 0.0, 9.0, 4.0)));
+  }
+  Issues issues = check_world(world);
+  std::erase_if(issues, [](const Issue& issue) { return issue.severity != Severity::error; });
+  ASSERT_EQ(issues.size(), 101U);
+  EXPECT_EQ(issues.front().field, "room 1");
+  EXPECT_THAT(to_string(issues.back()), testing::HasSubstr("lie on one another all over"));
+}
+
+TEST(CheckWorld, RefusesAnOutlineOfManyCrossings) {
+  FloorPlan world = three_rooms();
+  Ring star;  // each chord crosses nearly all others
+  for (int i = 0; i < 1001; ++i) star.push_back(2.0 * direction(2.0 * kPi * 500 * i / 1001.0));
+  Ring round;
+  for (int i = 0; i < 1001; ++i) round.push_back(2.0 * direction(2.0 * kPi * i / 1001.0));
+  for (const bool is_star : {true, false}) {
+    world.rooms.push_back(room(4, "Hall", is_star ? star : round));
+    for (Point2& corner : world.rooms.back().parts[0].outer) corner += Point2(50.0, 50.0);
+    const std::string text = text_of(check_world(world));
+    EXPECT_EQ(text.find("crosses itself") != std::string::npos, is_star) << text;
+    world.rooms.pop_back();
+  }
 }
 
 TEST(CheckWorld, NamesRoomsThatOverlapAndTheirCommonArea) {

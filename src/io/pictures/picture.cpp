@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture.hpp"
-#include "files/unpack_bounds.hpp"
 #include "text/line_reader.hpp"
 
 #include "roomatlas/core/issue.hpp"
@@ -9,11 +8,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 
 namespace roomatlas::io {
 namespace {
+
+// A pixel takes up to 20 bytes while a map is made of it, so that packed ones are believed less
+// than packed text: so many, and beyond them those that a picture of a building packs to.
+constexpr std::uint64_t kPackedPixels = std::uint64_t{1} << 25;
+constexpr std::uint64_t kPackedPixelsAByte = 8;
 
 constexpr const char* kPngSignature = "\x89PNG\r\n\x1a\n";
 
@@ -41,10 +46,11 @@ std::string read_unpacked(const std::filesystem::path& file, std::size_t most_by
          (count = gzread(stream.get(), block.data(), block.size())) > 0) {
     bytes.append(block.data(), static_cast<std::size_t>(count));
     const auto packed = static_cast<std::uint64_t>(std::max<z_off_t>(0, gzoffset(stream.get())));
-    if (bytes.size() > most_unpacked_bytes(packed, kMostGrowth)) {
-      throw InputError(
-          name + ": its gzip data grows to more than " + std::to_string(kMostGrowth) +
-          " times its size: expected a picture. If it is one, unpack it with `gunzip`");
+    const bool is_plain = gzdirect(stream.get()) == 1;
+    if (!is_plain && bytes.size() > kPackedPixels + kPackedPixelsAByte * packed) {
+      throw InputError(name + ": its gzip data grows to more than a picture of a building does: " +
+                       std::to_string(bytes.size()) + " bytes of " + std::to_string(packed) +
+                       ". If it is one, unpack it with `gunzip`");
     }
   }
   int error = Z_OK;

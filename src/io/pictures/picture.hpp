@@ -11,7 +11,7 @@
 namespace roomatlas::io {
 
 /// A damaged or ill-meant header must not take all memory: no more pixels are read, and of a PNG,
-/// whose pixels may take no bytes, a quarter of them.
+/// whose pixels may take no bytes, an eighth of them.
 inline constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;
 
 /// A grey picture as cells: row 0 is the lowest.

@@ -12,7 +12,7 @@ namespace {
 void require_size(const std::string& bytes, const std::string& name) {
   constexpr std::size_t kWidth = 16;
   constexpr std::size_t kHeight = 20;
-  constexpr std::int64_t kMost = kMostPixels / 4;
+  constexpr std::int64_t kMost = kMostPixels / 8;
   if (bytes.size() < kHeight + 4) return;  // the plug-in says so
   const auto number = [&](std::size_t at) {
     std::int64_t value = 0;

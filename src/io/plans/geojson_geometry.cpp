@@ -147,4 +147,12 @@ Polygon read_polygon(const JsonField& geometry) {
   return read_rings(geometry.at("coordinates"));
 }
 
+Point2 label_point_in(const Polygon& part) {
+  constexpr double kFinest_m = 0.05;  // what nobody sees a label off
+  constexpr double kOfExtent = 1e-3;
+  const Box2 box = bounds(part.outer);
+  const double extent_m = box.empty() ? 0.0 : box.size().maxCoeff();
+  return interior_point(part, std::max(kFinest_m, kOfExtent * extent_m));
+}
+
 }  // namespace roomatlas

@@ -37,4 +37,8 @@ inline constexpr double kFarthest_m = 1e8;
 /// The same, where one Polygon is expected.
 [[nodiscard]] Polygon read_polygon(const JsonField& geometry);
 
+/// Where the label of a part that was read stands: well inside it, by a thousandth of its extent,
+/// since a file's shapes may be of any.
+[[nodiscard]] Point2 label_point_in(const Polygon& part);
+
 }  // namespace roomatlas

@@ -53,7 +53,7 @@ Point2 default_label(const std::vector<Polygon>& parts) {
   const auto largest =
       std::max_element(parts.begin(), parts.end(),
                        [](const Polygon& a, const Polygon& b) { return area(a) < area(b); });
-  return largest == parts.end() ? Point2(Point2::Zero()) : interior_point(*largest);
+  return largest == parts.end() ? Point2(Point2::Zero()) : label_point_in(*largest);
 }
 
 PlanRoom read_room(const JsonField& properties, const JsonField& geometry, RoomKind kind) {

@@ -233,7 +233,7 @@ class Building {
     room.name = tags.first({"name", "ref", "label", "title"});
     if (room.name.empty()) room.name = std::to_string(room.id);
     for (const Polygon& part : parts) room.area_m2 += area(part);
-    room.label_point = interior_point(parts.front());
+    room.label_point = label_point_in(parts.front());
     room.parts = std::move(parts);
     plan_.rooms.push_back(std::move(room));
     levels_.insert(tags.first({"level"}));

@@ -53,11 +53,24 @@ TEST(Bombs, OfGzipAreRefused) {
   EXPECT_THAT(refusal_of([&] { (void)read_map(picture, 0.05); }), HasSubstr("unpack it with"));
 }
 
+/// Less than what text may grow to; a map of it would take a gigabyte.
+TEST(Bombs, OfPackedPicturesAreRefusedSooner) {
+  const TemporaryFolder folder;
+  const Path file = folder / "wide.pgm.gz";
+  const gzFile out = gzopen(file.c_str(), "wb9");
+  const std::string text = "P5 8000 8000 255\n" + std::string(64'000'000, '\xfe');
+  gzwrite(out, text.data(), static_cast<unsigned>(text.size()));
+  gzclose(out);
+  EXPECT_LT(std::filesystem::file_size(file), kBlock);
+  EXPECT_THAT(refusal_of([&] { (void)read_map(file, 0.05); }),
+              HasSubstr("wide.pgm.gz: its gzip data grows to more than a picture of a building"));
+}
+
 TEST(Bombs, OfPicturesAreRefusedByWhatTheyClaim) {
   const TemporaryFolder folder;
   const std::string png = std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\xff\xff\0\0\xff\xff", 24);
   EXPECT_THAT(refusal_of([&] { (void)io::parse_picture(png, "a.png"); }),
-              HasSubstr("a.png: has 65535 x 65535 pixels, expected at most 67108864"));
+              HasSubstr("a.png: has 65535 x 65535 pixels, expected at most 33554432"));
   EXPECT_THAT(refusal_of([&] { (void)io::parse_picture("P2 16000 16000 255\n0 0\n", "a.pgm"); }),
               HasSubstr("a.pgm: cut short: 16000 x 16000 pixels need at least 511999999 bytes"));
 }
