@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <stdexcept>
 
@@ -179,6 +180,23 @@ Fitted fit_sum(const std::vector<FitRow>& rows, FitKind kind, double share) {
     raise(rows, share, best.left_out, best.sum);
   }
   return best;
+}
+
+std::string number_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  std::string number = text;
+  if (number.find_first_of(".e") == std::string::npos) number += ".0";
+  return number;
+}
+
+std::string terms_text(const char* name, const FitSum& sum) {
+  std::string text = std::string("  static constexpr LearntTerm ") + name + "[] = {\n";
+  for (const FitTerm& term : sum.terms) {
+    text += "      {\"" + term.name + "\", " + number_text(term.mean) + ", " +
+            number_text(term.deviation) + ", " + number_text(term.weight) + "},\n";
+  }
+  return text + "  };\n";
 }
 
 }  // namespace roomatlas::bench

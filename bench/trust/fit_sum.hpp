@@ -46,4 +46,8 @@ struct Fitted {
 /// left-out targets lie below.
 [[nodiscard]] Fitted fit_sum(const std::vector<FitRow>& rows, FitKind kind, double share = 0.9);
 
+/// As a number, and as an array of `LearntTerm`, of C++.
+[[nodiscard]] std::string number_text(double value);
+[[nodiscard]] std::string terms_text(const char* name, const FitSum& sum);
+
 }  // namespace roomatlas::bench

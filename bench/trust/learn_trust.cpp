@@ -17,23 +17,6 @@ FitRow row_of(const TrustSample& sample, double target, std::size_t group) {
   return {sample.figures, target, group};
 }
 
-std::string format_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  std::string number = text;
-  if (number.find_first_of(".e") == std::string::npos) number += ".0";
-  return number;
-}
-
-std::string terms_text(const char* name, const FitSum& sum) {
-  std::string text = std::string("  static constexpr LearntTerm ") + name + "[] = {\n";
-  for (const FitTerm& term : sum.terms) {
-    text += "      {\"" + term.name + "\", " + format_number(term.mean) + ", " +
-            format_number(term.deviation) + ", " + format_number(term.weight) + "},\n";
-  }
-  return text + "  };\n";
-}
-
 }  // namespace
 
 LearntTrust learn_trust(const std::vector<TrustSample>& samples, SensorKind sensor) {
@@ -90,7 +73,7 @@ std::string learnt_source(const LearntTrust& learnt) {
   for (const Part& part : parts) text += terms_text(part.name, part.fitted.sum);
   text += "  static const LearntModel kModel{";
   for (const Part& part : parts) {
-    text += std::string(&part == parts ? "" : ", ") + "{" + format_number(part.fitted.sum.bias) +
+    text += std::string(&part == parts ? "" : ", ") + "{" + number_text(part.fitted.sum.bias) +
             ", " + part.name + "}";
   }
   text += "};\n  return kModel;\n}\n\n}  // namespace roomatlas\n";

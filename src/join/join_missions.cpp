@@ -53,7 +53,7 @@ class Component {
   }
 
   [[nodiscard]] std::size_t missions() const { return missions_.size(); }
-  [[nodiscard]] double known_m2() const { return index_.known_m2(); }
+  [[nodiscard]] double known_m2() const { return index_.seen().known_m2(); }
   [[nodiscard]] const Placement& placement() const { return placement_; }
   [[nodiscard]] const std::vector<Closure>& closures() const { return closures_; }
 

@@ -16,10 +16,6 @@ constexpr float kBesideWall = 0.5F;    // of a wall's worth: half a cell is half
 constexpr float kWallOnFloor = -0.5F;  // more forgets that doors and chairs move
 constexpr float kFloorOnWall = -0.5F;
 constexpr std::size_t kPeaksAHeading = 60;
-constexpr double kFaceHits = 4.0;  // of the building's walls: all count alike
-constexpr double kCoreM = 0.06;    // a wall this near to the middle of free floor stands on it
-
-CellFrame coarse() { return CellFrame{kFloorCellM}; }
 
 CellBox around(const CellBox& a, const CellBox& b) {
   if (a.count() == 0) return b;
@@ -32,7 +28,7 @@ CellBox box_of(const FloorSketch& sketch) {
   CellBox box;
   bool is_first = true;
   const auto add = [&](const Point2& at) {
-    const Cell cell = coarse().cell_of(at);
+    const Cell cell = floor_cells().cell_of(at);
     if (is_first) box = {cell, cell};
     is_first = false;
     box.min = {std::min(box.min.x, cell.x), std::min(box.min.y, cell.y)};
@@ -66,10 +62,10 @@ CorrelationPlane::Layers layers_of(const TileGrid<char>& walls, const TileGrid<c
 CorrelationPlane::Query query_of(const FloorSketch& turned) {
   const CellBox box = box_of(turned);
   CorrelationPlane::Query query{Raster<float>(box), Raster<float>(box)};
-  for (const Point2& at : turned.floor) query.floor[coarse().cell_of(at)] = 1.0F;
+  for (const Point2& at : turned.floor) query.floor[floor_cells().cell_of(at)] = 1.0F;
   for (const ScanPoint& wall : turned.walls) {
-    query.wall[coarse().cell_of(wall.position)] = 1.0F;
-    query.floor[coarse().cell_of(wall.position)] = 0.0F;
+    query.wall[floor_cells().cell_of(wall.position)] = 1.0F;
+    query.floor[floor_cells().cell_of(wall.position)] = 0.0F;
   }
   return query;
 }
@@ -134,27 +130,13 @@ BuildingIndex::BuildingIndex(const FloorSketch& building_sketch, const LocateOpt
 
 BuildingIndex::~BuildingIndex() = default;
 
-double BuildingIndex::known_m2() const {
-  return static_cast<double>(known_cells_) * kFloorCellM * kFloorCellM;
-}
-
-void BuildingIndex::note(TileGrid<char>& seen, const TileGrid<char>& other, const Cell& cell) {
-  char& value = seen.edit(cell);
-  if (value == 0 && other.at(cell) == 0) ++known_cells_;
-  value = 1;
-}
-
 void BuildingIndex::add(const FloorSketch& sketch) {
   const std::vector<double> directions = direction_histogram(sketch.walls);
   std::transform(directions_.begin(), directions_.end(), directions.begin(), directions_.begin(),
                  std::plus<>());
-  for (const ScanPoint& wall : sketch.walls) {
-    faces_.add(Face{wall.position, wall.normal, kFaceHits});
-    note(walls_, floor_, coarse().cell_of(wall.position));
-  }
-  for (const Point2& at : sketch.floor) note(floor_, walls_, coarse().cell_of(at));
+  seen_.add(sketch);
   plane_ = std::make_unique<CorrelationPlane>(
-      layers_of(walls_, floor_),
+      layers_of(seen_.known_walls(), seen_.known_floor()),
       static_cast<int>(std::ceil(options_.max_query_m / kFloorCellM)) + 3);
 }
 
@@ -170,43 +152,25 @@ std::vector<BuildingIndex::Coarse> BuildingIndex::search(const FloorSketch& quer
   return apart(std::move(peaks), kPeaksAHeading, options_, pose);
 }
 
-std::optional<double> BuildingIndex::distance_to_wall(const Point2& at,
-                                                      const Point2& normal) const {
-  std::optional<double> least_m;
-  faces_.for_each_face_near(at, options_.agree_m, [&](const Face& face) {
-    const Point2 off = face.position - at;
-    if (off.norm() > options_.agree_m) return;
-    const bool has_normals = normal.squaredNorm() > 0.0 && face.normal.squaredNorm() > 0.0;
-    if (has_normals && face.normal.dot(normal) < options_.align.min_normal_cosine) return;
-    const double off_m = has_normals ? std::abs(off.dot(face.normal)) : off.norm();
-    least_m = std::min(least_m.value_or(off_m), off_m);
-  });
-  return least_m;
-}
-
 void BuildingIndex::judge(const FloorSketch& query, PlaceHypothesis& place) const {
   const PointTransform to(place.building_from_query);
   const PointTransform turn(Pose2{0.0, 0.0, place.building_from_query.theta_rad});
   double misfit = 0.0;
   for (const ScanPoint& wall : query.walls) {
     const Point2 at = to * wall.position;
-    const std::optional<double> off_m = distance_to_wall(at, turn * wall.normal);
+    const std::optional<double> off_m =
+        seen_.distance_to_wall(at, turn * wall.normal, options_.agree_m);
     if (off_m) {
       ++place.agreeing;
       misfit += 0.5 * (*off_m / options_.wall_sigma_m) * (*off_m / options_.wall_sigma_m);
-    } else if (floor_.at(coarse().cell_of(at)) != 0) {
+    } else if (seen_.is_floor(at)) {
       ++place.contradicting;
     } else {
       ++place.unseen;
     }
   }
   for (const Point2& floor : query.floor) {
-    const Point2 at = to * floor;
-    bool has_wall = false;
-    faces_.for_each_face_near(at, kCoreM, [&](const Face& face) {
-      has_wall = has_wall || (face.position - at).norm() <= kCoreM;
-    });
-    if (has_wall && floor_.at(coarse().cell_of(at)) == 0) ++place.missing;
+    if (seen_.has_wall_in(to * floor)) ++place.missing;
   }
   place.score = (options_.agree_weight * place.agreeing - misfit -
                  options_.contradict_weight * (place.contradicting + place.missing)) /
@@ -222,16 +186,16 @@ PlaceHypothesis BuildingIndex::at(const FloorSketch& query, const Pose2& place) 
 
 double BuildingIndex::share_on_floor(const FloorSketch& query, const Pose2& place) const {
   const PointTransform to(place);
-  const auto on_floor = std::count_if(query.path.begin(), query.path.end(), [&](const Point2& at) {
-    return floor_.at(coarse().cell_of(to * at)) != 0;
-  });
+  const auto on_floor = std::count_if(query.path.begin(), query.path.end(),
+                                      [&](const Point2& at) { return seen_.is_floor(to * at); });
   return query.path.empty()
              ? 0.0
              : static_cast<double>(on_floor) / static_cast<double>(query.path.size());
 }
 
 PlaceHypothesis BuildingIndex::fit(const FloorSketch& query, const Pose2& guess) const {
-  return at(query, align(faces_, query.walls, guess, std::nullopt, options_.align).map_from_points);
+  return at(query,
+            align(seen_.faces(), query.walls, guess, std::nullopt, options_.align).map_from_points);
 }
 
 std::vector<PlaceHypothesis> BuildingIndex::find(const FloorSketch& query, int jobs) const {

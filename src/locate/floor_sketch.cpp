@@ -45,7 +45,7 @@ FloorSketch sketch_of(std::span<const AsrShape* const> shapes, const Placement& 
         kMinHits,
         [&](const Cell& cell) {
           const Point2 center = place * shape->map.frame().center_of(cell);
-          const Cell at = CellFrame{kFloorCellM}.cell_of(center);
+          const Cell at = floor_cells().cell_of(center);
           ++seen_free[{at.y, at.x}];
         },
         [](const Cell&) {});
@@ -54,7 +54,7 @@ FloorSketch sketch_of(std::span<const AsrShape* const> shapes, const Placement& 
   for (const auto& [key, point] : walls) sketch.walls.push_back(point);
   for (const auto& [at, count] : seen_free) {
     if (count < kFreeCells) continue;
-    sketch.floor.push_back(CellFrame{kFloorCellM}.center_of({at.second, at.first}));
+    sketch.floor.push_back(floor_cells().center_of({at.second, at.first}));
   }
   return sketch;
 }

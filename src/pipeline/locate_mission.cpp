@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "roomatlas/asr/load.hpp"
 #include "roomatlas/asr/with_paths.hpp"
 #include "roomatlas/pipeline/mission_map.hpp"
 #include "strategies.hpp"
@@ -27,17 +28,55 @@ Asked corrected(const AsrSource& asked, const RobotFootprint& footprint, const O
   return result;
 }
 
-/// Softmax of the scores, beside a place that nobody knows and that scores what is asked at least.
-void set_odds(double nowhere_score, LocatedMission& located) {
+/// The likeliest place has the probability that was learnt; what is left of it is shared among the
+/// others, and a place that nobody knows, by their scores.
+void set_odds(double first_is_right, double nowhere_score, LocatedMission& located) {
+  if (located.places.empty()) return;
   double best = nowhere_score;
-  for (const MissionPlace& place : located.places) best = std::max(best, place.score);
+  for (std::size_t i = 1; i < located.places.size(); ++i) {
+    best = std::max(best, located.places[i].score);
+  }
   double sum = std::exp(nowhere_score - best);
-  for (const MissionPlace& place : located.places) {
-    located.odds.push_back(std::exp(place.score - best));
+  located.nowhere_odds = sum;
+  located.odds.assign(1, first_is_right);
+  for (std::size_t i = 1; i < located.places.size(); ++i) {
+    located.odds.push_back(std::exp(located.places[i].score - best));
     sum += located.odds.back();
   }
-  for (double& odds : located.odds) odds /= sum;
-  located.nowhere_odds = std::exp(nowhere_score - best) / sum;
+  const double left = (1.0 - first_is_right) / sum;
+  for (std::size_t i = 1; i < located.odds.size(); ++i) located.odds[i] *= left;
+  located.nowhere_odds *= left;
+}
+
+PlaceVerdict verdict_on(double first_is_right, PlaceVerdict by_walls) {
+  if (first_is_right >= kSurePlace) return PlaceVerdict::placed;
+  const bool is_somewhere = by_walls != PlaceVerdict::nothing_in_common;
+  return is_somewhere ? PlaceVerdict::ambiguous : PlaceVerdict::nothing_in_common;
+}
+
+double way_of(const MissionMap& mission) {
+  double way_m = 0.0;
+  for (const AsrShape& shape : mission.shapes) {
+    for (std::size_t i = 1; i < shape.path.size(); ++i) {
+      way_m += (shape.path[i] - shape.path[i - 1]).norm();
+    }
+  }
+  return way_m;
+}
+
+/// What the visits saw, with as many of their readings as a place needs to be judged.
+std::vector<AskedVisit> asked_visits(const MissionMap& query, const AsrSource& source) {
+  constexpr double kMostReadings = 200.0;
+  QueryRayOptions rays;
+  rays.every_m = std::max(rays.every_m, way_of(query) / kMostReadings);
+  std::vector<AskedVisit> asked;
+  for (const AsrShape& shape : query.shapes) {
+    const AsrShape* one = &shape;
+    asked.push_back({shape.id, query.mission_from_asr.at(shape.id),
+                     sketch_of({&one, 1}, {{shape.id, Pose2{}}}),
+                     rays_of(load_with_readings(source, shape.id), rays)});
+  }
+  return asked;
 }
 
 Trajectory trajectory_at(const MissionPlace& place, const AsrSource& source,
@@ -60,7 +99,7 @@ Trajectory trajectory_at(const MissionPlace& place, const AsrSource& source,
 
 }  // namespace
 
-PlaceMissionOptions locating_options() {
+PlaceMissionOptions locating_options(double way_m) {
   PlaceMissionOptions options;
   options.min_agreement = 0.85;  // other buildings reach 0.84 over 5 m of corridor
   options.refurnished.min_agreement = options.min_agreement;
@@ -68,9 +107,39 @@ PlaceMissionOptions locating_options() {
   options.sure_score = options.min_score;  // a few metres of path have no more
   options.min_margin = 5.0;  // rooms alike differ by up to 3.2, by errors of their maps
   options.margin_sigmas = 0.0;
-  options.tried = 12;
-  options.places_a_piece = 20;
+  // What walls of a few metres put at the hundredth place rays may put first; of a longer path
+  // walls know better, and each place costs more.
+  options.tried = std::clamp(static_cast<int>(120.0 * options.piece_way_m / way_m), 12, 120);
+  options.places_a_piece = std::max(20, options.tried);
   return options;
+}
+
+MissionLocator::MissionLocator(const MissionMap& known, const Options& options)
+    : options_(options), index_(sketch_of(known), LocateOptions{}) {}
+
+LocatedMission MissionLocator::locate(const AsrSource& asked, const RobotFootprint& footprint,
+                                      const Progress& progress) const {
+  const Asked mission = corrected(asked, footprint, options_, progress);
+  report(progress, "locate", -1.0);
+  const AsrSource& recorded = mission.corrected.recorded_again
+                                  ? static_cast<const AsrSource&>(*mission.corrected.recorded_again)
+                                  : asked;
+  const WithPaths source(recorded, mission.corrected.paths);
+  const MissionMap query = mission_map_of(source, mission.placement, options_);
+  const PlaceMissionOptions placing = locating_options(way_of(query));
+  MissionSearch search = place_mission(query, index_, placing, progress, options_.jobs);
+  JudgedPlaces judged = judge_places(std::move(search.places), asked_visits(query, source),
+                                     index_.seen(), query.sensor, {});
+  LocatedMission located;
+  located.verdict = verdict_on(judged.first_is_right, search.verdict);
+  located.sensor = query.sensor;
+  located.places = std::move(judged.places);
+  located.figures = std::move(judged.figures);
+  set_odds(judged.first_is_right, placing.min_score, located);
+  if (!located.places.empty()) {
+    located.building_from_robot = trajectory_at(located.places[0], source, mission.placement);
+  }
+  return located;
 }
 
 LocatedMission locate_mission(const AssemblyStore& building, const AsrSource& asked,
@@ -79,25 +148,8 @@ LocatedMission locate_mission(const AssemblyStore& building, const AsrSource& as
   if (!building.has_assembly()) {
     throw InputError(building.mission().file + ": not assembled; run `roomatlas assemble` first");
   }
-  const Asked mission = corrected(asked, footprint, options, progress);
-  report(progress, "locate", -1.0);
   const MissionMap known = mission_map_of(building, placement_of(building.correction()), options);
-  const PlaceMissionOptions placing = locating_options();
-  const BuildingIndex index(sketch_of(known), placing.locate);
-  const AsrSource& recorded = mission.corrected.recorded_again
-                                  ? static_cast<const AsrSource&>(*mission.corrected.recorded_again)
-                                  : asked;
-  const WithPaths source(recorded, mission.corrected.paths);
-  const MissionMap query = mission_map_of(source, mission.placement, options);
-  const MissionSearch search = place_mission(query, index, placing, progress, options.jobs);
-  LocatedMission located;
-  located.verdict = search.verdict;
-  located.places = search.places;
-  set_odds(placing.min_score, located);
-  if (!located.places.empty()) {
-    located.building_from_robot = trajectory_at(located.places[0], source, mission.placement);
-  }
-  return located;
+  return MissionLocator(known, options).locate(asked, footprint, progress);
 }
 
 }  // namespace roomatlas

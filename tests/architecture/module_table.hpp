@@ -31,7 +31,7 @@ inline const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"changes", {"core", "plan", "mission", "grid", "polyline", "match", "asr", "draft", "planar"}},
     {"merge", {"core", "plan", "planar"}},
     {"locate", {"core", "grid", "match", "asr", "sonar", "loops"}},
-    {"join", {"core", "grid", "solve", "loops", "locate"}},
+    {"join", {"core", "mission", "grid", "solve", "loops", "locate"}},
     {"assembly", {"core", "plan", "asr", "graph", "sonar", "correct", "loops", "mission"}},
     {"evaluate", {"core", "plan", "polyline", "asr", "correct", "loops", "assembly", "planar"}},
     {"trust",

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
-#include "roomatlas/grid/tile_grid.hpp"
-#include "roomatlas/locate/floor_sketch.hpp"
+#include "roomatlas/locate/seen_building.hpp"
 #include "roomatlas/match/align.hpp"
 
 namespace roomatlas {
@@ -55,8 +52,7 @@ class BuildingIndex {
   /// Takes in what another mission saw, in the building's frame.
   void add(const FloorSketch& sketch);
 
-  /// Floor and walls that are known.
-  [[nodiscard]] double known_m2() const;
+  [[nodiscard]] const SeenBuilding& seen() const { return seen_; }
 
   /// Where the query may lie, the likeliest first, none near to a likelier one: coarsely, over all
   /// shifts and the headings that the walls' directions leave open, then finely.
@@ -75,20 +71,12 @@ class BuildingIndex {
     Pose2 pose;
     float score = 0.0F;
   };
-  /// Marks a cell, and counts it where nothing was known of it.
-  void note(TileGrid<char>& seen, const TileGrid<char>& other, const Cell& cell);
   [[nodiscard]] std::vector<Coarse> search(const FloorSketch& query, double heading_rad) const;
-  /// How far a wall lies off the nearest one that looks its way; nothing beyond `agree_m`.
-  [[nodiscard]] std::optional<double> distance_to_wall(const Point2& at,
-                                                       const Point2& normal) const;
   void judge(const FloorSketch& query, PlaceHypothesis& place) const;
 
   LocateOptions options_;
   std::vector<double> directions_;  ///< of the walls, see `direction_histogram`
-  LocalMap faces_{0.1};
-  TileGrid<char> walls_;  ///< in cells of `kFloorCellM`: 1 where a sketch has a wall ...
-  TileGrid<char> floor_;  ///< ... and where floor
-  std::int64_t known_cells_ = 0;
+  SeenBuilding seen_;
   std::unique_ptr<CorrelationPlane> plane_;  ///< of both; made anew whenever something is added
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "roomatlas/asr/store.hpp"
+#include "roomatlas/grid/cells.hpp"
 #include "roomatlas/loops/closures.hpp"
 
 namespace roomatlas {
@@ -17,6 +18,7 @@ struct FloorSketch {
 };
 
 constexpr double kFloorCellM = 0.2;  ///< finer costs time; coarser closes doors
+[[nodiscard]] inline CellFrame floor_cells() { return CellFrame{kFloorCellM}; }
 
 /// The sketch of some visits.
 /// @param shapes of these visits, from a laser or from sonars

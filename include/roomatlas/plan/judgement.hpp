@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "roomatlas/core/learnt_sum.hpp"
 #include "roomatlas/plan/ids.hpp"
 
 namespace roomatlas {
@@ -15,12 +16,6 @@ constexpr double kRightPlace_m = 0.25;
 constexpr double kRightHeading_deg = 2.0;
 /// A map or a room with a smaller probability is called doubtful.
 constexpr double kTrusted = 0.9;
-
-/// One figure that a judgement is made from.
-struct JudgedFigure {
-  std::string name;
-  double value = 0.0;
-};
 
 /// What is said of one visit.
 struct VisitJudgement {

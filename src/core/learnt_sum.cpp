@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "learnt_model.hpp"
+#include "roomatlas/core/learnt_sum.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 
 namespace roomatlas {
-
 namespace {
 
 constexpr double kMostDeviations = 3.0;  // beyond it nothing was learnt
