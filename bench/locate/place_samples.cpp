@@ -93,7 +93,7 @@ std::string learnt_places(const std::vector<PlaceSample>& samples, SensorKind se
   const std::string kind = sensor == SensorKind::laser ? "laser" : "sonar";
   std::fprintf(stderr, "%s: penalty %g, loss on pairs that were left out %.4f; there\n",
                kind.c_str(), fitted.penalty, fitted.loss);
-  for (const double least : {0.5, 0.8, 0.9, 0.95, 0.97, 0.99}) {
+  for (const double least : {0.5, 0.8, 0.9, 0.92, 0.95, 0.99}) {
     std::fprintf(stderr, "  given %.2f: %s\n", least, given_at_least(least, rows, fitted).c_str());
   }
   return "// SPDX-License-Identifier: GPL-3.0-or-later\n// Printed by `bench_locate train " + kind +

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kBins = 360;
 constexpr int kSmoothBins = 2;      // to each side: walls of sonars are a degree or two off
-constexpr double kPeakShare = 0.6;  // of the best turn's; a wing at an angle is a lower peak
+constexpr double kPeakShare = 0.2;  // of the best turn's; of a small wing at an angle few walls are
 constexpr double kFlat = 1.25;      // a best turn that is no better than the mean tells nothing
 constexpr int kFlatStepDeg = 3;     // then all turns are tried
 constexpr int kMostPeaks = 16;
