@@ -63,6 +63,7 @@ std::vector<double> heading_candidates(const std::vector<double>& first,
     if (turns.size() > kMostPeaks) turns.resize(kMostPeaks);
   }
   std::vector<double> radians_of;
+  radians_of.reserve(turns.size());
   for (const int turn : turns) radians_of.push_back(wrap_angle(radians(turn)));
   return radians_of;
 }
