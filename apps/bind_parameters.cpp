@@ -105,6 +105,7 @@ void try_line(const std::string& name, const std::string& line) {
   }
   if (app.get_option_no_throw("--" + name) == nullptr) {
     std::vector<std::string> names;
+    names.reserve(parameters.size());
     for (const Parameter& parameter : parameters) names.push_back(parameter.name);
     throw UsageError("no such parameter: " + name + did_you_mean(name, names));
   }

@@ -90,6 +90,7 @@ std::vector<std::vector<std::size_t>> joined_rooms(const FloorPlan& world) {
   std::map<std::size_t, std::vector<std::size_t>> members;
   for (std::size_t i = 0; i < group.size(); ++i) members[root(i)].push_back(i);
   std::vector<std::vector<std::size_t>> groups;
+  groups.reserve(members.size());
   for (auto& [unused, rooms] : members) groups.push_back(std::move(rooms));
   std::sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) {
     return a.size() != b.size() ? a.size() > b.size() : a.front() < b.front();
