@@ -28,8 +28,9 @@ Asked corrected(const AsrSource& asked, const RobotFootprint& footprint, const O
   return result;
 }
 
-/// The likeliest place has the probability that was learnt; what is left of it is shared among the
-/// others, and a place that nobody knows, by their scores.
+/// The likeliest place has the probability that was learnt. What is left is shared among the others
+/// and a place that nobody knows by their scores; no other gets more than the likeliest, and what
+/// that leaves over speaks for none of them.
 void set_odds(double first_is_right, double nowhere_score, LocatedMission& located) {
   if (located.places.empty()) return;
   double best = nowhere_score;
@@ -37,15 +38,17 @@ void set_odds(double first_is_right, double nowhere_score, LocatedMission& locat
     best = std::max(best, located.places[i].score);
   }
   double sum = std::exp(nowhere_score - best);
-  located.nowhere_odds = sum;
   located.odds.assign(1, first_is_right);
   for (std::size_t i = 1; i < located.places.size(); ++i) {
     located.odds.push_back(std::exp(located.places[i].score - best));
     sum += located.odds.back();
   }
-  const double left = (1.0 - first_is_right) / sum;
-  for (std::size_t i = 1; i < located.odds.size(); ++i) located.odds[i] *= left;
-  located.nowhere_odds *= left;
+  located.nowhere_odds = 1.0 - first_is_right;
+  for (std::size_t i = 1; i < located.odds.size(); ++i) {
+    located.odds[i] = std::min(first_is_right, located.odds[i] / sum * (1.0 - first_is_right));
+    located.nowhere_odds -= located.odds[i];
+  }
+  located.nowhere_odds = std::max(0.0, located.nowhere_odds);
 }
 
 PlaceVerdict verdict_on(double first_is_right, PlaceVerdict by_walls) {
@@ -109,7 +112,8 @@ PlaceMissionOptions locating_options(double way_m) {
   options.margin_sigmas = 0.0;
   // What walls of a few metres put at the hundredth place rays may put first; of a longer path
   // walls know better, and each place costs more.
-  options.tried = std::clamp(static_cast<int>(120.0 * options.piece_way_m / way_m), 12, 120);
+  const double share = options.piece_way_m / std::max(way_m, options.piece_way_m);
+  options.tried = std::max(12, static_cast<int>(120.0 * share));
   options.places_a_piece = std::max(20, options.tried);
   return options;
 }

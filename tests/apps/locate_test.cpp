@@ -68,7 +68,10 @@ TEST_F(Locate, SaysNowhereOfAnotherBuilding) {
   const Json json = Json::parse(done.out);
   EXPECT_EQ(json["verdict"], "nothing in common");
   double sum = json["nowhere_odds"];
-  for (const Json& place : json["places"]) sum += place["odds"].get<double>();
+  for (const Json& place : json["places"]) {
+    sum += place["odds"].get<double>();
+    EXPECT_LE(place["odds"], json["places"][0]["odds"]);  // the likeliest first
+  }
   EXPECT_NEAR(sum, 1.0, 1e-9);
 }
 
