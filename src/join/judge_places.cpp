@@ -124,12 +124,7 @@ class PlaceJudge {
 
  private:
   [[nodiscard]] PlaceEvidence evidence_at(const MissionPlace& place) const {
-    std::map<AsrId, Pose2> building_from_mission;
-    for (const PlacedPiece& piece : place.pieces) {
-      for (const AsrId id : piece.visits) {
-        building_from_mission[id] = piece.place.building_from_query;
-      }
-    }
+    const std::map<AsrId, Pose2> building_from_mission = place.building_from_mission_by_visit();
     PlaceEvidence evidence;
     for (const AskedVisit& visit : asked_) {
       add_evidence(visit, building_, building_from_mission.at(visit.id) * visit.mission_from_asr,

@@ -269,6 +269,14 @@ std::size_t MissionPlace::fitting() const {
       pieces.begin(), pieces.end(), [](const PlacedPiece& piece) { return piece.fits; }));
 }
 
+std::map<AsrId, Pose2> MissionPlace::building_from_mission_by_visit() const {
+  std::map<AsrId, Pose2> poses;
+  for (const PlacedPiece& piece : pieces) {
+    for (const AsrId id : piece.visits) poses[id] = piece.place.building_from_query;
+  }
+  return poses;
+}
+
 const char* to_string(PlaceVerdict verdict) {
   switch (verdict) {
     case PlaceVerdict::placed:

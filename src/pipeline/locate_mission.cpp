@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "roomatlas/asr/load.hpp"
 #include "roomatlas/asr/with_paths.hpp"
@@ -84,14 +83,8 @@ std::vector<AskedVisit> asked_visits(const MissionMap& query, const AsrSource& s
 
 Trajectory trajectory_at(const MissionPlace& place, const AsrSource& source,
                          const Placement& placement) {
-  std::map<AsrId, Pose2> building_from_mission;
-  for (const PlacedPiece& piece : place.pieces) {
-    for (const AsrId id : piece.visits) {
-      building_from_mission[id] = piece.place.building_from_query;
-    }
-  }
   Trajectory trajectory;
-  for (const auto& [id, pose] : building_from_mission) {
+  for (const auto& [id, pose] : place.building_from_mission_by_visit()) {
     const Pose2 building_from_asr = pose * placement.at(id);
     for (const PathSample& sample : source.get(id, AsrDetail::path).path) {
       trajectory.push_back({sample.timestamp_s, building_from_asr * sample.asr_from_robot});

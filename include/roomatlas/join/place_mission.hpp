@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "roomatlas/core/progress.hpp"
@@ -87,6 +88,8 @@ struct MissionPlace {
     return telling > 0 ? static_cast<double>(agreeing) / telling : 0.0;
   }
   [[nodiscard]] std::size_t fitting() const;
+  /// Where each visit's piece puts the mission.
+  [[nodiscard]] std::map<AsrId, Pose2> building_from_mission_by_visit() const;
 };
 
 enum class PlaceVerdict {
