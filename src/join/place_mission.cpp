@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "packed.hpp"
+#include "roomatlas/core/geometry.hpp"
 
 namespace roomatlas {
 namespace {
@@ -16,14 +17,6 @@ struct Piece {
   FloorSketch sketch;
   Point2 middle = Point2::Zero();
 };
-
-double way_of(const AsrShape& shape) {
-  double way_m = 0.0;
-  for (std::size_t i = 1; i < shape.path.size(); ++i) {
-    way_m += (shape.path[i] - shape.path[i - 1]).norm();
-  }
-  return way_m;
-}
 
 Piece finished(Piece piece, const MissionMap& mission) {
   piece.sketch = sketch_of(piece.shapes, mission.mission_from_asr);
@@ -39,7 +32,7 @@ std::vector<Piece> pieces_of(const MissionMap& mission, const PlaceMissionOption
   std::size_t walls = 0;
   for (const AsrShape& shape : mission.shapes) {
     piece.shapes.push_back(&shape);
-    way_m += way_of(shape);
+    way_m += length(shape.path);
     walls += shape.points.size();
     const bool is_enough =
         way_m >= options.piece_way_m && walls >= static_cast<std::size_t>(options.min_piece_walls);

@@ -6,6 +6,7 @@
 
 #include "roomatlas/asr/load.hpp"
 #include "roomatlas/asr/with_paths.hpp"
+#include "roomatlas/core/geometry.hpp"
 #include "roomatlas/pipeline/mission_map.hpp"
 #include "strategies.hpp"
 
@@ -58,11 +59,7 @@ PlaceVerdict verdict_on(double first_is_right, PlaceVerdict by_walls) {
 
 double way_of(const MissionMap& mission) {
   double way_m = 0.0;
-  for (const AsrShape& shape : mission.shapes) {
-    for (std::size_t i = 1; i < shape.path.size(); ++i) {
-      way_m += (shape.path[i] - shape.path[i - 1]).norm();
-    }
-  }
+  for (const AsrShape& shape : mission.shapes) way_m += length(shape.path);
   return way_m;
 }
 
