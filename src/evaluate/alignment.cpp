@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/evaluate/alignment.hpp"
 
-#include "rigid_fit.hpp"
+#include "roomatlas/core/rigid_fit.hpp"
 
 #include <algorithm>
 

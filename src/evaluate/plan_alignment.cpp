@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "rigid_fit.hpp"
+#include "roomatlas/core/rigid_fit.hpp"
 #include "room_raster.hpp"
 #include "roomatlas/evaluate/assignment.hpp"
 

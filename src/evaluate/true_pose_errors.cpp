@@ -2,7 +2,7 @@
 #include <cmath>
 #include <vector>
 
-#include "rigid_fit.hpp"
+#include "roomatlas/core/rigid_fit.hpp"
 #include "roomatlas/evaluate/pose_lookup.hpp"
 #include "roomatlas/evaluate/true_poses.hpp"
 

@@ -235,7 +235,19 @@ ROOMATLAS_INLINE void solve_both(const Supernodes& nodes, const double* values, 
   solve_backward<Size>(nodes, values, x, below.data());
 }
 
+template <int Size>
+ROOMATLAS_INLINE void solve_last(const Supernodes& nodes, const double* values, double* x) {
+  std::vector<double> below(at(nodes.most_rows) * Size);
+  solve_backward<Size>(nodes, values, x, below.data());
+}
+
 #if defined(__x86_64__)
+template <int Size>
+[[gnu::target("avx2,fma")]] void solve_last_with_avx2(const Supernodes& nodes, const double* values,
+                                                      double* x) {
+  solve_last<Size>(nodes, values, x);
+}
+
 template <int Size>
 [[gnu::target("avx2,fma")]] void solve_with_avx2(const Supernodes& nodes, const double* values,
                                                  double* x) {
@@ -291,6 +303,14 @@ void BlockCholesky<Size>::solve(double* x) const {
   if (has_avx2()) return solve_with_avx2<Size>(nodes_, values_.get(), x);
 #endif
   solve_both<Size>(nodes_, values_.get(), x);
+}
+
+template <int Size>
+void BlockCholesky<Size>::solve_upper(double* x) const {
+#if defined(__x86_64__)
+  if (has_avx2()) return solve_last_with_avx2<Size>(nodes_, values_.get(), x);
+#endif
+  solve_last<Size>(nodes_, values_.get(), x);
 }
 
 template class BlockCholesky<1>;

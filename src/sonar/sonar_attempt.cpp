@@ -42,6 +42,7 @@ Attempt solve_from(const SonarMission& mission, const Idea& idea, const std::vec
       solved.solved ? contradiction.confirmed_m - kContradictedCounts * contradiction.contradicted_m
                     : -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < mission.readings.size(); ++i) {
+    attempt.spread.push_back(solved.spread[problem.node_of[i]]);
     attempt.score_of_reading_m.push_back(contradiction.confirmed_of_reading_m[i] -
                                          kContradictedCounts *
                                              contradiction.contradicted_of_reading_m[i]);

@@ -49,7 +49,8 @@ template <typename Result, typename Make>
 struct Attempt {
   std::vector<double> correction_rad;  ///< of the heading, by node of the chain
   std::vector<Pose2> map_from_robot;
-  double length_scale = 1.0;  ///< times what the heading's habits make of lengths
+  std::vector<PoseSpread> spread;  ///< of these
+  double length_scale = 1.0;       ///< times what the heading's habits make of lengths
   double length_scale_sigma = 0.0;
   double clutter_m = 0.0;
   SonarVariant variant;

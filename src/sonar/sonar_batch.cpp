@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "pose_spread.hpp"
 #include "sonar_equations.hpp"
 
 namespace roomatlas {
@@ -28,11 +29,13 @@ struct Round {
   std::vector<WallPair> pairs;
   std::vector<int> partners;  ///< of each wall
   double clutter_m = 0.0;     ///< of the last rounds, as the poses stand when they begin
+  bool is_last = false;
 };
 
 /// What is solved for.
 struct Unknowns {
   std::vector<Pose2> map_from_node;
+  std::vector<PoseSpread> spread;  ///< of the last round
   double length_scale = 1.0;
   double length_scale_sigma = 0.0;
 };
@@ -243,6 +246,7 @@ bool settle(const SonarBatch& batch, const SonarBatchOptions& options,
     unknowns = std::move(moved);
     if (move < kStillM) break;
   }
+  if (round.is_last) unknowns.spread = spread_of(equations, unknowns.map_from_node);
   return true;
 }
 
@@ -273,11 +277,12 @@ double heading_information(const SeenWall& wall, const SonarBatchOptions& option
 
 SonarBatchResult solve_sonar_batch(const SonarBatch& batch, const SonarBatchOptions& options) {
   SonarBatchResult result;
-  Unknowns unknowns{batch.map_from_node};
+  Unknowns unknowns{batch.map_from_node, std::vector<PoseSpread>(batch.map_from_node.size())};
   result.solved = true;
   const std::vector<WallHeading> headings = headings_of(batch, options);
-  for (const double shrunk : kShrunk) {
-    const Round round = round_at(shrunk, batch, options, unknowns.map_from_node);
+  for (const double& shrunk : kShrunk) {
+    Round round = round_at(shrunk, batch, options, unknowns.map_from_node);
+    round.is_last = &shrunk == &kShrunk.back();
     result.pairs = round.pairs.size();
     result.clutter_m = round.clutter_m;
     if (!settle(batch, options, headings, round, unknowns)) {
@@ -287,6 +292,7 @@ SonarBatchResult solve_sonar_batch(const SonarBatch& batch, const SonarBatchOpti
   }
   result.strain = strain_of(batch, options, unknowns);
   result.map_from_node = std::move(unknowns.map_from_node);
+  result.spread = std::move(unknowns.spread);
   result.length_scale = unknowns.length_scale;
   result.length_scale_sigma = unknowns.length_scale_sigma;
   return result;

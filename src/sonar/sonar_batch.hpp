@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "roomatlas/core/pose2.hpp"
+#include "roomatlas/sonar/sonar_trajectory.hpp"
 #include "wall_pairs.hpp"
 
 namespace roomatlas {
@@ -49,6 +50,7 @@ struct SonarBatchOptions {
 
 struct SonarBatchResult {
   std::vector<Pose2> map_from_node;
+  std::vector<PoseSpread> spread;   ///< of the nodes, after the whole was laid on the truth
   double length_scale = 1.0;        ///< times odometry's lengths: what the walls make of them
   double length_scale_sigma = 0.0;  ///< its posterior standard deviation; near the prior's, walls
                                     ///< said nothing of it

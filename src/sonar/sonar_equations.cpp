@@ -69,17 +69,33 @@ double SonarEquations::solve(std::vector<Pose2>& map_from_node, double& length_s
   return std::isfinite(squares) ? std::sqrt(squares / static_cast<double>(nodes_)) : -1.0;
 }
 
+std::vector<double> SonarEquations::draw_moves(std::mt19937_64& random) const {
+  const auto sign = [&] { return (random() >> 63U) != 0 ? 1.0 : -1.0; };  // of variance 1
+  std::vector<double> by_position(3 * nodes_);
+  for (double& one : by_position) one = sign();
+  matrix_.solve_upper(by_position.data());
+  const double scale = sign() * scale_sigma_;
+  std::vector<double> moves(3 * nodes_);
+  for (std::size_t k = 0; k < nodes_; ++k) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t from = 3 * position(k) + i;
+      moves[3 * k + i] = by_position[from] - scale * node_by_scale_[from];
+    }
+  }
+  return moves;
+}
+
 /// The step of the scale by the Schur complement; takes its part out of the nodes' steps.
 double SonarEquations::eliminate_scale() {
-  std::vector<double> node_by_scale = by_scale_;
-  matrix_.solve(node_by_scale.data());
+  node_by_scale_ = by_scale_;
+  matrix_.solve(node_by_scale_.data());
   const auto dot = [](const std::vector<double>& a, const std::vector<double>& b) {
     return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
   };
-  const double information = scale_weight_ - dot(by_scale_, node_by_scale);
+  const double information = scale_weight_ - dot(by_scale_, node_by_scale_);
   const double step = (scale_right_ - dot(by_scale_, right_side_)) / information;
   scale_sigma_ = 1.0 / std::sqrt(information);
-  for (std::size_t i = 0; i < right_side_.size(); ++i) right_side_[i] -= step * node_by_scale[i];
+  for (std::size_t i = 0; i < right_side_.size(); ++i) right_side_[i] -= step * node_by_scale_[i];
   return step;
 }
 

@@ -2,6 +2,7 @@
 // The normal equations of the batch.
 #pragma once
 
+#include <random>
 #include <vector>
 
 #include "roomatlas/solve/block_cholesky.hpp"
@@ -66,6 +67,9 @@ class SonarEquations {
 
   /// Moves the poses. @return root mean square of the moves; negative when the system is singular
   [[nodiscard]] double solve(std::vector<Pose2>& map_from_node, double& length_scale);
+  /// Moves of the nodes (x, y, heading of each) as likely as the equations leave them, whatever the
+  /// scale is, as last solved: their covariance is that of the estimate.
+  [[nodiscard]] std::vector<double> draw_moves(std::mt19937_64& random) const;
   /// Standard deviation of the scale, whatever the nodes are, as last solved.
   [[nodiscard]] double scale_sigma() const { return scale_sigma_; }
 
@@ -103,7 +107,8 @@ class SonarEquations {
   BlockCholesky<3> matrix_;
   std::size_t nodes_;
   std::vector<double> right_side_;
-  std::vector<double> by_scale_;  ///< of the normal matrix, the scale's column
+  std::vector<double> by_scale_;       ///< of the normal matrix, the scale's column
+  std::vector<double> node_by_scale_;  ///< how the nodes move with the scale, as last solved
   double scale_weight_ = 0.0;
   double scale_right_ = 0.0;
   double scale_sigma_ = 0.0;

@@ -9,10 +9,9 @@
 #include <utility>
 
 #include "map_directions.hpp"
-#include "roomatlas/core/paired_difference.hpp"
-#include "roomatlas/sonar/contradiction.hpp"
 #include "sonar_attempt.hpp"
 #include "sonar_repairs.hpp"
+#include "sonar_rivals.hpp"
 
 namespace roomatlas {
 namespace {
@@ -45,91 +44,6 @@ bool walls_follow_directions(const HeadingProblem& problem,
   const double evidence = heading_evidence(problem.nodes, problem.sightings, directions_rad, chain);
   return !problem.sightings.empty() &&
          evidence > kLeastASegment * static_cast<double>(problem.sightings.size());
-}
-
-/// Share of the readings whose headings part for good: by more than odds and ends of a turn.
-double share_turned(const std::vector<Pose2>& a, const std::vector<Pose2>& b) {
-  constexpr double kTurned = radians(30.0);  // a third of a slip
-  const auto apart = [&](std::size_t i) { return wrap_angle(a[i].theta_rad - b[i].theta_rad); };
-  const double middle = apart(a.size() / 2);
-  std::size_t turned = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (std::abs(wrap_angle(apart(i) - middle)) > kTurned) ++turned;
-  }
-  return static_cast<double>(turned) / static_cast<double>(a.size());
-}
-
-/// Of the readings. Without directions to follow walls cannot tell the heading: it counts as sure.
-double share_with_sure_heading(const Idea& idea) {
-  constexpr double kSure = radians(5.0);  // sigmas are 1.5 to 2.5 degrees where walls are heard,
-                                          // and 4 to 9 where the heading may slip
-  if (idea.is_odometry) return 1.0;
-  const std::vector<double> sigmas_rad = by_reading(idea.problem, idea.heading.sigma_rad);
-  const auto sure = std::count_if(sigmas_rad.begin(), sigmas_rad.end(),
-                                  [](double sigma_rad) { return sigma_rad <= kSure; });
-  return static_cast<double>(sure) / static_cast<double>(sigmas_rad.size());
-}
-
-constexpr double kLeastTurned = 0.05;  // of the readings; what turns less is a corner of the plan
-
-/// The best score among attempts that wind otherwise, over that of the one kept.
-double rival_score(const Attempt& kept, const std::vector<Attempt>& others) {
-  double best = 0.0;
-  for (const Attempt& other : others) {
-    if (share_turned(other.map_from_robot, kept.map_from_robot) <= kLeastTurned) continue;
-    best = std::max(best, other.score_m / std::max(1.0, kept.score_m));
-  }
-  return best;
-}
-
-/// Whether the heading is sure, enough wall was seen by several visits, they agree about it, and no
-/// attempt that winds otherwise does nearly as well: what it turns must cost it walls.
-bool is_verified(const Idea& idea, const std::vector<Attempt>& others,
-                 const SonarTrajectoryOptions& options) {
-  const Attempt& kept = idea.attempt;
-  constexpr double kCost = 0.2;  // of the score, for each share of the readings turned: less
-                                 // proves nothing against the other winding
-  const SonarVariant& variant = kept.variant;
-  if (variant.compared_m < options.verified_m || variant.contradiction > options.verified_share ||
-      share_with_sure_heading(idea) < options.verified_heading_share) {
-    return false;
-  }
-  return std::none_of(others.begin(), others.end(), [&](const Attempt& other) {
-    const double share = share_turned(other.map_from_robot, kept.map_from_robot);
-    return share > kLeastTurned && other.score_m > (1.0 - kCost * share) * kept.score_m;
-  });
-}
-
-/// The score of an attempt by stretches of the mission that do not share their errors.
-std::vector<double> score_of_stretches(std::span<const RangeReading> readings,
-                                       const Attempt& attempt) {
-  const double stretch_m = ContradictionOptions{}.same_visit_m;
-  std::vector<double> scores{0.0};
-  double path_m = 0.0;
-  for (std::size_t i = 0; i < readings.size(); ++i) {
-    if (i > 0) {
-      path_m +=
-          (readings[i].odom_from_robot.position() - readings[i - 1].odom_from_robot.position())
-              .norm();
-    }
-    if (path_m > stretch_m * static_cast<double>(scores.size())) scores.push_back(0.0);
-    scores.back() += attempt.score_of_reading_m[i];
-  }
-  return scores;
-}
-
-/// Of the attempts that wind otherwise the best, where chance may have preferred the one kept.
-const Attempt* second_answer(std::span<const RangeReading> readings, const Attempt& kept,
-                             const std::vector<Attempt>& others) {
-  const Attempt* best = nullptr;
-  for (const Attempt& other : others) {
-    if (share_turned(other.map_from_robot, kept.map_from_robot) <= kLeastTurned) continue;
-    if (other.score_m > 0.0 && (best == nullptr || other.score_m > best->score_m)) best = &other;
-  }
-  if (best == nullptr) return nullptr;
-  const PairedDifference difference =
-      paired_difference(score_of_stretches(readings, kept), score_of_stretches(readings, *best));
-  return difference.is_within_chance() ? best : nullptr;
 }
 
 /// Moves a trajectory so that it begins where odometry does. @return the turn
@@ -329,7 +243,9 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
   result.segments = best.problem.segments.size();
   result.sure_heading_share = share_with_sure_heading(best);
   result.rival_score = rival_score(best.attempt, choice.others);
+  result.attempts_apart_m = attempts_apart(best.attempt, choice.others);
   result.loops_verified = is_verified(best, choice.others, options);
+  result.spread = std::move(best.attempt.spread);
   result.map_from_robot = std::move(best.attempt.map_from_robot);
   const double turn_rad = begin_at(readings.front().odom_from_robot, result.map_from_robot);
   if (!best.is_odometry) result.walls_rad = wrap_quarter(turn_rad);

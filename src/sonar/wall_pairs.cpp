@@ -15,7 +15,7 @@ constexpr double kTileM = 3.0;      // a wall's middle and those it can be paire
 constexpr double kWideGateM = 0.4;  // wider ones ask no less overlap
 
 /// A wall in the map, and what asks whether it pairs wants of it.
-struct PlacedWall {
+struct WallInMap {
   Point2 middle = Point2::Zero();
   Point2 normal = Point2::Zero();
   double normal_rad = 0.0;
@@ -23,9 +23,9 @@ struct PlacedWall {
   double path_m = 0.0;
 };
 
-std::vector<PlacedWall> placed(std::span<const SeenWall> walls,
+std::vector<WallInMap> placed(std::span<const SeenWall> walls,
                                std::span<const Pose2> map_from_node) {
-  std::vector<PlacedWall> result;
+  std::vector<WallInMap> result;
   result.reserve(walls.size());
   for (const SeenWall& wall : walls) {
     const Pose2& pose = map_from_node[wall.node];
@@ -36,7 +36,7 @@ std::vector<PlacedWall> placed(std::span<const SeenWall> walls,
   return result;
 }
 
-std::vector<SquareIndex::Entry> squares_of(const std::vector<PlacedWall>& walls) {
+std::vector<SquareIndex::Entry> squares_of(const std::vector<WallInMap>& walls) {
   std::vector<SquareIndex::Entry> entries;
   entries.reserve(walls.size());
   for (std::uint32_t i = 0; i < walls.size(); ++i) {
@@ -47,7 +47,7 @@ std::vector<SquareIndex::Entry> squares_of(const std::vector<PlacedWall>& walls)
 
 /// How far the second's middle is from the middle of the overlap, along the first's wall; nothing
 /// where the two are not one wall.
-std::optional<double> overlap_of(const PlacedWall& a, const PlacedWall& b, double scale_m,
+std::optional<double> overlap_of(const WallInMap& a, const WallInMap& b, double scale_m,
                                  const WallPairOptions& options) {
   if (std::abs(wrap_angle(a.normal_rad - b.normal_rad)) > options.max_turn_rad) {
     return std::nullopt;
@@ -72,11 +72,11 @@ std::optional<double> overlap_of(const PlacedWall& a, const PlacedWall& b, doubl
 std::vector<WallPair> find_wall_pairs(std::span<const SeenWall> walls,
                                       std::span<const Pose2> map_from_node, double scale_m,
                                       const WallPairOptions& options) {
-  const std::vector<PlacedWall> placed_walls = placed(walls, map_from_node);
+  const std::vector<WallInMap> placed_walls = placed(walls, map_from_node);
   const SquareIndex near(squares_of(placed_walls));
   std::vector<WallPair> pairs;
   for (std::uint32_t i = 0; i < placed_walls.size(); ++i) {
-    const PlacedWall& wall = placed_walls[i];
+    const WallInMap& wall = placed_walls[i];
     const Square square = square_of(wall.middle, kTileM);
     const std::size_t of_earlier = pairs.size();
     for (int dx = -1; dx <= 1; ++dx) {

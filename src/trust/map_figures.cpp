@@ -19,6 +19,7 @@ double log_of(double value, double least) { return std::log(std::max(value, leas
 /// What all figures are made from; readings are read once.
 struct Measured {
   std::vector<VisitAgreement> agreement;
+  std::vector<std::pair<AsrId, std::size_t>> readings;  ///< how many each visit has
   OdometryUse odometry;
   double hits_a_reading = 0.0;
   bool has_readings = false;
@@ -34,6 +35,7 @@ Measured measure(const AsrSource& source, const Assembly& assembly) {
     const Asr asr = source.get(id, AsrDetail::readings);
     evidence.push_back(evidence_of(asr, options.evidence));
     measured.odometry.add(asr);
+    measured.readings.emplace_back(id, asr.readings.size());
     for (const RangeReading& reading : asr.readings) {
       readings += 1.0;
       hits += static_cast<double>(std::count_if(
@@ -137,6 +139,48 @@ void add_loops(const Assembly& assembly, const VisitUncertainty& uncertainty,
                   {"visits on one passage", static_cast<double>(hanging) / visits}});
 }
 
+/// Of each visit, root mean square over its readings.
+/// @param readings of each visit, which follow each other as in the trajectory
+std::map<AsrId, PoseSpread> spread_of_visits(
+    const SonarTrajectory& sonars, const std::vector<std::pair<AsrId, std::size_t>>& readings) {
+  std::map<AsrId, PoseSpread> visits;
+  auto next = sonars.spread.begin();
+  for (const auto& [asr, count] : readings) {
+    const auto end = next + std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(count),
+                                                     sonars.spread.end() - next);
+    const auto mean = [&, first = next](double PoseSpread::*part) {
+      const double squares = std::accumulate(
+          first, end, 0.0,
+          [&](double sum, const PoseSpread& at) { return sum + at.*part * (at.*part); });
+      return std::sqrt(squares / std::max(1.0, static_cast<double>(end - first)));
+    };
+    visits[asr] = {mean(&PoseSpread::place_m), mean(&PoseSpread::heading_rad)};
+    next = end;
+  }
+  return visits;
+}
+
+/// How loosely walls and odometry hold the visits of sonars.
+void add_spread(const std::map<AsrId, PoseSpread>& spread, MapFigures& result) {
+  double squares = 0.0;
+  PoseSpread loosest{0.0, 0.0};
+  for (const auto& [asr, visit] : spread) {
+    squares += visit.place_m * visit.place_m;
+    loosest.place_m = std::max(loosest.place_m, visit.place_m);
+    loosest.heading_rad = std::max(loosest.heading_rad, visit.heading_rad);
+  }
+  const double typical_m = std::sqrt(squares / std::max(1.0, static_cast<double>(spread.size())));
+  result.figures.insert(result.figures.end(),
+                        {{"place of a visit", log_of(typical_m, 0.001)},
+                         {"place of the loosest visit", log_of(loosest.place_m, 0.001)},
+                         {"heading of the loosest visit", log_of(loosest.heading_rad, 0.0005)}});
+  for (VisitJudgement& visit : result.visits) {
+    const PoseSpread& own = spread.at(visit.asr);
+    visit.figures.push_back({"place", log_of(own.place_m, 0.001)});
+    visit.figures.push_back({"heading", log_of(own.heading_rad, 0.0005)});
+  }
+}
+
 /// Of a correction as one trajectory by walls that sonars heard.
 void add_sonars(const SonarTrajectory& sonars, double path_m, std::vector<JudgedFigure>& figures) {
   const SonarVariant chosen =
@@ -152,6 +196,7 @@ void add_sonars(const SonarTrajectory& sonars, double path_m, std::vector<Judged
        {"unsure heading", log_of(1.0 - sonars.sure_heading_share, 0.005)},
        {"undecided drives", log_of(sonars.undecided_m / metres, 0.001)},
        {"score of another winding", sonars.rival_score},
+       {"attempts apart", log_of(sonars.attempts_apart_m, 0.005)},
        {"slips repaired", std::log1p(sonars.slips_repaired)},
        {"uncertainty of the scale", log_of(sonars.length_scale_sigma, 0.0005)},
        {"clutter before walls", log_of(sonars.clutter_m, 0.001)},
@@ -159,18 +204,8 @@ void add_sonars(const SonarTrajectory& sonars, double path_m, std::vector<Judged
        {"odometry's gain", log_of(std::abs(sonars.habits.turn_gain - 1.0), 0.002)}});
 }
 
-std::vector<VisitJudgement> visit_figures(const Measured& measured, const Assembly& assembly,
-                                          const VisitUncertainty& uncertainty) {
-  std::map<AsrId, double> place_m;
-  for (const VisitEstimate& visit : uncertainty.visits) {
-    place_m[visit.asr] = std::sqrt(visit.covariance_m2.trace() / 2.0);
-  }
-  std::map<AsrId, int> loops;
-  for (const Closure& closure : assembly.closures) {
-    if (closure.verdict != ClosureVerdict::accepted) continue;
-    ++loops[closure.from];
-    ++loops[closure.to];
-  }
+/// What others saw of each visit's walls and floor.
+std::vector<VisitJudgement> visits_of(const Measured& measured, const Assembly& assembly) {
   std::vector<VisitJudgement> visits;
   for (const VisitAgreement& sums : measured.agreement) {
     const Agreement agreement = agreement_of(sums);
@@ -181,11 +216,28 @@ std::vector<VisitJudgement> visit_figures(const Measured& measured, const Assemb
                       0.0,
                       {{"seen again", agreement.known_share},
                        {"hits in free space", log_of(agreement.free_share, 0.001)},
-                       {"doubled walls", log_of(agreement.apart_m, 0.002)},
-                       {"place", log_of(place_m[sums.asr], 0.001)},
-                       {"loops", std::log1p(loops[sums.asr])}}});
+                       {"doubled walls", log_of(agreement.apart_m, 0.002)}}});
   }
   return visits;
+}
+
+/// How measurements hold each visit.
+void add_holding(const Assembly& assembly, const VisitUncertainty& uncertainty,
+                 std::vector<VisitJudgement>& visits) {
+  std::map<AsrId, double> place_m;
+  for (const VisitEstimate& visit : uncertainty.visits) {
+    place_m[visit.asr] = std::sqrt(visit.covariance_m2.trace() / 2.0);
+  }
+  std::map<AsrId, int> loops;
+  for (const Closure& closure : assembly.closures) {
+    if (closure.verdict != ClosureVerdict::accepted) continue;
+    ++loops[closure.from];
+    ++loops[closure.to];
+  }
+  for (VisitJudgement& visit : visits) {
+    visit.figures.push_back({"place", log_of(place_m[visit.asr], 0.001)});
+    visit.figures.push_back({"loops", std::log1p(loops[visit.asr])});
+  }
 }
 
 }  // namespace
@@ -196,16 +248,18 @@ MapFigures map_figures(const AsrSource& source, const Assembly& assembly,
   if (assembly.correction.asrs.empty()) return result;
   const Measured measured = measure(source, assembly);
   if (!measured.has_readings) return result;
-  const VisitUncertainty uncertainty =
-      uncertainty_of(assembly.graph, assembly.closures, assembly.correction, correct);
   result.sensor = assembly.sonars ? SensorKind::sonar : SensorKind::laser;
   result.figures = common_figures(measured, assembly);
+  result.visits = visits_of(measured, assembly);
   if (assembly.sonars) {
     add_sonars(*assembly.sonars, measured.odometry.path_m(), result.figures);
+    add_spread(spread_of_visits(*assembly.sonars, measured.readings), result);
   } else {
+    const VisitUncertainty uncertainty =
+        uncertainty_of(assembly.graph, assembly.closures, assembly.correction, correct);
     add_loops(assembly, uncertainty, result.figures);
+    add_holding(assembly, uncertainty, result.visits);
   }
-  result.visits = visit_figures(measured, assembly, uncertainty);
   return result;
 }
 

@@ -104,16 +104,12 @@ const LearntModel& sonar_model() {
   static constexpr LearntTerm kVisitRight[] = {
       {"doubled walls", -2.846, 0.7055, -0.02284},
       {"hits in free space", -4.136, 1.56, -0.2252},
-      {"loops", 0.0, 1e-06, 0.0},
-      {"place", -6.908, 1e-06, 9.069e-15},
       {"seen again", 0.6144, 0.18, 0.1427},
       {"map", 0.11, 1.699, 1.048},
   };
   static constexpr LearntTerm kVisitPlace[] = {
       {"doubled walls", -2.846, 0.7055, 0.07825},
       {"hits in free space", -4.136, 1.56, 0.1211},
-      {"loops", 0.0, 1e-06, 0.0},
-      {"place", -6.908, 1e-06, -2.163e-14},
       {"seen again", 0.6144, 0.18, -0.09312},
       {"map", 0.11, 1.699, -0.887},
   };

@@ -92,6 +92,18 @@ TEST(BlockCholesky, SolvesLikeADenseFactorisation) {
   }
 }
 
+TEST(BlockCholesky, SolvesTheUpperHalfLikeADenseFactor) {
+  const System system = random_system(40, 20, 9);
+  const Supernodes nodes = find_supernodes(system.nodes, system.pairs);
+  BlockCholesky<3> matrix(nodes);
+  const MatrixXd dense = fill(system, matrix, 4);
+  ASSERT_EQ(matrix.factorize(), -1);
+  VectorXd x = VectorXd::LinSpaced(dense.rows(), -1.0, 2.0);
+  const VectorXd expected = dense.llt().matrixU().solve(x);
+  matrix.solve_upper(x.data());
+  EXPECT_LT((x - expected).norm(), 1e-10 * expected.norm());
+}
+
 TEST(BlockCholesky, HandlesPartsThatAreNotConnected) {
   expect_solves_like_dense<3>({9, {{0, 1}, {1, 2}, {5, 6}, {6, 7}, {5, 7}}});
 }

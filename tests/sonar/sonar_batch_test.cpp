@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomatlas/core/rigid_fit.hpp"
+#include "support/false_loops.hpp"
 #include "support/sonar_world.hpp"
 
 namespace roomatlas {
@@ -119,6 +121,69 @@ TEST(SonarBatch, StrainsOdometryWhereWallsMoveIt) {
   }
   EXPECT_GT(strain, 0.1);
   EXPECT_NEAR(result.strain, strain, 1e-3 * strain);
+}
+
+/// How far nodes come to lie from where they are once they are laid on them, over many drives whose
+/// steps err by their sigmas.
+std::vector<double> driven_spread_m(const SonarBatch& batch, double length_sigma) {
+  constexpr int kDrives = 4000;
+  test::Dice dice(5);
+  std::vector<double> squares(batch.steps.size(), 0.0);
+  for (int drive = 0; drive < kDrives; ++drive) {
+    std::vector<Pose2> driven{batch.map_from_node.front()};
+    const double scale = 1.0 + length_sigma * dice.normal();
+    for (std::size_t k = 1; k < batch.steps.size(); ++k) {
+      const DrivenStep& step = batch.steps[k];
+      driven.push_back(
+          driven.back() *
+          Pose2{scale * step.before_from_here.x_m + step.along_sigma_m * dice.normal(),
+                step.across_sigma_m * dice.normal(),
+                step.before_from_here.theta_rad + step.turn_sigma_rad * dice.normal()});
+    }
+    std::vector<PointPair> pairs;
+    for (std::size_t k = 0; k < driven.size(); ++k) {
+      pairs.push_back({driven[k].position(), batch.map_from_node[k].position()});
+    }
+    const Pose2 laid = rigid_fit(pairs);
+    for (std::size_t k = 0; k < driven.size(); ++k) {
+      squares[k] += (laid * pairs[k].from - pairs[k].to).squaredNorm() / kDrives;
+    }
+  }
+  for (double& one : squares) one = std::sqrt(one);
+  return squares;
+}
+
+TEST(SonarBatch, SpreadsAsManyDrivesDo) {
+  SonarBatch batch;
+  Pose2 at;
+  for (std::size_t k = 0; k < 60; ++k) {
+    const Pose2 step{0.4, 0.0, k % 20 == 19 ? kPi / 2.0 : 0.0};
+    if (k > 0) at = at * step;
+    batch.map_from_node.push_back(at);
+    batch.steps.push_back({step, 0.02, 0.03, 0.01});
+  }
+  SonarBatchOptions options;
+  options.length_sigma = 0.01;
+  const SonarBatchResult result = solve_sonar_batch(batch, options);
+  const std::vector<double> expected_m = driven_spread_m(batch, options.length_sigma);
+  ASSERT_EQ(result.spread.size(), expected_m.size());
+  double ratio = 0.0;  // in the mean, since few draws tell a single node's to a tenth
+  for (std::size_t k = 0; k < expected_m.size(); ++k) {
+    EXPECT_NEAR(result.spread[k].place_m / expected_m[k], 1.0, 0.4) << k;
+    ratio += result.spread[k].place_m / expected_m[k] / 60.0;
+  }
+  EXPECT_NEAR(ratio, 1.0, 0.1);
+}
+
+TEST(SonarBatch, WallsHoldWhatDrivesSpread) {
+  SonarBatch alone = to_and_fro(1.0);
+  alone.walls.clear();
+  alone.direction_rad.clear();
+  const SonarBatchResult held = solve_sonar_batch(to_and_fro(1.0), {});
+  const SonarBatchResult loose = solve_sonar_batch(alone, {});
+  for (std::size_t k = 0; k < held.spread.size(); ++k) {
+    EXPECT_LT(held.spread[k].heading_rad, 0.5 * loose.spread[k].heading_rad) << k;
+  }
 }
 
 /// A robot goes round two corridors that lie side by side, three times; odometry is right, but the

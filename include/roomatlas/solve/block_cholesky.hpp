@@ -40,6 +40,9 @@ class BlockCholesky {
 
   /// Solves in place. @param x Size numbers a position
   void solve(double* x) const;
+  /// The second half of that: with L the factor, x := inverse(L') x. Of independent numbers of
+  /// variance 1 it makes numbers whose covariance is the inverse of the matrix.
+  void solve_upper(double* x) const;
 
  private:
   const Supernodes& nodes_;

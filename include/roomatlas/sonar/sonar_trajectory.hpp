@@ -45,9 +45,16 @@ struct SecondAnswer {
   double kept_m = 0.0;   ///< the same of the one kept, from the same tolerances
 };
 
+/// How far a pose may be off once the whole is laid on the truth: one standard deviation.
+struct PoseSpread {
+  double place_m = 10.0;  ///< nothing is known
+  double heading_rad = kPi;
+};
+
 /// The mission's poses, corrected by the walls that a ring of sonars heard.
 struct SonarTrajectory {
   std::vector<Pose2> map_from_robot;  ///< one a reading; the first is odometry's first
+  std::vector<PoseSpread> spread;     ///< of these poses, as the walls and odometry leave them
   OdometryHabits habits;              ///< as found
   double length_scale_sigma = 0.0;  ///< of the habits' scale: posterior standard deviation, a share
                                     ///< of all lengths; 0.03 where no wall tells it
@@ -66,6 +73,8 @@ struct SonarTrajectory {
   std::size_t chosen = 0;              ///< place of the one kept
   double rival_score = 0.0;  ///< of the best attempt that winds otherwise, over that of the one
                              ///< kept; near 1 both explain the walls
+  double attempts_apart_m = 0.0;       ///< how far attempts that do nearly as well end from the one
+                                       ///< kept, the more the nearer their scores; root mean square
   std::optional<SecondAnswer> second;  ///< that explains the readings nearly as well
   int slips_repaired = 0;              ///< headings turned by 90 degrees from some place on
   bool loops_verified = false;         ///< false: no loop, or walls contradict each other

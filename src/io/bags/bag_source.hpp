@@ -151,7 +151,6 @@ class BagSource : public MissionSource {
   std::int64_t without_stamp_ = 0;
   std::int64_t without_pose_ = 0;
   std::int64_t at_nearest_pose_ = 0;
-  std::int64_t range_messages_ = 0;
   bool read_to_end_ = false;
   bool ended_ = false;
 };

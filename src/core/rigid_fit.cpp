@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rigid_fit.hpp"
+#include "roomatlas/core/rigid_fit.hpp"
 
 #include <cmath>
 

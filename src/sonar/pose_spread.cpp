@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pose_spread.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "roomatlas/core/rigid_fit.hpp"
+#include "sonar_equations.hpp"
+
+namespace roomatlas {
+namespace {
+
+constexpr int kDraws = 48;  // tell a standard deviation to a tenth; a draw costs half a solution
+
+/// The motion that lays poses on others by their places.
+Pose2 fit(std::span<const Pose2> from, std::span<const Pose2> onto) {
+  std::vector<PointPair> pairs;
+  pairs.reserve(from.size());
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    pairs.push_back({from[k].position(), onto[k].position()});
+  }
+  return rigid_fit(pairs);
+}
+
+}  // namespace
+
+std::vector<PoseSpread> spread_of(const SonarEquations& equations,
+                                  const std::vector<Pose2>& map_from_node) {
+  std::vector<PoseSpread> squares(map_from_node.size(), {0.0, 0.0});
+  std::mt19937_64 random(1);
+  for (int draw = 0; draw < kDraws; ++draw) {
+    const std::vector<double> moves = equations.draw_moves(random);
+    std::vector<Pose2> moved = map_from_node;
+    for (std::size_t k = 0; k < moved.size(); ++k) {
+      const double* const move = moves.data() + 3 * k;
+      moved[k] = {moved[k].x_m + move[0], moved[k].y_m + move[1], moved[k].theta_rad + move[2]};
+    }
+    const Pose2 laid = fit(moved, map_from_node);
+    for (std::size_t k = 0; k < moved.size(); ++k) {
+      const double turn_rad =
+          wrap_angle(laid.theta_rad + moved[k].theta_rad - map_from_node[k].theta_rad);
+      squares[k].place_m +=
+          (laid * moved[k].position() - map_from_node[k].position()).squaredNorm();
+      squares[k].heading_rad += turn_rad * turn_rad;
+    }
+  }
+  for (PoseSpread& one : squares) {
+    one = {std::sqrt(one.place_m / kDraws), std::sqrt(one.heading_rad / kDraws)};
+  }
+  return squares;
+}
+
+double apart_m(std::span<const Pose2> a, std::span<const Pose2> b) {
+  if (a.empty()) return 0.0;
+  const Pose2 laid = fit(a, b);
+  double squares = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    squares += (laid * a[i].position() - b[i].position()).squaredNorm();
+  }
+  return std::sqrt(squares / static_cast<double>(a.size()));
+}
+
+}  // namespace roomatlas
