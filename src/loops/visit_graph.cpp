@@ -165,9 +165,10 @@ VisitUncertainty uncertainty_of(const RoomGraph& graph, const std::vector<Closur
     const auto component = static_cast<std::size_t>(solved.component[i]);
     if (static_cast<std::size_t>(solved.fixed[component]) == i) continue;
     const Pose2& at = measured.guess[i];
-    uncertainty.visits.push_back(
-        {measured.ids[i], at.position(),
-         factor * in_building(solved.covariance.of_node[i], frame_rad[component])});
+    const Eigen::Matrix3d& covariance = solved.covariance.of_node[i];
+    uncertainty.visits.push_back({measured.ids[i], at.position(),
+                                  factor * in_building(covariance, frame_rad[component]),
+                                  std::sqrt(factor * covariance(2, 2))});
     sum_m2 += uncertainty.visits.back().covariance_m2.trace() / 2.0;
   }
   if (!uncertainty.visits.empty()) {

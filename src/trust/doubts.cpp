@@ -46,7 +46,7 @@ constexpr Meaning kMeanings[] = {
     {"unsure heading", "walls leave the heading unsure for parts of the drive"},
     {"undecided drives", "some drives could have gone forwards or backwards"},
     {"score of another winding", "another course of the heading explains the walls nearly as well"},
-    {"heading of the loosest visit", "walls hold one visit's heading loosely"},
+    {"heading of the loosest visit", "one visit's heading is held loosely"},
     {"attempts apart", "solutions that explain the walls nearly as well end elsewhere"},
     {"slips repaired", "the heading had slipped by a quarter turn and was put right"},
     {"odometry's bias", "odometry turns strongly while it drives"},

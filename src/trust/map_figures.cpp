@@ -112,7 +112,9 @@ void add_loops(const Assembly& assembly, const VisitUncertainty& uncertainty,
   std::size_t hanging = 0;
   for (const Bridge& bridge : bridges_of(graph)) hanging = std::max(hanging, bridge.behind);
   double largest_m2 = 0.0;
+  double largest_rad = 0.0;
   for (const VisitEstimate& visit : uncertainty.visits) {
+    largest_rad = std::max(largest_rad, visit.heading_sigma_rad);
     largest_m2 = std::max(
         largest_m2,
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(visit.covariance_m2).eigenvalues()[1]);
@@ -135,6 +137,7 @@ void add_loops(const Assembly& assembly, const VisitUncertainty& uncertainty,
                   {"strain of loops", log_of(std::sqrt(uncertainty.variance_factor), 0.1)},
                   {"place of a visit", log_of(uncertainty.typical_m.value_or(0.0), 0.001)},
                   {"place of the loosest visit", log_of(std::sqrt(largest_m2), 0.001)},
+                  {"heading of the loosest visit", log_of(largest_rad, 0.0005)},
                   {"passages in which the robot was lost", std::log1p(doubtful)},
                   {"visits on one passage", static_cast<double>(hanging) / visits}});
 }

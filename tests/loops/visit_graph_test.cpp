@@ -80,6 +80,7 @@ TEST(VisitUncertainty, OfTheFirstStepIsThatOfItsMeasurementInBuildingAxes) {
   EXPECT_EQ(found.visits[0].asr, 2);
   EXPECT_NEAR(found.visits[0].covariance_m2(0, 0), covariance(1, 1), 1e-9);  // turned by 90 deg
   EXPECT_NEAR(found.visits[0].covariance_m2(1, 1), covariance(0, 0), 1e-9);
+  EXPECT_NEAR(found.visits[0].heading_sigma_rad, std::sqrt(covariance(2, 2)), 1e-9);
 }
 
 TEST(VisitUncertainty, GrowsAlongThePathAndAcrossItMostOfAll) {

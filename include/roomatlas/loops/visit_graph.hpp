@@ -35,6 +35,7 @@ struct VisitEstimate {
   AsrId asr = 0;
   Point2 at = Point2::Zero();                               ///< building metres
   Eigen::Matrix2d covariance_m2 = Eigen::Matrix2d::Zero();  ///< of `at`; building axes
+  double heading_sigma_rad = 0.0;
 };
 
 /// How sure a correction is of its visits, each relative to the first of its component.
