@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace roomatlas {
 namespace {
@@ -33,11 +34,28 @@ bool are_apart(const Box2& a, const Box2& b) {
   return (a.min.array() >= b.max.array()).any() || (b.min.array() >= a.max.array()).any();
 }
 
-/// Of so many corners that a search for all crossings might not end.
+constexpr std::size_t kFewCrossings = 200;
+
+/// Crosses itself, and does not only touch: rooms of a raster do, where two of their cells meet at
+/// a corner. Stops once there are too many.
+bool has_many_crossings(const Ring& ring) {
+  constexpr double kEnd = 1e-6;
+  const auto edge = [&](std::size_t i) { return Segment2{ring[i], ring[(i + 1) % ring.size()]}; };
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    for (std::size_t k = i + 2; k < ring.size(); ++k) {
+      const std::optional<double> at = crossing_fraction(edge(i), edge(k));
+      if (at && *at > kEnd && *at < 1.0 - kEnd && ++count > kFewCrossings) return true;
+    }
+  }
+  return false;
+}
+
+/// With so many crossings that a search for all of them might not end.
 bool is_scribble(const PlanRoom& room) {
-  constexpr std::size_t kFew = 200;
   return std::any_of(room.parts.begin(), room.parts.end(), [](const Polygon& part) {
-    return part.outer.size() > kFew && !planar::is_simple(part);
+    return part.outer.size() > kFewCrossings && !planar::is_simple(part) &&
+           has_many_crossings(part.outer);
   });
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/core/issue.hpp"
+#include "roomatlas/planar/heal.hpp"
 #include "roomatlas/simulate/world.hpp"
 
 #include <gmock/gmock.h>
@@ -99,6 +100,25 @@ TEST(CheckWorld, RefusesAnOutlineOfManyCrossings) {
     EXPECT_EQ(text.find("crosses itself") != std::string::npos, is_star) << text;
     world.rooms.pop_back();
   }
+}
+
+/// As rooms of a labelled map do whose cells meet at corners.
+TEST(CheckWorld, TakesAnOutlineThatTouchesItself) {
+  FloorPlan world = three_rooms();
+  constexpr int kSteps = 120;
+  Ring stair;  // up along corners, and back down through every other one of them
+  for (int i = 0; i < kSteps; ++i) {
+    stair.emplace_back(50.0 + 0.1 * i, 50.0 + 0.1 * i);
+    stair.emplace_back(50.0 + 0.1 * (i + 1), 50.0 + 0.1 * i);
+  }
+  stair.emplace_back(50.0 + 0.1 * kSteps, 50.0 + 0.1 * kSteps);
+  for (int i = kSteps - 2; i > 0; i -= 2) {
+    stair.emplace_back(50.0 + 0.1 * i, 50.0 + 0.1 * (i + 1));
+    stair.emplace_back(50.0 + 0.1 * i, 50.0 + 0.1 * i);
+  }
+  ASSERT_FALSE(planar::is_simple({stair, {}}));
+  world.rooms.push_back(room(4, "Hall", stair));
+  EXPECT_EQ(text_of(check_world(world)).find("crosses itself"), std::string::npos);
 }
 
 TEST(CheckWorld, NamesRoomsThatOverlapAndTheirCommonArea) {
