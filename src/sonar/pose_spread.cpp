@@ -12,7 +12,8 @@ namespace {
 
 constexpr int kDraws = 48;  // tell a standard deviation to a tenth; a draw costs half a solution
 
-/// The motion that lays poses on others by their places.
+}  // namespace
+
 Pose2 fit(std::span<const Pose2> from, std::span<const Pose2> onto) {
   std::vector<PointPair> pairs;
   pairs.reserve(from.size());
@@ -21,8 +22,6 @@ Pose2 fit(std::span<const Pose2> from, std::span<const Pose2> onto) {
   }
   return rigid_fit(pairs);
 }
-
-}  // namespace
 
 std::vector<PoseSpread> spread_of(const SonarEquations& equations,
                                   const std::vector<Pose2>& map_from_node) {

@@ -17,6 +17,9 @@ class SonarEquations;
 [[nodiscard]] std::vector<PoseSpread> spread_of(const SonarEquations& equations,
                                                 const std::vector<Pose2>& map_from_node);
 
+/// The motion that lays poses on as many others by their places.
+[[nodiscard]] Pose2 fit(std::span<const Pose2> from, std::span<const Pose2> onto);
+
 /// Root mean square of the distances between two trajectories, as many poses each, after one was
 /// laid on the other by least squares; metres.
 [[nodiscard]] double apart_m(std::span<const Pose2> a, std::span<const Pose2> b);

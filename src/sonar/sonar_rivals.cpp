@@ -79,6 +79,20 @@ double attempts_apart(const Attempt& kept, const std::vector<Attempt>& others) {
   return std::sqrt(squares / weights);
 }
 
+void tell_directed(const SonarMission& mission, Idea& idea) {
+  if (idea.is_odometry) return;  // without directions as it is
+  SonarBatchOptions free;
+  free.heading_weight = 0.0;
+  free.start_scale_m = 0.5;  // nearer than the wall of the room next door
+  Attempt& kept = idea.attempt;
+  const Attempt loose = solve_again(mission, idea, "walls in any direction from there", free);
+  const Pose2 laid = fit(loose.map_from_robot, kept.map_from_robot);
+  for (std::size_t i = 0; i < kept.spread.size(); ++i) {
+    kept.spread[i].directed_rad = std::abs(wrap_angle(
+        laid.theta_rad + loose.map_from_robot[i].theta_rad - kept.map_from_robot[i].theta_rad));
+  }
+}
+
 bool is_verified(const Idea& idea, const std::vector<Attempt>& others,
                  const SonarTrajectoryOptions& options) {
   const Attempt& kept = idea.attempt;

@@ -233,6 +233,8 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
     take(static_cast<std::size_t>(second - choice.others.data()), choice, result);
   } else {
     refine(mission, best, result);
+    if (before_attempt) before_attempt();
+    tell_directed(mission, best);
   }
   result.habits = best.habits;
   result.habits.length_scale *= best.attempt.length_scale;
@@ -243,6 +245,7 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
   result.segments = best.problem.segments.size();
   result.sure_heading_share = share_with_sure_heading(best);
   result.rival_score = rival_score(best.attempt, choice.others);
+  result.strain = best.attempt.strain;
   result.attempts_apart_m = attempts_apart(best.attempt, choice.others);
   result.loops_verified = is_verified(best, choice.others, options);
   result.spread = std::move(best.attempt.spread);

@@ -24,7 +24,7 @@ struct WallInMap {
 };
 
 std::vector<WallInMap> placed(std::span<const SeenWall> walls,
-                               std::span<const Pose2> map_from_node) {
+                              std::span<const Pose2> map_from_node) {
   std::vector<WallInMap> result;
   result.reserve(walls.size());
   for (const SeenWall& wall : walls) {

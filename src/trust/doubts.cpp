@@ -47,6 +47,8 @@ constexpr Meaning kMeanings[] = {
     {"undecided drives", "some drives could have gone forwards or backwards"},
     {"score of another winding", "another course of the heading explains the walls nearly as well"},
     {"heading of the loosest visit", "one visit's heading is held loosely"},
+    {"strain of odometry", "walls pull odometry out of its way"},
+    {"turned by directions", "the building's directions turn rooms that odometry puts otherwise"},
     {"attempts apart", "solutions that explain the walls nearly as well end elsewhere"},
     {"slips repaired", "the heading had slipped by a quarter turn and was put right"},
     {"odometry's bias", "odometry turns strongly while it drives"},

@@ -157,7 +157,8 @@ std::map<AsrId, PoseSpread> spread_of_visits(
           [&](double sum, const PoseSpread& at) { return sum + at.*part * (at.*part); });
       return std::sqrt(squares / std::max(1.0, static_cast<double>(end - first)));
     };
-    visits[asr] = {mean(&PoseSpread::place_m), mean(&PoseSpread::heading_rad)};
+    visits[asr] = {mean(&PoseSpread::place_m), mean(&PoseSpread::heading_rad),
+                   mean(&PoseSpread::directed_rad)};
     next = end;
   }
   return visits;
@@ -171,16 +172,19 @@ void add_spread(const std::map<AsrId, PoseSpread>& spread, MapFigures& result) {
     squares += visit.place_m * visit.place_m;
     loosest.place_m = std::max(loosest.place_m, visit.place_m);
     loosest.heading_rad = std::max(loosest.heading_rad, visit.heading_rad);
+    loosest.directed_rad = std::max(loosest.directed_rad, visit.directed_rad);
   }
   const double typical_m = std::sqrt(squares / std::max(1.0, static_cast<double>(spread.size())));
   result.figures.insert(result.figures.end(),
                         {{"place of a visit", log_of(typical_m, 0.001)},
                          {"place of the loosest visit", log_of(loosest.place_m, 0.001)},
-                         {"heading of the loosest visit", log_of(loosest.heading_rad, 0.0005)}});
+                         {"heading of the loosest visit", log_of(loosest.heading_rad, 0.0005)},
+                         {"turned by directions", log_of(loosest.directed_rad, 0.0005)}});
   for (VisitJudgement& visit : result.visits) {
     const PoseSpread& own = spread.at(visit.asr);
     visit.figures.push_back({"place", log_of(own.place_m, 0.001)});
     visit.figures.push_back({"heading", log_of(own.heading_rad, 0.0005)});
+    visit.figures.push_back({"turned by directions", log_of(own.directed_rad, 0.0005)});
   }
 }
 
@@ -199,6 +203,7 @@ void add_sonars(const SonarTrajectory& sonars, double path_m, std::vector<Judged
        {"unsure heading", log_of(1.0 - sonars.sure_heading_share, 0.005)},
        {"undecided drives", log_of(sonars.undecided_m / metres, 0.001)},
        {"score of another winding", sonars.rival_score},
+       {"strain of odometry", log_of(sonars.strain / metres, 0.001)},
        {"attempts apart", log_of(sonars.attempts_apart_m, 0.005)},
        {"slips repaired", std::log1p(sonars.slips_repaired)},
        {"uncertainty of the scale", log_of(sonars.length_scale_sigma, 0.0005)},

@@ -49,6 +49,8 @@ struct SecondAnswer {
 struct PoseSpread {
   double place_m = 10.0;  ///< nothing is known
   double heading_rad = kPi;
+  double directed_rad = 0.0;  ///< how far the building's directions turn it: from where odometry
+                              ///< and walls seen again put it without them
 };
 
 /// The mission's poses, corrected by the walls that a ring of sonars heard.
@@ -76,8 +78,9 @@ struct SonarTrajectory {
   double attempts_apart_m = 0.0;       ///< how far attempts that do nearly as well end from the one
                                        ///< kept, the more the nearer their scores; root mean square
   std::optional<SecondAnswer> second;  ///< that explains the readings nearly as well
-  int slips_repaired = 0;              ///< headings turned by 90 degrees from some place on
-  bool loops_verified = false;         ///< false: no loop, or walls contradict each other
+  double strain = 0.0;     ///< of odometry by walls: half of its steps' robust squares, in sigmas
+  int slips_repaired = 0;  ///< headings turned by 90 degrees from some place on
+  bool loops_verified = false;  ///< false: no loop, or walls contradict each other
 };
 
 /// Corrects a whole mission recorded with sonars in one batch: the walls that single sonars hear
