@@ -108,7 +108,7 @@ class LatestStateOfABuilding : public ::testing::Test {
   /// @returns an assembled store of one mission
   static std::string mission(const std::string& name, const std::string& world, int seed,
                              double later_s) {
-    const Outcome made = run("-q simulate " + world + " --sensor laser --tour --seed " +
+    const Outcome made = run("-q simulate " + world + " --sensor laser --tour --speed 0.7 --seed " +
                              std::to_string(seed) + " -o " + path(name));
     EXPECT_EQ(made.exit_code, 0) << made.err;
     write_later(path(name) + "/mission.clf", path(name + ".clf"), later_s);
