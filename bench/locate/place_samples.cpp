@@ -37,21 +37,6 @@ std::vector<JudgedFigure> told_by(const PlaceSample& sample) {
   return figures;
 }
 
-/// How many were given so much when their pair had no part in it, and how many of these are wrong.
-std::string given_at_least(double probability, const std::vector<FitRow>& rows,
-                           const Fitted& fitted) {
-  const double least = std::log(probability / (1.0 - probability));
-  int given = 0;
-  int wrong = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (fitted.left_out[i] < least) continue;
-    ++given;
-    wrong += rows[i].target < 0.5 ? 1 : 0;
-  }
-  return std::to_string(given) + " of " + std::to_string(rows.size()) + ", " +
-         std::to_string(wrong) + " wrong";
-}
-
 }  // namespace
 
 std::string line_of(const PlaceSample& sample) {
@@ -93,9 +78,7 @@ std::string learnt_places(const std::vector<PlaceSample>& samples, SensorKind se
   const std::string kind = sensor == SensorKind::laser ? "laser" : "sonar";
   std::fprintf(stderr, "%s: penalty %g, loss on pairs that were left out %.4f; there\n",
                kind.c_str(), fitted.penalty, fitted.loss);
-  for (const double least : {0.5, 0.8, 0.9, 0.92, 0.95, 0.99}) {
-    std::fprintf(stderr, "  given %.2f: %s\n", least, given_at_least(least, rows, fitted).c_str());
-  }
+  std::fputs(given_text(rows, fitted).c_str(), stderr);
   return "// SPDX-License-Identifier: GPL-3.0-or-later\n// Printed by `bench_locate train " + kind +
          "`, from " + std::to_string(rows.size()) + " queries of " + std::to_string(groups.size()) +
          " pairs, " + std::to_string(right) +

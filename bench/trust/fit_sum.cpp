@@ -182,6 +182,23 @@ Fitted fit_sum(const std::vector<FitRow>& rows, FitKind kind, double share) {
   return best;
 }
 
+std::string given_text(const std::vector<FitRow>& rows, const Fitted& fitted) {
+  std::string text;
+  for (const double least : {0.5, 0.8, 0.9, 0.92, 0.95, 0.99}) {
+    const double log_odds = std::log(least / (1.0 - least));
+    int given = 0;
+    int wrong = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (fitted.left_out[i] < log_odds) continue;
+      ++given;
+      wrong += rows[i].target < 0.5 ? 1 : 0;
+    }
+    text += "  given " + number_text(least) + ": " + std::to_string(given) + " of " +
+            std::to_string(rows.size()) + ", " + std::to_string(wrong) + " wrong\n";
+  }
+  return text;
+}
+
 std::string number_text(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);

@@ -46,6 +46,10 @@ struct Fitted {
 /// left-out targets lie below.
 [[nodiscard]] Fitted fit_sum(const std::vector<FitRow>& rows, FitKind kind, double share = 0.9);
 
+/// How many rows were given so much by sums that their groups had no part in, and how many of these
+/// are wrong: a line for each of several probabilities.
+[[nodiscard]] std::string given_text(const std::vector<FitRow>& rows, const Fitted& fitted);
+
 /// As a number, and as an array of `LearntTerm`, of C++.
 [[nodiscard]] std::string number_text(double value);
 [[nodiscard]] std::string terms_text(const char* name, const FitSum& sum);

@@ -37,6 +37,7 @@ LearntTrust learn_trust(const std::vector<TrustSample>& samples, SensorKind sens
   }
   learnt.missions = own.size();
   learnt.mission_right = fit_sum(right, FitKind::log_odds);
+  std::fputs(given_text(right, learnt.mission_right).c_str(), stderr);
   learnt.place = fit_sum(place, FitKind::logarithm);
   learnt.heading = fit_sum(heading, FitKind::logarithm);
   learnt.scale = fit_sum(scale, FitKind::logarithm);
