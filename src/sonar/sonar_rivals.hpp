@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the attempts that were not kept say of the one that was.
+// How far the attempt that is kept can be relied on: what the others say of it, and its own walls.
 #pragma once
 
 #include <span>

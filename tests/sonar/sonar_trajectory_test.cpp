@@ -14,21 +14,12 @@
 namespace roomatlas {
 namespace {
 
-struct SonarMission {
-  std::vector<Pose2> truth;
-  std::vector<RangeReading> readings;
-};
-
-SonarMission drive(const std::vector<test::WallLine>& walls, const std::vector<Point2>& points,
-                   double drift_deg_per_m) {
-  SonarMission mission;
-  mission.truth = test::drive_along(points);
-  mission.readings = test::sonar_readings(walls, mission.truth, drift_deg_per_m);
-  return mission;
-}
+using test::bent_corridor;
+using test::drive;
+using test::DrivenWorld;
 
 /// Twice round a square corridor, 1.8 m wide.
-SonarMission square_corridor(double drift_deg_per_m) {
+DrivenWorld square_corridor(double drift_deg_per_m) {
   auto walls = test::walls_along({{0, 0}, {14, 0}, {14, 11}, {0, 11}}, true);
   const auto inner = test::walls_along({{1.8, 1.8}, {12.2, 1.8}, {12.2, 9.2}, {1.8, 9.2}}, true);
   walls.insert(walls.end(), inner.begin(), inner.end());
@@ -45,7 +36,7 @@ struct Error {
 };
 
 /// The largest error; both trajectories begin at the same pose.
-Error largest_error(const SonarMission& mission, const std::vector<Pose2>& poses) {
+Error largest_error(const DrivenWorld& mission, const std::vector<Pose2>& poses) {
   Error error;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const Pose2 off = inverse(mission.truth[i]) * poses[i];
@@ -55,7 +46,7 @@ Error largest_error(const SonarMission& mission, const std::vector<Pose2>& poses
   return error;
 }
 
-std::vector<Pose2> odometry_of(const SonarMission& mission) {
+std::vector<Pose2> odometry_of(const DrivenWorld& mission) {
   std::vector<Pose2> poses;
   for (const RangeReading& reading : mission.readings) poses.push_back(reading.odom_from_robot);
   return poses;
@@ -63,7 +54,7 @@ std::vector<Pose2> odometry_of(const SonarMission& mission) {
 
 TEST(SonarTrajectory, TakesADriftOutOfASquareMission) {
   for (const double drift : {-2.5, 0.6}) {
-    const SonarMission mission = square_corridor(drift);
+    const DrivenWorld mission = square_corridor(drift);
     EXPECT_GT(largest_error(mission, odometry_of(mission)).position_m, 2.0);
     const SonarTrajectory result =
         correct_sonar_trajectory(mission.readings, find_drive_directions(mission.readings, {}), {});
@@ -91,7 +82,7 @@ void turn_by(std::vector<RangeReading>& readings, double gain) {
 }
 
 TEST(SonarTrajectory, FindsThatOdometryTurnsTooLittle) {
-  SonarMission mission = square_corridor(0.5);
+  DrivenWorld mission = square_corridor(0.5);
   turn_by(mission.readings, 0.9);
   EXPECT_GT(largest_error(mission, odometry_of(mission)).heading_deg, 20.0);
   const SonarTrajectory result =
@@ -120,7 +111,7 @@ void turn_unheard(std::vector<RangeReading>& readings, std::size_t first, std::s
 }
 
 TEST(SonarTrajectory, TurnsBackAQuarterThatItTookForTheLikelierWay) {
-  SonarMission mission = square_corridor(0.0);
+  DrivenWorld mission = square_corridor(0.0);
   const std::size_t first = mission.readings.size() / 2 + 40;  // on a straight way
   const std::size_t last = first + 60;
   turn_unheard(mission.readings, first, last, 55.0);  // 35 degrees off the other way
@@ -144,11 +135,11 @@ TEST(SonarTrajectory, TurnsBackAQuarterThatItTookForTheLikelierWay) {
 
 /// Two corridors round a corner, each driven to and fro; at the corner nothing is heard while
 /// odometry turns half of what the robot does.
-SonarMission corner_unheard() {
+DrivenWorld corner_unheard() {
   auto walls = test::walls_along({{0, 0}, {20, 0}, {20, 20}}, false);
   const auto inner = test::walls_along({{0, 1.8}, {18.2, 1.8}, {18.2, 20}}, false);
   walls.insert(walls.end(), inner.begin(), inner.end());
-  SonarMission mission = drive(
+  DrivenWorld mission = drive(
       walls, {{1, 0.9}, {17, 0.9}, {2, 0.9}, {19.1, 0.9}, {19.1, 18}, {19.1, 4}, {19.1, 17}}, 0.0);
   std::size_t turn = 0;  // the last reading on the first corridor
   for (std::size_t i = 0; i < mission.truth.size(); ++i) {
@@ -159,7 +150,7 @@ SonarMission corner_unheard() {
 }
 
 TEST(SonarTrajectory, ATurnThatNothingDecidesHasASecondAnswerAndAClearMissionNone) {
-  const SonarMission unclear = corner_unheard();
+  const DrivenWorld unclear = corner_unheard();
   const DriveDirections directions = find_drive_directions(unclear.readings, {});
   SonarTrajectoryOptions options;
   const SonarTrajectory first = correct_sonar_trajectory(unclear.readings, directions, options);
@@ -172,7 +163,7 @@ TEST(SonarTrajectory, ATurnThatNothingDecidesHasASecondAnswerAndAClearMissionNon
       wrap_angle(first.map_from_robot.back().theta_rad - second.map_from_robot.back().theta_rad);
   EXPECT_GT(std::abs(degrees(apart_rad)), 30.0);
 
-  const SonarMission clear = square_corridor(0.0);
+  const DrivenWorld clear = square_corridor(0.0);
   const DriveDirections clear_directions = find_drive_directions(clear.readings, {});
   const SonarTrajectory sure =
       correct_sonar_trajectory(clear.readings, clear_directions, options);  // asked for in vain
@@ -181,7 +172,7 @@ TEST(SonarTrajectory, ATurnThatNothingDecidesHasASecondAnswerAndAClearMissionNon
 }
 
 TEST(SonarTrajectory, LeavesTrueOdometryAlone) {
-  const SonarMission mission = square_corridor(0.0);
+  const DrivenWorld mission = square_corridor(0.0);
   const SonarTrajectory result =
       correct_sonar_trajectory(mission.readings, find_drive_directions(mission.readings, {}), {});
   const Error error = largest_error(mission, result.map_from_robot);
@@ -190,7 +181,7 @@ TEST(SonarTrajectory, LeavesTrueOdometryAlone) {
 }
 
 TEST(HeadingsOfReturns, TurnANodeBackThatOdometryLeavesFree) {
-  const SonarMission mission = square_corridor(0.0);
+  const DrivenWorld mission = square_corridor(0.0);
   const auto directions = find_drive_directions(mission.readings, {});
   const DrivenPath path = driven_path(mission.readings, directions, {});
   SonarProblem problem =
@@ -209,28 +200,9 @@ TEST(HeadingsOfReturns, TurnANodeBackThatOdometryLeavesFree) {
   }
 }
 
-/// A corridor that goes on at another angle: twice there and back.
-SonarMission bent_corridor(double angle_deg) {
-  const Point2 along = direction(radians(angle_deg));
-  const Point2 left(-along.y(), along.x());
-  const Point2 bend(9.0, 0.0);
-  const double shift = 0.9 * std::tan(radians(angle_deg) / 2.0);
-  const Point2 outer = bend + Point2(shift, -0.9);
-  const Point2 inner = bend + Point2(-shift, 0.9);
-  const auto walls = test::walls_along({{-1.0, -0.9},
-                                        outer,
-                                        bend + 10.0 * along - 0.9 * left,
-                                        bend + 10.0 * along + 0.9 * left,
-                                        inner,
-                                        {-1.0, 0.9}},
-                                       true);
-  const Point2 end = bend + 9.0 * along;
-  return drive(walls, {{0, 0}, bend, end, bend, {0, 0}, bend, end, bend, {0, 0}}, 0.1);
-}
-
 TEST(SonarTrajectory, DoesNotBendABuildingWithWingsAtAnAngle) {
   for (const double angle_deg : {30.0, 45.0}) {
-    const SonarMission mission = bent_corridor(angle_deg);
+    const DrivenWorld mission = bent_corridor(angle_deg);
     const SonarTrajectory result =
         correct_sonar_trajectory(mission.readings, find_drive_directions(mission.readings, {}), {});
     const Error error = largest_error(mission, result.map_from_robot);
@@ -273,7 +245,7 @@ TEST(SonarTrajectory, DoesNotMakeARoundHallSquare) {
   std::vector<Point2> way;
   for (int k = 0; k < 72; ++k) rim.push_back(8.0 * direction(radians(5.0 * k)));
   for (int k = 0; k <= 72; ++k) way.push_back(6.5 * direction(radians(10.0 * k)));
-  const SonarMission mission = drive(test::walls_along(rim, true), way, 0.05);
+  const DrivenWorld mission = drive(test::walls_along(rim, true), way, 0.05);
   const SonarTrajectory result =
       correct_sonar_trajectory(mission.readings, find_drive_directions(mission.readings, {}), {});
   const Error odometry = largest_error(mission, odometry_of(mission));
@@ -283,7 +255,7 @@ TEST(SonarTrajectory, DoesNotMakeARoundHallSquare) {
 }
 
 TEST(SonarTrajectory, IsTheSameEachTime) {
-  const SonarMission mission = square_corridor(0.6);
+  const DrivenWorld mission = square_corridor(0.6);
   const SonarTrajectory once =
       correct_sonar_trajectory(mission.readings, find_drive_directions(mission.readings, {}), {});
   const SonarTrajectory again =
@@ -299,7 +271,7 @@ TEST(SonarTrajectory, OfAnEmptyMissionIsEmpty) {
 }
 
 TEST(SonarTrajectory, OfARobotThatStandsIsItsPlace) {
-  SonarMission mission = square_corridor(0.0);
+  DrivenWorld mission = square_corridor(0.0);
   mission.readings.resize(30);
   mission.truth.assign(30, mission.truth.front());
   for (RangeReading& reading : mission.readings) {
@@ -316,7 +288,7 @@ TEST(SonarTrajectory, OfARobotThatStandsIsItsPlace) {
 }
 
 TEST(SonarTrajectory, WithoutReturnsIsOdometry) {
-  SonarMission mission = square_corridor(0.0);
+  DrivenWorld mission = square_corridor(0.0);
   for (RangeReading& reading : mission.readings) {
     std::fill(reading.ranges_m.begin(), reading.ranges_m.end(), 5.0F);
   }

@@ -110,6 +110,39 @@ inline std::vector<RangeReading> sonar_readings(const std::vector<WallLine>& wal
   return readings;
 }
 
+/// A mission whose truth is known.
+struct DrivenWorld {
+  std::vector<Pose2> truth;
+  std::vector<RangeReading> readings;
+};
+
+inline DrivenWorld drive(const std::vector<WallLine>& walls, const std::vector<Point2>& points,
+                         double drift_deg_per_m) {
+  DrivenWorld mission;
+  mission.truth = drive_along(points);
+  mission.readings = sonar_readings(walls, mission.truth, drift_deg_per_m);
+  return mission;
+}
+
+/// A corridor that goes on at another angle: twice there and back.
+inline DrivenWorld bent_corridor(double angle_deg) {
+  const Point2 along = direction(radians(angle_deg));
+  const Point2 left(-along.y(), along.x());
+  const Point2 bend(9.0, 0.0);
+  const double shift = 0.9 * std::tan(radians(angle_deg) / 2.0);
+  const Point2 outer = bend + Point2(shift, -0.9);
+  const Point2 inner = bend + Point2(-shift, 0.9);
+  const auto walls = walls_along({{-1.0, -0.9},
+                                  outer,
+                                  bend + 10.0 * along - 0.9 * left,
+                                  bend + 10.0 * along + 0.9 * left,
+                                  inner,
+                                  {-1.0, 0.9}},
+                                 true);
+  const Point2 end = bend + 9.0 * along;
+  return drive(walls, {{0, 0}, bend, end, bend, {0, 0}, bend, end, bend, {0, 0}}, 0.1);
+}
+
 inline std::vector<double> path_lengths(const std::vector<Pose2>& poses) {
   std::vector<double> path_m = {0.0};
   for (std::size_t i = 1; i < poses.size(); ++i) {

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said of the attempt that was kept.
+#include "../../src/sonar/sonar_rivals.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "support/sonar_world.hpp"
+
+namespace roomatlas {
+namespace {
+
+Attempt attempt_at(const std::vector<Pose2>& poses, double score_m) {
+  Attempt attempt;
+  attempt.map_from_robot = poses;
+  attempt.score_m = score_m;
+  return attempt;
+}
+
+TEST(AttemptsApart, WeighsThoseThatDoNearlyAsWellAndNotHowTheyLie) {
+  const std::vector<Pose2> there = {{0, 0, 0}, {4, 0, 0}, {8, 0, 0}, {12, 0, 0}};
+  std::vector<Pose2> turned = there;
+  for (Pose2& pose : turned) pose = Pose2{3.0, -2.0, 1.0} * pose;
+  std::vector<Pose2> longer = there;  // by 0.6 m a pose: 0.9, 0.3, 0.3 and 0.9 m off
+  for (std::size_t i = 0; i < longer.size(); ++i) longer[i].x_m += 0.6 * static_cast<double>(i);
+  const double off_m = std::sqrt((0.81 + 0.09 + 0.09 + 0.81) / 4.0);
+
+  const Attempt kept = attempt_at(there, 100.0);
+  EXPECT_EQ(attempts_apart(kept, {}), 0.0);
+  EXPECT_NEAR(attempts_apart(kept, {attempt_at(turned, 100.0)}), 0.0, 1e-9);
+  EXPECT_NEAR(attempts_apart(kept, {attempt_at(longer, 100.0)}), off_m / std::sqrt(2.0), 1e-9);
+  EXPECT_LT(attempts_apart(kept, {attempt_at(longer, 50.0)}), 0.01 * off_m);
+}
+
+/// The mean over the mission of how far directions turn it, degrees.
+double directed_deg(const test::DrivenWorld& world, const std::vector<double>& directions_rad) {
+  const SonarTrajectoryOptions options;
+  const DriveDirections directions = find_drive_directions(world.readings, {});
+  const SonarMission mission{world.readings, directions, options, {}};
+  Idea idea = idea_of(mission, {}, directions_rad);
+  idea.attempt = solve(mission, idea, "", idea.heading.correction_rad);
+  tell_directed(mission, idea);
+  const auto& spread = idea.attempt.spread;
+  const double sum_rad =
+      std::accumulate(spread.begin(), spread.end(), 0.0,
+                      [](double sum, const PoseSpread& one) { return sum + one.directed_rad; });
+  return degrees(sum_rad) / static_cast<double>(spread.size());
+}
+
+/// Walls that are held to follow a direction that they do not follow bend the way between them.
+TEST(TellDirected, ShowsABuildingThatWasMadeSquare) {
+  const test::DrivenWorld corridor = test::bent_corridor(9.0);
+  const double square_deg = directed_deg(corridor, {0.0});
+  const double bent_deg = directed_deg(corridor, {0.0, radians(9.0)});
+  EXPECT_GT(square_deg, 2.0);
+  EXPECT_LT(bent_deg, 0.5 * square_deg);
+}
+
+}  // namespace
+}  // namespace roomatlas
