@@ -50,6 +50,10 @@ void report(const Judgement& judgement) {
         words(advice), advice.drive_m, advice.place_before_m, advice.place_after_m,
         advice.heading_before_deg, advice.heading_after_deg);
   }
+  if (judgement.visits.size() > kMostAdvised) {
+    spdlog::info("what would help is not worked out for more than {} visits together",
+                 kMostAdvised);
+  }
 }
 
 void report(const Answers& answers, const Path& store_file) {

@@ -72,10 +72,10 @@ FitSum fit(const Rows& rows, FitKind kind, double penalty) {
   Eigen::VectorXd ridge = Eigen::VectorXd::Constant(size, penalty);
   ridge[size - 1] = kLeastDeviation;
   Eigen::VectorXd model = Eigen::VectorXd::Zero(size);
-  for (int step = 0; step < (kind == FitKind::log_odds ? kNewtonSteps : 1); ++step) {
+  for (int step = 0; step < (kind == FitKind::logarithm ? 1 : kNewtonSteps); ++step) {
     Eigen::VectorXd error = all * model;
     Eigen::VectorXd weight = Eigen::VectorXd::Ones(error.size());
-    if (kind == FitKind::log_odds) {
+    if (kind != FitKind::logarithm) {
       error = error.unaryExpr(&odds_of);
       weight = error.array() * (1.0 - error.array()) + kLeastDeviation;
     }
@@ -114,23 +114,61 @@ std::vector<double> left_out(const std::vector<FitRow>& rows, FitKind kind, doub
   return found;
 }
 
-/// Scale and shift of log odds under which the targets are likeliest.
-void calibrate(const std::vector<FitRow>& rows, std::vector<double>& found, FitSum& sum) {
-  Eigen::Vector2d model(1.0, 0.0);
+/// What makes the log odds that were found the targets' own.
+struct Calibration {
+  double scale = 1.0;
+  double shift = 0.0;
+  double lapses = 0.0;
+};
+
+double probability_of(const Calibration& calibration, double found) {
+  return (1.0 - calibration.lapses) * odds_of(calibration.scale * found + calibration.shift);
+}
+
+double loss_of(const Calibration& calibration, const std::vector<FitRow>& rows,
+               const std::vector<double>& found) {
+  double loss = kPlattPenalty / 2.0 * (calibration.scale - 1.0) * (calibration.scale - 1.0);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double right = probability_of(calibration, found[i]);
+    loss -= std::log(rows[i].target > 0.5 ? right : 1.0 - right);
+  }
+  return loss;
+}
+
+/// Scale and shift under which the targets are likeliest, for a share of lapses: Fisher's scoring.
+Calibration calibrated(const std::vector<FitRow>& rows, const std::vector<double>& found,
+                       double lapses) {
+  Calibration calibration{1.0, 0.0, lapses};
   for (int step = 0; step < kNewtonSteps; ++step) {
     Eigen::Matrix2d hessian = Eigen::Vector2d(kPlattPenalty, kLeastDeviation).asDiagonal();
-    Eigen::Vector2d gradient(kPlattPenalty * (model[0] - 1.0), 0.0);
+    Eigen::Vector2d gradient(kPlattPenalty * (calibration.scale - 1.0), 0.0);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const Eigen::Vector2d values(found[i], 1.0);
-      const double odds = odds_of(model.dot(values));
-      gradient += (odds - rows[i].target) * values;
-      hessian += odds * (1.0 - odds) * values * values.transpose();
+      const double right =
+          std::clamp(probability_of(calibration, found[i]), kLeastDeviation, 1.0 - kLeastDeviation);
+      const double slope = right * (1.0 - right / (1.0 - lapses));
+      const double variance = right * (1.0 - right);
+      gradient += (right - rows[i].target) * slope / variance * values;
+      hessian += slope * slope / variance * values * values.transpose();
     }
-    model -= hessian.ldlt().solve(gradient);
+    const Eigen::Vector2d move = hessian.ldlt().solve(gradient);
+    calibration.scale -= move[0];
+    calibration.shift -= move[1];
   }
-  for (double& value : found) value = model[0] * value + model[1];
-  for (FitTerm& term : sum.terms) term.weight *= model[0];
-  sum.bias = model[0] * sum.bias + model[1];
+  return calibration;
+}
+
+void calibrate(const std::vector<FitRow>& rows, FitKind kind, Fitted& fitted) {
+  constexpr int kMostLapses = 20;  // hundredths
+  Calibration best = calibrated(rows, fitted.left_out, 0.0);
+  for (int share = 1; share <= (kind == FitKind::lapsing ? kMostLapses : 0); ++share) {
+    const Calibration other = calibrated(rows, fitted.left_out, 0.01 * share);
+    if (loss_of(other, rows, fitted.left_out) < loss_of(best, rows, fitted.left_out)) best = other;
+  }
+  for (double& value : fitted.left_out) value = best.scale * value + best.shift;
+  for (FitTerm& term : fitted.sum.terms) term.weight *= best.scale;
+  fitted.sum.bias = best.scale * fitted.sum.bias + best.shift;
+  fitted.lapses = best.lapses;
 }
 
 /// Raises the sum so that `share` of the targets lie below.
@@ -174,10 +212,10 @@ Fitted fit_sum(const std::vector<FitRow>& rows, FitKind kind, double share) {
   Rows all;
   for (const FitRow& row : rows) all.push_back(&row);
   best.sum = fit(all, kind, best.penalty);
-  if (kind == FitKind::log_odds) {
-    calibrate(rows, best.left_out, best.sum);
-  } else {
+  if (kind == FitKind::logarithm) {
     raise(rows, share, best.left_out, best.sum);
+  } else {
+    calibrate(rows, kind, best);
   }
   return best;
 }
@@ -185,11 +223,10 @@ Fitted fit_sum(const std::vector<FitRow>& rows, FitKind kind, double share) {
 std::string given_text(const std::vector<FitRow>& rows, const Fitted& fitted) {
   std::string text;
   for (const double least : {0.5, 0.8, 0.9, 0.92, 0.95, 0.99}) {
-    const double log_odds = std::log(least / (1.0 - least));
     int given = 0;
     int wrong = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (fitted.left_out[i] < log_odds) continue;
+      if ((1.0 - fitted.lapses) * odds_of(fitted.left_out[i]) < least) continue;
       ++given;
       wrong += rows[i].target < 0.5 ? 1 : 0;
     }

@@ -32,18 +32,25 @@ struct FitRow {
   std::size_t group = 0;
 };
 
-enum class FitKind { log_odds, logarithm };
+enum class FitKind {
+  log_odds,
+  lapsing,  ///< log odds that hold but for a share of lapses, in which none of the figures tells
+            ///< that it is wrong
+  logarithm
+};
 
 struct Fitted {
   FitSum sum;
+  double lapses = 0.0;           ///< share, [0, 1)
   double penalty = 0.0;          ///< that lost least when groups were left out
   double loss = 0.0;             ///< then: mean negative log likelihood, or mean square
   std::vector<double> left_out;  ///< of each row, by a sum that its group had no part in
 };
 
 /// The sum whose penalty loses least on groups that were left out, by tenths. Log odds are
-/// calibrated by what was found there (Platt 1999); logarithms are raised so that `share` of the
-/// left-out targets lie below.
+/// calibrated by what was found there (Platt 1999), with the share of lapses that makes it
+/// likeliest (as of psychometric functions: Wichmann and Hill 2001); logarithms are raised so that
+/// `share` of the left-out targets lie below.
 [[nodiscard]] Fitted fit_sum(const std::vector<FitRow>& rows, FitKind kind, double share = 0.9);
 
 /// How many rows were given so much by sums that their groups had no part in, and how many of these

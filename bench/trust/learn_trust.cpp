@@ -36,7 +36,7 @@ LearntTrust learn_trust(const std::vector<TrustSample>& samples, SensorKind sens
     scale.push_back(row_of(sample, std::log(std::max(kLeastScale, sample.scale_share)), group));
   }
   learnt.missions = own.size();
-  learnt.mission_right = fit_sum(right, FitKind::log_odds);
+  learnt.mission_right = fit_sum(right, FitKind::lapsing);
   std::fputs(given_text(right, learnt.mission_right).c_str(), stderr);
   learnt.place = fit_sum(place, FitKind::logarithm);
   learnt.heading = fit_sum(heading, FitKind::logarithm);
@@ -72,10 +72,9 @@ std::string learnt_source(const LearntTrust& learnt) {
       " visits.\n#include \"learnt_model.hpp\"\n\nnamespace roomatlas {\n\nconst LearntModel& " +
       kind + "_model() {\n";
   for (const Part& part : parts) text += terms_text(part.name, part.fitted.sum);
-  text += "  static const LearntModel kModel{";
+  text += "  static const LearntModel kModel{" + number_text(learnt.mission_right.lapses);
   for (const Part& part : parts) {
-    text += std::string(&part == parts ? "" : ", ") + "{" + number_text(part.fitted.sum.bias) +
-            ", " + part.name + "}";
+    text += ", {" + number_text(part.fitted.sum.bias) + ", " + part.name + "}";
   }
   text += "};\n  return kModel;\n}\n\n}  // namespace roomatlas\n";
   for (const Part& part : parts) {

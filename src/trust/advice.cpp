@@ -13,8 +13,7 @@ namespace roomatlas {
 namespace {
 
 constexpr std::size_t kMostAdvice = 3;
-constexpr double kWorthDriving = 0.1;      // of the measure below: less is not worth a drive
-constexpr std::size_t kMostVisits = 1500;  // the covariance of all pairs is 160 MB then
+constexpr double kWorthDriving = 0.1;  // of the measure below: less is not worth a drive
 
 /// Both largest variances, each over what a visit may be off and still count as right.
 double looseness(const LargestVariance& largest) {
@@ -54,7 +53,7 @@ Advice said_of(const Drive& drive, const LargestVariance& before, const LargestV
 
 std::vector<Advice> advice_on(const Assembly& assembly, const CorrectOptions& correct) {
   HeldVisits held = held_visits_of(assembly.graph, assembly.closures, assembly.correction, correct);
-  if (held.measured.edges.empty() || held.measured.ids.size() > kMostVisits) return {};
+  if (held.measured.edges.empty() || held.measured.ids.size() > kMostAdvised) return {};
   const double variance_factor = held.variance_factor;
   AddedEdges added(scaled(std::move(held)));
   if (!added.is_held()) return {};

@@ -29,6 +29,14 @@ std::vector<RoomJudgement> rooms_of(const std::vector<VisitJudgement>& visits) {
   return list;
 }
 
+/// A store of an earlier release has other figures.
+bool has_all(const std::vector<JudgedFigure>& figures, const LearntSum& sum) {
+  return std::all_of(sum.terms.begin(), sum.terms.end(), [&](const LearntTerm& term) {
+    return std::any_of(figures.begin(), figures.end(),
+                       [&](const JudgedFigure& figure) { return figure.name == term.name; });
+  });
+}
+
 }  // namespace
 
 std::optional<Judgement> judge_map(const MapFigures& figures, const Assembly& assembly) {
@@ -36,7 +44,7 @@ std::optional<Judgement> judge_map(const MapFigures& figures, const Assembly& as
   const LearntModel& model = model_of(figures.sensor);
   const double log_odds = sum_of(model.right, figures.figures);
   Judgement judgement;
-  judgement.probability = probability_of(log_odds);
+  judgement.probability = (1.0 - model.lapses) * probability_of(log_odds);
   judgement.place_m = std::exp(sum_of(model.place, figures.figures));
   judgement.heading_deg = std::exp(sum_of(model.heading, figures.figures));
   judgement.scale_share = std::exp(sum_of(model.scale, figures.figures));
@@ -65,8 +73,14 @@ Judgement judged_anew(const Judgement& judgement, const Assembly& assembly) {
     return room == assembly.room_of_asr.end() ? 0 : room->second;
   };
   for (VisitJudgement& visit : figures.visits) visit.room = room_of(visit.asr);
-  Judgement anew = judge_map(figures, assembly).value();
-  anew.advice = judgement.advice;
+  Judgement anew = judgement;
+  if (has_all(judgement.figures, model_of(figures.sensor).right)) {
+    anew = judge_map(figures, assembly).value();
+    anew.advice = judgement.advice;
+  } else {
+    anew.visits = figures.visits;
+    anew.rooms = rooms_of(anew.visits);
+  }
   for (Advice& advice : anew.advice) {
     advice.from_room = room_of(advice.from);
     advice.to_room = room_of(advice.to);

@@ -98,8 +98,13 @@ const LearntModel& laser_model() {
       {"seen again", 0.9235, 0.063, -0.1104},
       {"map", 1.878, 3.821, -1.409},
   };
-  static const LearntModel kModel{{2.456, kRight},  {-1.916, kPlace},     {0.6009, kHeading},
-                                  {-4.753, kScale}, {3.715, kVisitRight}, {-2.241, kVisitPlace}};
+  static const LearntModel kModel{0.0,
+                                  {2.456, kRight},
+                                  {-1.916, kPlace},
+                                  {0.6009, kHeading},
+                                  {-4.753, kScale},
+                                  {3.715, kVisitRight},
+                                  {-2.241, kVisitPlace}};
   return kModel;
 }
 

@@ -8,7 +8,8 @@
 namespace roomatlas {
 
 struct LearntModel {
-  LearntSum right;        ///< log odds that all visits are right
+  double lapses;          ///< share of maps that are wrong though no figure tells it, [0, 1)
+  LearntSum right;        ///< log odds that all visits are right, of the others
   LearntSum place;        ///< log of the error bar in metres
   LearntSum heading;      ///< ... in degrees
   LearntSum scale;        ///< ... as a share

@@ -43,13 +43,15 @@ TEST_P(OfASensor, WhatSpeaksAgainstTheMapLowersItsProbabilityAndIsNamed) {
                              [](const Doubt& a, const Doubt& b) { return a.weight > b.weight; }));
 }
 
-TEST_P(OfASensor, TheProbabilityIsTheLogisticFunctionOfTheSumOfItsParts) {
+TEST_P(OfASensor, TheProbabilityIsTheLogisticFunctionOfTheSumOfItsPartsButForLapses) {
   double sum = model_of(GetParam()).right.bias;
   for (const LearntTerm& term : model_of(GetParam()).right.terms) {
     sum -= 0.7 * std::abs(term.weight);
   }
-  EXPECT_NEAR(judge_map(figures_of(GetParam(), 0.7), {})->probability, 1.0 / (1.0 + std::exp(-sum)),
-              1e-9);
+  const double known = 1.0 - model_of(GetParam()).lapses;
+  EXPECT_NEAR(judge_map(figures_of(GetParam(), 0.7), {})->probability,
+              known / (1.0 + std::exp(-sum)), 1e-9);
+  EXPECT_LE(judge_map(figures_of(GetParam(), -9.0), {})->probability, known);
 }
 
 TEST_P(OfASensor, FiguresBeyondWhatWasLearntCountAsTheLastThatWere) {
@@ -91,6 +93,18 @@ TEST(JudgeMap, RoomsWithOtherNumbersAreJudgedAlike) {
     EXPECT_EQ(renumbered.rooms[i].probability, assembly.judgement->rooms[i].probability);
   }
   EXPECT_EQ(renumbered.probability, assembly.judgement->probability);
+}
+
+TEST(JudgeMap, AnEarlierReleasesFiguresKeepWhatWasSaid) {
+  Assembly assembly = simulated();
+  for (auto& [asr, room] : assembly.room_of_asr) room += 100;
+  Judgement earlier = *assembly.judgement;
+  earlier.figures.erase(earlier.figures.begin(), earlier.figures.begin() + 5);
+  earlier.probability = 0.625;
+  const Judgement renumbered = judged_anew(earlier, assembly);
+  EXPECT_EQ(renumbered.probability, 0.625);
+  ASSERT_EQ(renumbered.rooms.size(), earlier.rooms.size());
+  EXPECT_EQ(renumbered.rooms[0].room, earlier.rooms[0].room + 100);
 }
 
 Advice advice_between(AsrId from, AsrId to) {

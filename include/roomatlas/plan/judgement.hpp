@@ -16,6 +16,8 @@ constexpr double kRightPlace_m = 0.25;
 constexpr double kRightHeading_deg = 2.0;
 /// A map or a room with a smaller probability is called doubtful.
 constexpr double kTrusted = 0.9;
+/// Visits together that drives are advised for; the covariance of all pairs is 160 MB then.
+constexpr std::size_t kMostAdvised = 1500;
 
 /// What is said of one visit.
 struct VisitJudgement {

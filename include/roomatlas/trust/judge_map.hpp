@@ -20,7 +20,8 @@ namespace roomatlas {
 /// @param correct options of the correction
 void advise(const Assembly& assembly, const CorrectOptions& correct, Judgement& judgement);
 
-/// The same judgement where the assembly's rooms have got other numbers; advice too.
+/// The same judgement where the assembly's rooms have got other numbers; advice too. One that an
+/// earlier release measured otherwise stays what was said then.
 [[nodiscard]] Judgement judged_anew(const Judgement& judgement, const Assembly& assembly);
 
 }  // namespace roomatlas
