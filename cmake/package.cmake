@@ -86,7 +86,7 @@ roomatlas_deb(dev libroomatlas-dev "floor plans from robot missions, as a C++ li
   TEXT "The static library of Roomatlas, its headers, and what find_package(roomatlas)"
        "of CMake reads."
   DEPENDS libeigen3-dev libceres-dev libpugixml-dev libsqlitecpp-dev libsqlite3-dev zlib1g-dev
-          libbz2-dev liblz4-dev libzstd-dev libdeflate-dev libssl-dev libgmp-dev libmpfr-dev
+          libbz2-dev liblz4-dev libzstd-dev libdeflate-dev libfftw3-dev libssl-dev libgmp-dev libmpfr-dev
           pkg-config
   RECOMMENDS "roomatlas-pictures ${same}"
   SUGGESTS "roomatlas-gdal ${same}")

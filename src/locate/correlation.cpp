@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "correlation.hpp"
 
-#include <unsupported/Eigen/FFT>
+#include <fftw3.h>
 
 #include <algorithm>
+#include <mutex>
 
 namespace roomatlas {
 namespace {
 
-/// The least number from `least` on whose only factors are 2, 3 and 5: others take kissfft long.
+/// The least number from `least` on whose only factors are 2, 3 and 5: others take long.
 int of_small_factors(int least) {
   for (int size = std::max(1, least);; ++size) {
     int rest = size;
@@ -19,12 +20,39 @@ int of_small_factors(int least) {
   }
 }
 
+/// FFTW makes and destroys plans in one thread at a time; any number of threads may use them.
+std::mutex& planner() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+void transform(fftwf_plan_s* plan, std::vector<std::complex<float>>& plane) {
+  auto* const values = reinterpret_cast<fftwf_complex*>(plane.data());
+  fftwf_execute_dft(plan, values, values);
+}
+
 }  // namespace
+
+void CorrelationPlane::Destroy::operator()(fftwf_plan_s* plan) const {
+  const std::lock_guard lock(planner());
+  fftwf_destroy_plan(plan);
+}
+
+/// Estimated and not measured, so that the same plane is always transformed in the same order.
+CorrelationPlane::Plan CorrelationPlane::plan(int sign) const {
+  Spectrum any(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  auto* const values = reinterpret_cast<fftwf_complex*>(any.data());
+  const std::lock_guard lock(planner());
+  return Plan(
+      fftwf_plan_dft_2d(height_, width_, values, values, sign, FFTW_ESTIMATE | FFTW_UNALIGNED));
+}
 
 CorrelationPlane::CorrelationPlane(const Layers& layers, int max_query_cells)
     : building_(layers.on_wall.domain.bounds()),
       width_(of_small_factors(building_.width() + max_query_cells)),
       height_(of_small_factors(building_.height() + max_query_cells)),
+      forward_(plan(FFTW_FORWARD)),
+      backward_(plan(FFTW_BACKWARD)),
       on_wall_(spectrum_of(layers.on_wall, {}, building_.min)),
       on_floor_(spectrum_of(layers.on_floor, {}, building_.min)) {}
 
@@ -36,27 +64,8 @@ CorrelationPlane::Spectrum CorrelationPlane::spectrum_of(const Raster<float>& re
     plane[static_cast<std::size_t>(cell.y - origin.y) * static_cast<std::size_t>(width_) +
           static_cast<std::size_t>(cell.x - origin.x)] = {real[cell], imaginary.get(cell)};
   });
-  transform(plane, false);
+  transform(forward_.get(), plane);
   return plane;
-}
-
-void CorrelationPlane::transform(Spectrum& plane, bool is_inverse) const {
-  Eigen::FFT<float> fft;
-  const auto width = static_cast<std::size_t>(width_);
-  const auto height = static_cast<std::size_t>(height_);
-  std::vector<std::complex<float>> in(std::max(width, height));
-  std::vector<std::complex<float>> out(in.size());
-  const auto along = [&](std::size_t first, std::size_t stride, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) in[i] = plane[first + i * stride];
-    if (is_inverse) {
-      fft.inv(out.data(), in.data(), static_cast<Eigen::Index>(count));
-    } else {
-      fft.fwd(out.data(), in.data(), static_cast<Eigen::Index>(count));
-    }
-    for (std::size_t i = 0; i < count; ++i) plane[first + i * stride] = out[i];
-  };
-  for (std::size_t y = 0; y < height; ++y) along(y * width, 1, width);
-  for (std::size_t x = 0; x < width; ++x) along(x, width, height);
 }
 
 std::size_t CorrelationPlane::mirrored(std::size_t at) const {
@@ -77,7 +86,8 @@ Raster<float> CorrelationPlane::scores(const Query& query) const {
     const std::complex<float> floor = (both[at] - mirror) * std::complex<float>(0.0F, -0.5F);
     product[at] = std::conj(wall) * on_wall_[at] + std::conj(floor) * on_floor_[at];
   }
-  transform(product, true);
+  transform(backward_.get(), product);
+  const float share = 1.0F / static_cast<float>(product.size());  // FFTW does not divide
   const int margin_x = query.wall.domain.bounds().width() - 1;
   const int margin_y = query.wall.domain.bounds().height() - 1;
   const Cell first{building_.min.x - query.wall.domain.bounds().min.x,
@@ -87,9 +97,9 @@ Raster<float> CorrelationPlane::scores(const Query& query) const {
   for_each_cell(scores.domain, [&](const Cell& shift) {
     const int x = (shift.x - first.x + width_) % width_;
     const int y = (shift.y - first.y + height_) % height_;
-    scores[shift] = product[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                            static_cast<std::size_t>(x)]
-                        .real();
+    const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                    static_cast<std::size_t>(x);
+    scores[shift] = share * product[at].real();
   });
   return scores;
 }

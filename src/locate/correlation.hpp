@@ -3,15 +3,18 @@
 #pragma once
 
 #include <complex>
+#include <memory>
 #include <vector>
+
+struct fftwf_plan_s;
 
 #include "roomatlas/grid/raster.hpp"
 
 namespace roomatlas {
 
 /// A building's picture in which others are looked for: two values a cell, wall and floor. Scores
-/// of all shifts come from the convolution theorem (discrete Fourier transforms by kissfft, which
-/// comes with Eigen), so that a search costs the same however much the query saw.
+/// of all shifts come from the convolution theorem (discrete Fourier transforms by FFTW, Frigo and
+/// Johnson 2005), so that a search costs the same however much the query saw.
 class CorrelationPlane {
  public:
   /// Values that a query's cell takes from the building's cell below it.
@@ -35,14 +38,20 @@ class CorrelationPlane {
 
  private:
   using Spectrum = std::vector<std::complex<float>>;
+  struct Destroy {
+    void operator()(fftwf_plan_s* plan) const;
+  };
+  using Plan = std::unique_ptr<fftwf_plan_s, Destroy>;
+  [[nodiscard]] Plan plan(int sign) const;
   [[nodiscard]] Spectrum spectrum_of(const Raster<float>& real, const Raster<float>& imaginary,
                                      const Cell& origin) const;
-  void transform(Spectrum& plane, bool is_inverse) const;
   [[nodiscard]] std::size_t mirrored(std::size_t at) const;
 
   CellBox building_;
   int width_ = 0;  ///< of the plane, in cells: the building and a query's margin, of small factors
   int height_ = 0;
+  Plan forward_;
+  Plan backward_;
   Spectrum on_wall_;
   Spectrum on_floor_;
 };
