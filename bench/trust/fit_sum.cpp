@@ -244,8 +244,8 @@ std::string number_text(double value) {
   return number;
 }
 
-std::string terms_text(const char* name, const FitSum& sum) {
-  std::string text = std::string("  static constexpr LearntTerm ") + name + "[] = {\n";
+std::string terms_text(const std::string& name, const FitSum& sum) {
+  std::string text = "  static constexpr LearntTerm " + name + "[] = {\n";
   for (const FitTerm& term : sum.terms) {
     text += "      {\"" + term.name + "\", " + number_text(term.mean) + ", " +
             number_text(term.deviation) + ", " + number_text(term.weight) + "},\n";

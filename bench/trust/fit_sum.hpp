@@ -59,6 +59,6 @@ struct Fitted {
 
 /// As a number, and as an array of `LearntTerm`, of C++.
 [[nodiscard]] std::string number_text(double value);
-[[nodiscard]] std::string terms_text(const char* name, const FitSum& sum);
+[[nodiscard]] std::string terms_text(const std::string& name, const FitSum& sum);
 
 }  // namespace roomatlas::bench

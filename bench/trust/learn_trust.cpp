@@ -56,25 +56,27 @@ LearntTrust learn_trust(const std::vector<TrustSample>& samples, SensorKind sens
 }
 
 std::string learnt_source(const LearntTrust& learnt) {
-  const std::string kind = learnt.sensor == SensorKind::laser ? "laser" : "sonar";
+  const bool is_laser = learnt.sensor == SensorKind::laser;
+  const std::string kind = is_laser ? "laser" : "sonar";
+  const std::string prefix = is_laser ? "kLaser" : "kSonar";
   struct Part {
     const char* name;
     const Fitted& fitted;
   };
-  const Part parts[] = {{"kRight", learnt.mission_right},    {"kPlace", learnt.place},
-                        {"kHeading", learnt.heading},        {"kScale", learnt.scale},
-                        {"kVisitRight", learnt.visit_right}, {"kVisitPlace", learnt.visit_place}};
+  const Part parts[] = {{"Right", learnt.mission_right},    {"Place", learnt.place},
+                        {"Heading", learnt.heading},        {"Scale", learnt.scale},
+                        {"VisitRight", learnt.visit_right}, {"VisitPlace", learnt.visit_place}};
   std::string text =
       "// SPDX-License-Identifier: GPL-3.0-or-later\n"
       "// Printed by `bench_trust train " +
       kind + "`, from " + std::to_string(learnt.missions) + " missions, " +
       std::to_string(learnt.right) + " of them right, with " + std::to_string(learnt.visits) +
-      " visits.\n#include \"learnt_model.hpp\"\n\nnamespace roomatlas {\n\nconst LearntModel& " +
-      kind + "_model() {\n";
-  for (const Part& part : parts) text += terms_text(part.name, part.fitted.sum);
+      " visits.\n#include \"learnt_model.hpp\"\n\nnamespace roomatlas {\nnamespace {\n\n";
+  for (const Part& part : parts) text += terms_text(prefix + part.name, part.fitted.sum);
+  text += "}  // namespace\n\nconst LearntModel& " + kind + "_model() {\n";
   text += "  static const LearntModel kModel{" + number_text(learnt.mission_right.lapses);
   for (const Part& part : parts) {
-    text += ", {" + number_text(part.fitted.sum.bias) + ", " + part.name + "}";
+    text += ", {" + number_text(part.fitted.sum.bias) + ", " + prefix + part.name + "}";
   }
   text += "};\n  return kModel;\n}\n\n}  // namespace roomatlas\n";
   for (const Part& part : parts) {

@@ -29,6 +29,7 @@ std::vector<PosePair> matched(const Trajectory& trajectory, const Trajectory& tr
 
 Pose2 least_squares_alignment(const std::vector<PosePair>& pairs) {
   std::vector<PointPair> points;
+  points.reserve(pairs.size());
   for (const PosePair& pair : pairs) {
     points.push_back({pair.building_from_robot.position(), pair.truth_from_robot.position()});
   }

@@ -25,6 +25,7 @@ std::vector<RoomJudgement> rooms_of(const std::vector<VisitJudgement>& visits) {
     room->second.place_m = std::max(room->second.place_m, visit.place_m);
   }
   std::vector<RoomJudgement> list;
+  list.reserve(rooms.size());
   for (const auto& [id, room] : rooms) list.push_back(room);
   return list;
 }
