@@ -72,6 +72,8 @@ def test_what_progress_raises_comes_back(mission, tmp_path):
 
 
 def test_control_c_stops_the_work(mission, tmp_path):
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background jobs ignore it
+
     def interrupt(stage, share):
         os.kill(os.getpid(), signal.SIGINT)
 
