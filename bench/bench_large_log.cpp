@@ -14,40 +14,41 @@
 #include <vector>
 
 #include "accuracy/program.hpp"
+#include "bags/byte_text.hpp"
+#include "bags/mcap_records.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 using namespace roomatlas::bench;
+using roomatlas::io::ByteText;
+using roomatlas::io::kMcapMagic;
+using roomatlas::io::kMcapRecordHeader_bytes;
+using roomatlas::io::McapOp;
 
 constexpr std::uint64_t kPictureBytes = 4'000'000;
 constexpr std::uint16_t kCamera = 999;  // no channel of a mission's
-constexpr std::size_t kMagicBytes = 8;
-constexpr std::size_t kHeaderBytes = 9;  // what a record is, and its length
-enum : unsigned char { kChannel = 0x04, kMessage = 0x05, kChunk = 0x06, kDataEnd = 0x0F };
 
-std::string little_endian(std::uint64_t value, int bytes) {
-  std::string text;
-  for (int i = 0; i < bytes; ++i) text += static_cast<char>(value >> (8 * i) & 0xff);
-  return text;
-}
-
-std::string record(unsigned char kind, const std::string& content, std::uint64_t more_bytes = 0) {
-  return static_cast<char>(kind) + little_endian(content.size() + more_bytes, 8) + content;
+std::string record(McapOp op, const ByteText& content, std::uint64_t more_bytes = 0) {
+  ByteText text;
+  text.u8(static_cast<std::uint8_t>(op));
+  text.u64(content.size() + more_bytes);
+  text.append(content.text());
+  return text.text();
 }
 
 /// Visits the records of a small MCAP, one after the other, until its data ends.
 void for_each_record(const std::string& bytes,
-                     const std::function<void(unsigned char, const std::string&)>& visit) {
-  for (std::size_t at = kMagicBytes; at + kHeaderBytes <= bytes.size();) {
+                     const std::function<void(McapOp, const std::string&)>& visit) {
+  for (std::size_t at = kMcapMagic.size(); at + kMcapRecordHeader_bytes <= bytes.size();) {
     std::uint64_t length = 0;
     for (std::size_t i = 0; i < 8; ++i) {
       length |= std::uint64_t{static_cast<unsigned char>(bytes[at + 1 + i])} << (8 * i);
     }
-    const auto kind = static_cast<unsigned char>(bytes[at]);
-    if (kind == kDataEnd) return;
-    visit(kind, bytes.substr(at, kHeaderBytes + length));
-    at += kHeaderBytes + length;
+    const auto op = static_cast<McapOp>(bytes[at]);
+    if (op == McapOp::data_end) return;
+    visit(op, bytes.substr(at, kMcapRecordHeader_bytes + length));
+    at += kMcapRecordHeader_bytes + length;
   }
 }
 
@@ -55,35 +56,42 @@ void for_each_record(const std::string& bytes,
 void write_with_pictures(const std::string& mission, std::uint64_t picture_bytes,
                          const fs::path& file) {
   std::uint64_t chunks = 0;
-  for_each_record(mission,
-                  [&](unsigned char kind, const std::string&) { chunks += kind == kChunk; });
+  for_each_record(mission, [&](McapOp op, const std::string&) { chunks += op == McapOp::chunk; });
   const std::uint64_t pictures = picture_bytes / kPictureBytes;
   std::ofstream out(file, std::ios::binary);
-  out << mission.substr(0, kMagicBytes);
+  out << kMcapMagic;
   bool is_described = false;
   std::uint64_t chunk = 0;
-  for_each_record(mission, [&](unsigned char kind, const std::string& bytes) {
+  for_each_record(mission, [&](McapOp op, const std::string& bytes) {
     out << bytes;
     if (!is_described) {  // behind the header
-      const std::string topic = "/camera/image";
-      out << record(kChannel, little_endian(kCamera, 2) + little_endian(0, 2) +
-                                  little_endian(topic.size(), 4) + topic + little_endian(3, 4) +
-                                  "cdr" + little_endian(0, 4));
+      ByteText channel;
+      channel.u16(kCamera);
+      channel.u16(0);  // no schema
+      channel.block("/camera/image");
+      channel.block("cdr");
+      channel.u32(0);
+      out << record(McapOp::channel, channel);
       is_described = true;
     }
-    if (kind != kChunk) return;
+    if (op != McapOp::chunk) return;
     const std::uint64_t first = pictures * chunk / chunks;
     for (std::uint64_t i = first; i < pictures * (chunk + 1) / chunks; ++i) {
-      out << record(kMessage,
-                    little_endian(kCamera, 2) + little_endian(i, 4) + little_endian(i, 8) +
-                        little_endian(i, 8),
-                    kPictureBytes);
+      ByteText head;
+      head.u16(kCamera);
+      head.u32(static_cast<std::uint32_t>(i));
+      head.u64(i);
+      head.u64(i);
+      out << record(McapOp::message, head, kPictureBytes);
       out.seekp(static_cast<std::streamoff>(kPictureBytes), std::ios::cur);
     }
     ++chunk;
   });
-  out << record(kDataEnd, little_endian(0, 4)) << record(0x02, std::string(20, '\0'))
-      << mission.substr(0, kMagicBytes);
+  ByteText no_checksum;
+  no_checksum.u32(0);
+  ByteText no_summary;
+  no_summary.append(std::string(20, '\0'));
+  out << record(McapOp::data_end, no_checksum) << record(McapOp::footer, no_summary) << kMcapMagic;
 }
 
 std::string content_of(const fs::path& file) {

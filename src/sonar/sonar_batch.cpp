@@ -280,9 +280,9 @@ SonarBatchResult solve_sonar_batch(const SonarBatch& batch, const SonarBatchOpti
   Unknowns unknowns{batch.map_from_node, std::vector<PoseSpread>(batch.map_from_node.size())};
   result.solved = true;
   const std::vector<WallHeading> headings = headings_of(batch, options);
-  for (const double& shrunk : kShrunk) {
-    Round round = round_at(shrunk, batch, options, unknowns.map_from_node);
-    round.is_last = &shrunk == &kShrunk.back();
+  for (std::size_t i = 0; i < kShrunk.size(); ++i) {
+    Round round = round_at(kShrunk[i], batch, options, unknowns.map_from_node);
+    round.is_last = i + 1 == kShrunk.size();
     result.pairs = round.pairs.size();
     result.clutter_m = round.clutter_m;
     if (!settle(batch, options, headings, round, unknowns)) {
