@@ -103,6 +103,16 @@ double log_odds(const RangeReading& earlier, const RangeReading& later,
   return odds;
 }
 
+/// What speaks for a drive being reversed.
+struct Evidence {
+  double log_odds = 0.0;
+  int pairs = 0;  ///< that tell
+
+  [[nodiscard]] bool is_clear(const DriveDirectionOptions& options) const {
+    return log_odds >= options.mission.clear_log_odds_per_pair * pairs;
+  }
+};
+
 /// A drive: readings [first, last] around two stops, and their poses under both motions.
 class Drive {
  public:
@@ -118,8 +128,8 @@ class Drive {
     first_ = first;
   }
 
-  [[nodiscard]] double log_odds_of_reverse(const DriveDirectionOptions& options) const {
-    double odds = 0.0;
+  [[nodiscard]] Evidence of_reverse(const DriveDirectionOptions& options) const {
+    Evidence evidence;
     for (std::size_t u = 0; u < path_m_.size(); ++u) {
       for (std::size_t v = u + 1; v < path_m_.size(); ++v) {
         const double apart_m = path_m_[v] - path_m_[u];
@@ -128,10 +138,14 @@ class Drive {
         const std::array v_from_u = {inverse(poses_[0][v]) * poses_[0][u],
                                      inverse(poses_[1][v]) * poses_[1][u]};
         if (std::abs(v_from_u[0].theta_rad) > options.mission.max_turn_rad) break;
-        odds += log_odds(*readings_[first_ + u], *readings_[first_ + v], v_from_u, options);
+        const double of_pair =
+            log_odds(*readings_[first_ + u], *readings_[first_ + v], v_from_u, options);
+        if (of_pair == 0.0) continue;
+        evidence.log_odds += options.mission.independence * of_pair;
+        ++evidence.pairs;
       }
     }
-    return options.mission.independence * odds;
+    return evidence;
   }
 
  private:
@@ -149,15 +163,60 @@ bool reports_backward_steps(const Readings& readings) {
   return backward >= kSignedSteps;
 }
 
-/// Marks the steps of a drive that ends before key `end`; those into and out of the stops go the
-/// same way.
-void mark(std::span<const RangeReading> mission, const Keys& keys, std::size_t first,
-          std::size_t end, DriveDirection direction, DriveDirections& result) {
-  const std::size_t begin = std::max<std::size_t>(2, first) - 2;
-  const std::size_t last = keys.number[std::min(keys.readings.size() - 1, end)];
+/// Keys [first, end) of a drive, and which way it went.
+struct DecidedDrive {
+  std::size_t first = 0;
+  std::size_t end = 0;
+  Evidence evidence;
+  DriveDirection direction = DriveDirection::as_reported;
+};
+
+std::vector<DecidedDrive> drives_of(const Readings& readings,
+                                    const DriveDirectionOptions& options) {
+  const std::size_t count = readings.size();
+  const auto moves = [&](std::size_t k) {
+    return k < count && !is_stop(step_to(readings, k), options);
+  };
+  std::vector<DecidedDrive> drives;
+  for (std::size_t first = 1; first < count; ++first) {
+    if (!moves(first)) continue;
+    DecidedDrive drive;
+    drive.first = drive.end = first;
+    while (moves(drive.end)) ++drive.end;
+    const std::size_t from = first > kBefore ? first - kBefore : 0;
+    drive.evidence =
+        Drive(readings, from, std::min(count - 1, drive.end + kBehind)).of_reverse(options);
+    drive.direction = decided(drive.evidence.log_odds, options);
+    first = drive.end;
+    drives.push_back(drive);
+  }
+  return drives;
+}
+
+/// Evidence of pairs that say little each may be of one thing that all of them take for another.
+void doubt_unclear_reversals(const DriveDirectionOptions& options,
+                             std::vector<DecidedDrive>& drives) {
+  const auto is_unclear = [&](const DecidedDrive& drive) {
+    return drive.direction == DriveDirection::reversed && !drive.evidence.is_clear(options);
+  };
+  const auto unclear = std::count_if(drives.begin(), drives.end(), is_unclear);
+  const auto reversed = std::count_if(drives.begin(), drives.end(), [](const DecidedDrive& drive) {
+    return drive.direction == DriveDirection::reversed;
+  });
+  if (reversed - unclear > unclear) return;
+  for (DecidedDrive& drive : drives) {
+    if (is_unclear(drive)) drive.direction = DriveDirection::undecided;
+  }
+}
+
+/// Marks the steps of a drive; those into and out of the stops go the same way.
+void mark(std::span<const RangeReading> mission, const Keys& keys, const DecidedDrive& drive,
+          DriveDirections& result) {
+  const std::size_t begin = std::max<std::size_t>(2, drive.first) - 2;
+  const std::size_t last = keys.number[std::min(keys.readings.size() - 1, drive.end)];
   for (std::size_t i = keys.number[begin] + 1; i <= last; ++i) {
-    result.of_step[i] = std::max(result.of_step[i], direction);
-    if (direction != DriveDirection::undecided) continue;
+    result.of_step[i] = std::max(result.of_step[i], drive.direction);
+    if (drive.direction != DriveDirection::undecided) continue;
     result.undecided_m[i] =
         (mission[i].odom_from_robot.position() - mission[i - 1].odom_from_robot.position()).norm();
   }
@@ -172,23 +231,13 @@ DriveDirections find_drive_directions(std::span<const RangeReading> mission,
   result.undecided_m.assign(mission.size(), 0.0);
   if (mission.empty()) return result;
   const Keys keys = keys_of(mission);
-  const Readings& readings = keys.readings;
-  const std::size_t count = readings.size();
-  result.odometry_is_signed = reports_backward_steps(readings);
+  result.odometry_is_signed = reports_backward_steps(keys.readings);
   if (!options.find_reverse || result.odometry_is_signed) return result;
-  const auto moves = [&](std::size_t k) {
-    return k < count && !is_stop(step_to(readings, k), options);
-  };
-  for (std::size_t first = 1; first < count; ++first) {
-    if (!moves(first)) continue;
-    std::size_t end = first;
-    while (moves(end)) ++end;
-    const std::size_t from = first > kBefore ? first - kBefore : 0;
-    const Drive drive(readings, from, std::min(count - 1, end + kBehind));
-    const DriveDirection direction = decided(drive.log_odds_of_reverse(options), options);
-    if (direction == DriveDirection::reversed) ++result.drives_reversed;
-    mark(mission, keys, first, end, direction, result);
-    first = end;
+  std::vector<DecidedDrive> drives = drives_of(keys.readings, options);
+  doubt_unclear_reversals(options, drives);
+  for (const DecidedDrive& drive : drives) {
+    if (drive.direction == DriveDirection::reversed) ++result.drives_reversed;
+    mark(mission, keys, drive, result);
   }
   // so far by step: summed up along the mission
   std::partial_sum(result.undecided_m.begin(), result.undecided_m.end(),

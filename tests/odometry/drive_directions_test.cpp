@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomatlas/simulate/explore.hpp"
+#include "roomatlas/simulate/random_world.hpp"
+#include "roomatlas/simulate/tour.hpp"
 #include "support/sonar_world.hpp"
 
 namespace roomatlas {
@@ -64,6 +67,66 @@ TEST(DriveDirections, CallsADriveWithoutReturnsUndecided) {
   EXPECT_EQ(directions.drives_reversed, 0);
   EXPECT_EQ(directions.of_step.back(), DriveDirection::undecided);
   EXPECT_NEAR(directions.undecided_m.back(), 3.0, 1e-6);
+}
+
+/// Eight sonars that look ahead, in a hall: a robot that drives forwards alone, and turns on the
+/// spot.
+std::vector<RangeReading> tour_of_a_hall() {
+  const FloorPlan hall = random_world({20474, RandomWorldKind::hall, 9});
+  SimulationOptions robot;
+  robot.sonars = 8;
+  robot.sonar_cone_deg = 24.0;
+  robot.odometry.length_share = -0.039;
+  robot.odometry.heading_bias_deg_per_m = -0.5;
+  const Drive drive = tour(hall, default_start(hall, robot.footprint).position(), {});
+  std::vector<RangeReading> readings;
+  simulate(hall, driven_within(drive, 240.0, robot), robot,
+           [&](const SimulatedStep& step) { readings.push_back(step.reading); });
+  return readings;
+}
+
+TEST(DriveDirections, ALongDriveWhosePairsSayLittleEachIsUndecided) {
+  const std::vector<RangeReading> readings = tour_of_a_hall();
+  DriveDirectionOptions summed;
+  summed.mission.clear_log_odds_per_pair = 0.0;
+  EXPECT_GT(find_drive_directions(readings, summed).drives_reversed, 0);
+  const DriveDirections directions = find_drive_directions(readings, {});
+  EXPECT_EQ(directions.drives_reversed, 0);
+  EXPECT_GT(directions.undecided_m.back(), 1.0);
+}
+
+/// One mission behind the other.
+std::vector<RangeReading> joined(std::vector<RangeReading> first,
+                                 const std::vector<RangeReading>& then) {
+  const Pose2 moved = first.back().odom_from_robot * inverse(then.front().odom_from_robot);
+  const double later_s = first.back().timestamp_s + 0.2 - then.front().timestamp_s;
+  for (RangeReading reading : then) {
+    reading.odom_from_robot = moved * reading.odom_from_robot;
+    reading.timestamp_s += later_s;
+    first.push_back(reading);
+  }
+  return first;
+}
+
+/// With returns of the sonar that looks ahead alone.
+std::vector<RangeReading> with_one_beam(std::vector<RangeReading> readings) {
+  for (RangeReading& reading : readings) {
+    for (std::size_t i = 0; i < reading.ranges_m.size(); ++i) {
+      if (i != 4) reading.ranges_m[i] = 5.0F;
+    }
+  }
+  return readings;
+}
+
+TEST(DriveDirections, AnUnclearOneIsReversedWhereMoreAreClear) {
+  const std::vector<RangeReading> clear = there_and_back(true);
+  const std::vector<RangeReading> unclear = with_one_beam(clear);
+  DriveDirectionOptions between;
+  between.mission.clear_log_odds_per_pair = 0.6;
+  EXPECT_EQ(find_drive_directions(unclear, between).drives_reversed, 0);
+  EXPECT_EQ(find_drive_directions(joined(clear, unclear), between).drives_reversed, 1);
+  EXPECT_EQ(find_drive_directions(joined(clear, joined(clear, unclear)), between).drives_reversed,
+            3);
 }
 
 TEST(DriveDirections, TurnRoundTheTranslationOfAReversedStepAlone) {

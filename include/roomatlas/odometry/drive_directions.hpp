@@ -32,6 +32,10 @@ struct MissionEvidenceOptions {
                               ///< smaller lets one stray echo decide
   double independence = 0.3;  ///< share of the evidence that is new: pairs overlap; larger flips
                               ///< falsely
+  double clear_log_odds_per_pair = 0.4;  ///< least evidence of a pair that tells, on average, of a
+                                         ///< drive that is clearly reversed. Most backward steps of
+                                         ///< fr079 give 0.5 to 1.5, few cones along a wall up to
+                                         ///< 0.26, which a long drive adds up to 30
 };
 
 /// How the direction of a drive is decided, on a stream and for a whole mission alike.
@@ -66,9 +70,10 @@ struct DriveDirections {
 
 /// Decides for a whole mission, by cones: returns of one reading are carried into a later one's
 /// cones both ways, and the ranges heard there decide. Each return counts by itself, since a ring
-/// has few; the readings of the stop before and behind are compared, too. `DeadReckoner` decides on
-/// a stream, where no later drive is known yet: its answer is for the first mapping, this one for
-/// the correction of the mission, and where both were asked this one holds.
+/// has few; the readings of the stop before and behind are compared, too. A drive whose pairs say
+/// little each is reversed only in a mission in which more drives clearly are. `DeadReckoner`
+/// decides on a stream, where no later drive is known yet: its answer is for the first mapping,
+/// this one for the correction of the mission, and where both were asked this one holds.
 /// @returns one entry a reading; empty for none. Only steps to and from readings of the sensor that
 ///   is read most often decide, no two of them within 0.15 s
 [[nodiscard]] DriveDirections find_drive_directions(std::span<const RangeReading> readings,
