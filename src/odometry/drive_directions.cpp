@@ -193,19 +193,26 @@ std::vector<DecidedDrive> drives_of(const Readings& readings,
   return drives;
 }
 
-/// Evidence of pairs that say little each may be of one thing that all of them take for another.
-void doubt_unclear_reversals(const DriveDirectionOptions& options,
-                             std::vector<DecidedDrive>& drives) {
+/// What a mission's drives say of each other. Evidence of pairs that say little each may be of one
+/// thing that all of them take for another: it reverses a drive only where more are clearly
+/// reversed. A robot that clearly drove forwards often enough, and never clearly backwards, does so
+/// where nothing tells.
+void judge_together(const DriveDirectionOptions& options, std::vector<DecidedDrive>& drives) {
   const auto is_unclear = [&](const DecidedDrive& drive) {
     return drive.direction == DriveDirection::reversed && !drive.evidence.is_clear(options);
   };
+  const auto count_of = [&](DriveDirection direction) {
+    return std::count_if(drives.begin(), drives.end(),
+                         [&](const DecidedDrive& drive) { return drive.direction == direction; });
+  };
   const auto unclear = std::count_if(drives.begin(), drives.end(), is_unclear);
-  const auto reversed = std::count_if(drives.begin(), drives.end(), [](const DecidedDrive& drive) {
-    return drive.direction == DriveDirection::reversed;
-  });
-  if (reversed - unclear > unclear) return;
+  const auto clear = count_of(DriveDirection::reversed) - unclear;
+  if (clear > unclear) return;
+  const bool is_forwards =
+      clear == 0 && count_of(DriveDirection::as_reported) >= options.mission.forward_drives;
   for (DecidedDrive& drive : drives) {
     if (is_unclear(drive)) drive.direction = DriveDirection::undecided;
+    if (is_forwards) drive.direction = DriveDirection::as_reported;
   }
 }
 
@@ -234,7 +241,7 @@ DriveDirections find_drive_directions(std::span<const RangeReading> mission,
   result.odometry_is_signed = reports_backward_steps(keys.readings);
   if (!options.find_reverse || result.odometry_is_signed) return result;
   std::vector<DecidedDrive> drives = drives_of(keys.readings, options);
-  doubt_unclear_reversals(options, drives);
+  judge_together(options, drives);
   for (const DecidedDrive& drive : drives) {
     if (drive.direction == DriveDirection::reversed) ++result.drives_reversed;
     mark(mission, keys, drive, result);

@@ -210,6 +210,7 @@ Assembly assemble_corrected(MissionKind kind, const AsrSource& source, Corrected
   assembly.correction = std::move(corrected.correction);
   assembly.closures = std::move(corrected.closures);
   assembly.sonars = std::move(corrected.sonars);
+  assembly.drawn = std::move(corrected.drawn);
   assembly.paths = std::move(corrected.paths);
 
   const AsrSource& recorded = corrected.recorded_again ? *corrected.recorded_again : source;

@@ -20,6 +20,23 @@ std::vector<RangeReading> readings_of(const AsrSource& source) {
   return readings;
 }
 
+/// Of visits that follow each other as in the trajectory.
+/// @param asrs with their paths
+DrawnVisits drawn_visits(const DrawnMoves& drawn, const std::vector<Asr>& asrs) {
+  DrawnVisits visits;
+  if (drawn.of_draw.empty()) return visits;
+  std::size_t first = 0;
+  for (const Asr& asr : asrs) {
+    const Pose2 asr_from_robot = asr.path.front().asr_from_robot;
+    for (const std::vector<Pose2>& moves : drawn.of_draw) {
+      const Pose2& move = moves[drawn.node_of.at(first)];
+      visits[asr.id].push_back(asr_from_robot * move * inverse(asr_from_robot));
+    }
+    first += asr.path.size();
+  }
+  return visits;
+}
+
 }  // namespace
 
 CorrectedMission correct_sonar_mission(const AsrSource& source, const RobotFootprint& footprint,
@@ -44,6 +61,8 @@ CorrectedMission correct_sonar_mission(const AsrSource& source, const RobotFootp
   }
   result.correction = correct_to(asrs, result.graph, again.placement, options.assemble.correct,
                                  trajectory.walls_rad);
+  result.drawn = drawn_visits(trajectory.drawn, asrs);
+  trajectory.drawn = {};
   trajectory.map_from_robot.clear();
   result.sonars = std::move(trajectory);
   result.recorded_again = std::move(again.asrs);

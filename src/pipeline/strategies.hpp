@@ -30,6 +30,7 @@ struct CorrectedMission {
   Paths paths;                              ///< of readings that were matched again; may be empty
   std::optional<SecondLoops> second_loops;  ///< another way to close them; sonars have their own
   std::optional<SonarTrajectory> sonars;
+  DrawnVisits drawn;                ///< of sonars
   std::set<AsrId> not_drawn;        ///< visits of sonars to what lasers saw
   std::vector<VisitsOfTime> times;  ///< of the visits that are drawn, where missions were driven
                                     ///< one after the other; else empty

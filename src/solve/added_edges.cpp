@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "index.hpp"
 
@@ -136,6 +137,28 @@ AddedEdges::AddedEdges(const PoseGraph& graph) : at_(graph.guess) {
     throw std::invalid_argument("AddedEdges: the pose graph has not one guess a node");
   }
   covariance_ = inverse_of(information_of(graph), fixed_rows(graph));
+}
+
+AddedEdges::AddedEdges(std::vector<Pose2> at, const std::vector<std::vector<Pose2>>& moves)
+    : at_(std::move(at)) {
+  const auto draws = static_cast<Index>(moves.empty() ? 0 : moves.front().size());
+  const bool is_even = std::all_of(moves.begin(), moves.end(), [&](const auto& of_node) {
+    return static_cast<Index>(of_node.size()) == draws;
+  });
+  if (moves.size() != at_.size() || !is_even || draws == 0) {
+    throw std::invalid_argument("AddedEdges: not as many moves of every node");
+  }
+  Eigen::MatrixXd sample(3 * static_cast<Index>(moves.size()), draws);  // along the axes of all
+  for (std::size_t node = 0; node < moves.size(); ++node) {
+    const Point2 along = direction(at_[node].theta_rad);
+    for (Index draw = 0; draw < draws; ++draw) {
+      const Pose2& move = moves[node][static_cast<std::size_t>(draw)];
+      sample.block<3, 1>(3 * static_cast<Index>(node), draw)
+          << along.x() * move.x_m - along.y() * move.y_m,
+          along.y() * move.x_m + along.x() * move.y_m, move.theta_rad;
+    }
+  }
+  covariance_ = sample * sample.transpose() / static_cast<double>(draws);
 }
 
 LargestVariance AddedEdges::now() const { return with({}); }

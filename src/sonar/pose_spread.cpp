@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "roomatlas/core/rigid_fit.hpp"
 #include "sonar_equations.hpp"
@@ -23,9 +24,9 @@ Pose2 fit(std::span<const Pose2> from, std::span<const Pose2> onto) {
   return rigid_fit(pairs);
 }
 
-std::vector<PoseSpread> spread_of(const SonarEquations& equations,
-                                  const std::vector<Pose2>& map_from_node) {
-  std::vector<PoseSpread> squares(map_from_node.size(), {0.0, 0.0});
+std::vector<std::vector<Pose2>> drawn_moves(const SonarEquations& equations,
+                                            const std::vector<Pose2>& map_from_node) {
+  std::vector<std::vector<Pose2>> drawn;
   std::mt19937_64 random(1);
   for (int draw = 0; draw < kDraws; ++draw) {
     const std::vector<double> moves = equations.draw_moves(random);
@@ -36,15 +37,25 @@ std::vector<PoseSpread> spread_of(const SonarEquations& equations,
     }
     const Pose2 laid = fit(moved, map_from_node);
     for (std::size_t k = 0; k < moved.size(); ++k) {
-      const double turn_rad =
-          wrap_angle(laid.theta_rad + moved[k].theta_rad - map_from_node[k].theta_rad);
-      squares[k].place_m +=
-          (laid * moved[k].position() - map_from_node[k].position()).squaredNorm();
-      squares[k].heading_rad += turn_rad * turn_rad;
+      moved[k] = inverse(map_from_node[k]) * (laid * moved[k]);
+    }
+    drawn.push_back(std::move(moved));
+  }
+  return drawn;
+}
+
+std::vector<PoseSpread> spread_of(const std::vector<std::vector<Pose2>>& moves) {
+  if (moves.empty()) return {};
+  std::vector<PoseSpread> squares(moves.front().size(), {0.0, 0.0});
+  for (const std::vector<Pose2>& draw : moves) {
+    for (std::size_t k = 0; k < draw.size(); ++k) {
+      squares[k].place_m += draw[k].position().squaredNorm();
+      squares[k].heading_rad += draw[k].theta_rad * draw[k].theta_rad;
     }
   }
+  const auto draws = static_cast<double>(moves.size());
   for (PoseSpread& one : squares) {
-    one = {std::sqrt(one.place_m / kDraws), std::sqrt(one.heading_rad / kDraws)};
+    one = {std::sqrt(one.place_m / draws), std::sqrt(one.heading_rad / draws)};
   }
   return squares;
 }

@@ -12,10 +12,14 @@ namespace roomatlas {
 
 class SonarEquations;
 
-/// Of each node, from moves drawn of the equations as last solved. Each draw is laid on the poses
-/// by least squares, as a map is laid on the truth: what moves or turns all alike is not in it.
-[[nodiscard]] std::vector<PoseSpread> spread_of(const SonarEquations& equations,
-                                                const std::vector<Pose2>& map_from_node);
+/// Moves of all nodes, drawn of the equations as last solved. Each draw is laid on the poses by
+/// least squares, as a map is laid on the truth: what moves or turns all alike is not in it.
+/// @returns of each draw, one a node: see `DrawnMoves`
+[[nodiscard]] std::vector<std::vector<Pose2>> drawn_moves(const SonarEquations& equations,
+                                                          const std::vector<Pose2>& map_from_node);
+
+/// Of each node: root mean squares of what was drawn; nothing where nothing was.
+[[nodiscard]] std::vector<PoseSpread> spread_of(const std::vector<std::vector<Pose2>>& moves);
 
 /// The motion that lays poses on as many others by their places.
 [[nodiscard]] Pose2 fit(std::span<const Pose2> from, std::span<const Pose2> onto);

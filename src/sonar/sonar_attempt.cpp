@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "node_headings.hpp"
+#include "pose_spread.hpp"
 #include "roomatlas/sonar/contradiction.hpp"
 
 namespace roomatlas {
@@ -27,7 +28,7 @@ Attempt solve_from(const SonarMission& mission, const Idea& idea, const std::vec
                                        idea.directions_rad, mission.options.segments, mission.jobs);
   for (DrivenStep& step : problem.batch.steps) step.turn_sigma_rad *= idea.doubt;
   if (idea.is_odometry) batch_options.heading_weight = 0.0;
-  const SonarBatchResult solved = solve_sonar_batch(problem.batch, batch_options);
+  SonarBatchResult solved = solve_sonar_batch(problem.batch, batch_options);
   attempt.length_scale = solved.length_scale;
   attempt.length_scale_sigma = solved.length_scale_sigma;
   attempt.clutter_m = solved.clutter_m;
@@ -41,12 +42,14 @@ Attempt solve_from(const SonarMission& mission, const Idea& idea, const std::vec
   attempt.score_m =
       solved.solved ? contradiction.confirmed_m - kContradictedCounts * contradiction.contradicted_m
                     : -std::numeric_limits<double>::infinity();
+  const std::vector<PoseSpread> spread = spread_of(solved.moves);
   for (std::size_t i = 0; i < mission.readings.size(); ++i) {
-    attempt.spread.push_back(solved.spread[problem.node_of[i]]);
+    attempt.spread.push_back(spread.empty() ? PoseSpread{} : spread[problem.node_of[i]]);
     attempt.score_of_reading_m.push_back(contradiction.confirmed_of_reading_m[i] -
                                          kContradictedCounts *
                                              contradiction.contradicted_of_reading_m[i]);
   }
+  attempt.drawn = {std::move(solved.moves), std::move(problem.node_of)};
   attempt.variant.habits = idea.habits;
   attempt.variant.pairs = solved.pairs;
   if (solved.solved) {
@@ -71,6 +74,11 @@ std::vector<double> by_reading(const HeadingProblem& problem, const std::vector<
     values.push_back(value);
   }
   return values;
+}
+
+void set_aside(Attempt attempt, std::vector<Attempt>& others) {
+  attempt.drawn = {};
+  others.push_back(std::move(attempt));
 }
 
 bool is_better(const Attempt& attempt, const Attempt& than) {

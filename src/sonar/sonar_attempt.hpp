@@ -50,6 +50,7 @@ struct Attempt {
   std::vector<double> correction_rad;  ///< of the heading, by node of the chain
   std::vector<Pose2> map_from_robot;
   std::vector<PoseSpread> spread;  ///< of these
+  DrawnMoves drawn;                ///< none of one that was set aside
   double length_scale = 1.0;       ///< times what the heading's habits make of lengths
   double length_scale_sigma = 0.0;
   double clutter_m = 0.0;
@@ -59,6 +60,9 @@ struct Attempt {
   std::vector<double> score_of_reading_m;  ///< what of it is of the walls that each reading heard
   double strain = 0.0;                     ///< of odometry
 };
+
+/// Keeps it beside the best, without what only the best needs.
+void set_aside(Attempt attempt, std::vector<Attempt>& others);
 
 /// By more than noise.
 [[nodiscard]] bool is_better(const Attempt& attempt, const Attempt& than);

@@ -35,7 +35,7 @@ struct Round {
 /// What is solved for.
 struct Unknowns {
   std::vector<Pose2> map_from_node;
-  std::vector<PoseSpread> spread;  ///< of the last round
+  std::vector<std::vector<Pose2>> moves;  ///< drawn of the last round
   double length_scale = 1.0;
   double length_scale_sigma = 0.0;
 };
@@ -246,7 +246,7 @@ bool settle(const SonarBatch& batch, const SonarBatchOptions& options,
     unknowns = std::move(moved);
     if (move < kStillM) break;
   }
-  if (round.is_last) unknowns.spread = spread_of(equations, unknowns.map_from_node);
+  if (round.is_last) unknowns.moves = drawn_moves(equations, unknowns.map_from_node);
   return true;
 }
 
@@ -277,7 +277,8 @@ double heading_information(const SeenWall& wall, const SonarBatchOptions& option
 
 SonarBatchResult solve_sonar_batch(const SonarBatch& batch, const SonarBatchOptions& options) {
   SonarBatchResult result;
-  Unknowns unknowns{batch.map_from_node, std::vector<PoseSpread>(batch.map_from_node.size())};
+  Unknowns unknowns;
+  unknowns.map_from_node = batch.map_from_node;
   result.solved = true;
   const std::vector<WallHeading> headings = headings_of(batch, options);
   for (std::size_t i = 0; i < kShrunk.size(); ++i) {
@@ -292,7 +293,7 @@ SonarBatchResult solve_sonar_batch(const SonarBatch& batch, const SonarBatchOpti
   }
   result.strain = strain_of(batch, options, unknowns);
   result.map_from_node = std::move(unknowns.map_from_node);
-  result.spread = std::move(unknowns.spread);
+  result.moves = std::move(unknowns.moves);
   result.length_scale = unknowns.length_scale;
   result.length_scale_sigma = unknowns.length_scale_sigma;
   return result;

@@ -50,8 +50,8 @@ struct SonarBatchOptions {
 
 struct SonarBatchResult {
   std::vector<Pose2> map_from_node;
-  std::vector<PoseSpread> spread;   ///< of the nodes, after the whole was laid on the truth
-  double length_scale = 1.0;        ///< times odometry's lengths: what the walls make of them
+  std::vector<std::vector<Pose2>> moves;  ///< see `DrawnMoves`; none where it was not solved
+  double length_scale = 1.0;              ///< times odometry's lengths: what the walls make of them
   double length_scale_sigma = 0.0;  ///< its posterior standard deviation; near the prior's, walls
                                     ///< said nothing of it
   double clutter_m =

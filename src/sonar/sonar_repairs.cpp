@@ -108,7 +108,7 @@ void repair_slips(const SonarMission& mission, Idea& idea, std::vector<Attempt>&
           result.chosen = result.variants.size() - 1;
           ++result.slips_repaired;
         }
-        others.push_back(std::move(attempts[i]));
+        set_aside(std::move(attempts[i]), others);
         refuted.push_back(repaired ? undone(slips[next]) : slips[next]);
       }
     }

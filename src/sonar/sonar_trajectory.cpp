@@ -68,10 +68,10 @@ struct Choice {
   void offer(Idea idea, SonarTrajectory& result) {
     result.variants.push_back(idea.attempt.variant);
     if (best && !takes_over(idea, *best)) {
-      others.push_back(std::move(idea.attempt));
+      set_aside(std::move(idea.attempt), others);
       return;
     }
-    if (best) others.push_back(std::move(best->attempt));
+    if (best) set_aside(std::move(best->attempt), others);
     result.chosen = result.variants.size() - 1;
     best = std::move(idea);
   }
@@ -249,6 +249,7 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
   result.attempts_apart_m = attempts_apart(best.attempt, choice.others);
   result.loops_verified = is_verified(best, choice.others, options);
   result.spread = std::move(best.attempt.spread);
+  result.drawn = std::move(best.attempt.drawn);
   result.map_from_robot = std::move(best.attempt.map_from_robot);
   const double turn_rad = begin_at(readings.front().odom_from_robot, result.map_from_robot);
   if (!best.is_odometry) result.walls_rad = wrap_quarter(turn_rad);

@@ -34,6 +34,16 @@ PoseGraph scaled(HeldVisits held) {
   return std::move(held.measured);
 }
 
+/// Of what was measured; of sonars, whose walls have no measurement there, of what was drawn.
+AddedEdges held_now(const Assembly& assembly, HeldVisits held) {
+  if (assembly.drawn.empty()) return AddedEdges(scaled(std::move(held)));
+  std::vector<std::vector<Pose2>> moves;
+  for (const AsrVertex& vertex : assembly.graph.vertices) {
+    moves.push_back(assembly.drawn.at(vertex.asr));
+  }
+  return AddedEdges(held.measured.guess, moves);
+}
+
 /// In the same words: a way is advised once.
 bool is_advised(const Advice& drive, const std::vector<Advice>& advice) {
   return std::any_of(advice.begin(), advice.end(),
@@ -55,7 +65,7 @@ std::vector<Advice> advice_on(const Assembly& assembly, const CorrectOptions& co
   HeldVisits held = held_visits_of(assembly.graph, assembly.closures, assembly.correction, correct);
   if (held.measured.edges.empty() || held.measured.ids.size() > kMostAdvised) return {};
   const double variance_factor = held.variance_factor;
-  AddedEdges added(scaled(std::move(held)));
+  AddedEdges added = held_now(assembly, std::move(held));
   if (!added.is_held()) return {};
   const std::vector<Drive> drives = drives_of(assembly, correct, added, variance_factor);
   std::vector<Advice> advice;

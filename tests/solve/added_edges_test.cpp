@@ -5,6 +5,10 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
 #include "roomatlas/solve/optimize.hpp"
 
 namespace roomatlas {
@@ -113,6 +117,67 @@ TEST(AddedEdges, AGraphWithoutGuessIsRefused) {
   PoseGraph graph = two_chains();
   graph.guess.clear();
   EXPECT_THROW((void)AddedEdges(graph), std::invalid_argument);
+}
+
+/// The end of a chain in many draws, and its beginning, which stays.
+struct DrawnChain {
+  std::vector<Pose2> at{{1.0, 2.0, 0.7}, {4.0, 3.0, 1.9}};
+  std::vector<std::vector<Pose2>> moves{{}, {}};
+
+  DrawnChain() {
+    std::mt19937_64 random(5);
+    std::normal_distribution<double> normal;
+    for (int draw = 0; draw < 4000; ++draw) {
+      moves[0].emplace_back();
+      const double turn_rad = 0.02 * normal(random);
+      moves[1].push_back({0.3 * normal(random), 0.1 * normal(random) + 2.0 * turn_rad, turn_rad});
+    }
+  }
+};
+
+TEST(AddedEdges, HoldWhatWasDrawn) {
+  const DrawnChain chain;
+  const AddedEdges added(chain.at, chain.moves);
+  EXPECT_NEAR(std::sqrt(added.now().position_m2), 0.3, 0.01);
+  EXPECT_NEAR(std::sqrt(added.now().heading_rad2), 0.02, 0.001);
+  // in the frame of the end, as it was drawn there
+  const Eigen::Matrix3d of_end = added.relative(0, 1);
+  EXPECT_NEAR(std::sqrt(of_end(0, 0)), 0.3, 0.01);
+  EXPECT_NEAR(std::sqrt(of_end(1, 1)), std::hypot(0.1, 0.04), 0.005);
+  EXPECT_NEAR(of_end(1, 2), 2.0 * 0.02 * 0.02, 1e-4);
+}
+
+TEST(AddedEdges, ADrawnNodeThatIsMeasuredIsWhatBothSay) {
+  const DrawnChain chain;
+  AddedEdges added(chain.at, chain.moves);
+  PoseEdge edge{0,
+                1,
+                EdgeKind::loop,
+                inverse(chain.at[0]) * chain.at[1],
+                Eigen::Vector3d(100.0, 100.0, 1e4).asDiagonal(),
+                0.0};
+  // draws weighed by what the measurement says of them
+  Eigen::Matrix3d weighed = Eigen::Matrix3d::Zero();
+  double weights = 0.0;
+  for (const Pose2& move : chain.moves[1]) {
+    const Eigen::Vector3d off(move.x_m, move.y_m, move.theta_rad);
+    const double weight = std::exp(-off.dot(edge.information * off) / 2.0);
+    weighed += weight * off * off.transpose();
+    weights += weight;
+  }
+  weighed /= weights;
+  added.add({&edge, 1});
+  const Eigen::Matrix3d found = added.relative(0, 1);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(std::sqrt(found(i, i) / weighed(i, i)), 1.0, 0.1) << i;
+  }
+}
+
+TEST(AddedEdges, RefuseMovesThatAreNotOfEveryNode) {
+  DrawnChain chain;
+  chain.moves[0].pop_back();
+  EXPECT_THROW(AddedEdges(chain.at, chain.moves), std::invalid_argument);
+  EXPECT_THROW(AddedEdges(chain.at, {}), std::invalid_argument);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "roomatlas/loops/visit_graph.hpp"
 #include "roomatlas/solve/optimize.hpp"
@@ -156,6 +157,23 @@ TEST(Advice, ItsWordsNameRoomsAndTheWayBetweenThem) {
   EXPECT_EQ(words(advice), "drive once more from room 3 to room 4");
   advice.to_room = 3;
   EXPECT_EQ(words(advice), "drive once more through room 3");
+}
+
+TEST(Advice, OfSonarsSpeaksOfWhatWasDrawn) {
+  Assembly assembly = row_of_rooms();
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  for (AsrId id = 1; id <= kVisits; ++id) {
+    for (int draw = 0; draw < 400; ++draw) {
+      const double spread_m = id < kVisits ? 0.02 : 0.5;
+      assembly.drawn[id].push_back({spread_m * normal(random), 0.02 * normal(random), 0.0});
+    }
+  }
+  const std::vector<Advice> advice = advice_on(assembly, {});
+  ASSERT_FALSE(advice.empty());
+  EXPECT_NEAR(advice[0].place_before_m, 0.5, 0.05);
+  EXPECT_EQ(advice[0].to, kVisits);
+  EXPECT_LT(advice[0].place_after_m, 0.5 * advice[0].place_before_m);
 }
 
 }  // namespace

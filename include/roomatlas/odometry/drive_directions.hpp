@@ -36,6 +36,8 @@ struct MissionEvidenceOptions {
                                          ///< drive that is clearly reversed. Most backward steps of
                                          ///< fr079 give 0.5 to 1.5, few cones along a wall up to
                                          ///< 0.26, which a long drive adds up to 30
+  int forward_drives = 5;  ///< that were clearly driven forwards, and none backwards, show that the
+                           ///< robot does not drive backwards
 };
 
 /// How the direction of a drive is decided, on a stream and for a whole mission alike.

@@ -13,7 +13,7 @@
 namespace roomatlas {
 
 /// The largest variances among the nodes of a pose graph, each relative to the fixed node of its
-/// component as `PoseCovariance::of_node` has them.
+/// component as `PoseCovariance::of_node` has them, or after the whole was laid on where it is.
 struct LargestVariance {
   double position_m2 = 0.0;   ///< of a node's position along its loosest axis
   double heading_rad2 = 0.0;  ///< of a node's heading
@@ -27,6 +27,12 @@ class AddedEdges {
   /// @param graph with a guess, at which it is linearised and its losses weigh
   /// Memory is quadratic in the nodes (72 bytes a pair), time about so too.
   explicit AddedEdges(const PoseGraph& graph);
+
+  /// By solutions that were drawn instead, as a sample of what is left open; no node is fixed.
+  /// @param at of each node
+  /// @param moves of each node, as many of each: its pose in every draw, in the frame of `at`
+  /// @throws std::invalid_argument where the numbers differ
+  AddedEdges(std::vector<Pose2> at, const std::vector<std::vector<Pose2>>& moves);
 
   /// False where the measurements hold the nodes of no component; nothing else may be asked then.
   [[nodiscard]] bool is_held() const { return covariance_.size() > 0; }

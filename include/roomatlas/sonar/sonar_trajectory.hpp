@@ -53,10 +53,19 @@ struct PoseSpread {
                               ///< and walls seen again put it without them
 };
 
+/// Solutions drawn of all that walls and odometry leave open, each laid on the one that is kept by
+/// least squares.
+struct DrawnMoves {
+  std::vector<std::vector<Pose2>> of_draw;  ///< of each draw, one a node: its pose in the frame of
+                                            ///< the node's kept one; metres and radians are small
+  std::vector<std::size_t> node_of;         ///< of each reading
+};
+
 /// The mission's poses, corrected by the walls that a ring of sonars heard.
 struct SonarTrajectory {
   std::vector<Pose2> map_from_robot;  ///< one a reading; the first is odometry's first
   std::vector<PoseSpread> spread;     ///< of these poses, as the walls and odometry leave them
+  DrawnMoves drawn;                   ///< what that is the size of; none of a second answer
   OdometryHabits habits;              ///< as found
   double length_scale_sigma = 0.0;  ///< of the habits' scale: posterior standard deviation, a share
                                     ///< of all lengths; 0.03 where no wall tells it
