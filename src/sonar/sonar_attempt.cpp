@@ -27,7 +27,7 @@ Attempt solve_from(const SonarMission& mission, const Idea& idea, const std::vec
   SonarProblem problem = sonar_problem(mission.readings, path, mission.directions, start,
                                        idea.directions_rad, mission.options.segments, mission.jobs);
   for (DrivenStep& step : problem.batch.steps) step.turn_sigma_rad *= idea.doubt;
-  if (idea.is_odometry) batch_options.heading_weight = 0.0;
+  if (idea.is_odometry || idea.is_free) batch_options.heading_weight = 0.0;
   SonarBatchResult solved = solve_sonar_batch(problem.batch, batch_options);
   attempt.length_scale = solved.length_scale;
   attempt.length_scale_sigma = solved.length_scale_sigma;
@@ -89,10 +89,12 @@ double merit(const Attempt& attempt) { return attempt.score_m - attempt.strain; 
 
 bool takes_over(const Idea& idea, const Idea& best) {
   constexpr double kOdometryTells = 5.0;  // of merit; less is noise
+  constexpr double kFreeTells = 25.0;     // rectangular buildings gain up to 24 by it
   const double more = merit(idea.attempt) - merit(best.attempt);
   if (idea.is_odometry)
     return is_better(idea.attempt, best.attempt) && more > best.heading.log_evidence;
   if (idea.is_open && more > kOdometryTells) return true;
+  if (idea.is_free) return more > kFreeTells;
   return is_better(idea.attempt, best.attempt);
 }
 

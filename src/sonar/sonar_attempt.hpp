@@ -77,6 +77,7 @@ struct Idea {
   double doubt = 1.0;
   bool is_odometry = false;  ///< the heading is odometry's, and walls follow no direction
   bool is_open = false;      ///< the heading's chain leaves its directions open
+  bool is_free = false;      ///< walls follow no direction; those of the idea are not used
   SightingChainOptions chain_options;
   std::vector<double> directions_rad;  ///< of the building's walls
   HeadingProblem problem;
@@ -87,7 +88,7 @@ struct Idea {
 /// Whether an idea takes the place of the best so far: by a better score. Odometry's own heading
 /// must make up for all that walls say for a direction, too: it fits a few more of them by bending
 /// corridors. Directions that the chain leaves open need no better score where odometry fits them
-/// clearly better.
+/// clearly better; walls that follow none leave odometry so much room that it must fit far better.
 [[nodiscard]] bool takes_over(const Idea& idea, const Idea& best);
 
 [[nodiscard]] Idea idea_of(const SonarMission& mission, const Calibration& calibration,

@@ -80,7 +80,7 @@ double attempts_apart(const Attempt& kept, const std::vector<Attempt>& others) {
 }
 
 void tell_directed(const SonarMission& mission, Idea& idea) {
-  if (idea.is_odometry) return;  // without directions as it is
+  if (idea.is_odometry || idea.is_free) return;  // without directions as it is
   SonarBatchOptions free;
   free.heading_weight = 0.0;
   free.start_scale_m = 0.5;  // nearer than the wall of the room next door

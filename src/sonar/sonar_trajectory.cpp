@@ -165,24 +165,29 @@ Idea idea_at(const SonarMission& mission, const Calibration& calibration,
 /// nearest direction that it knows, and bends the way there.
 void consider_map_directions(const SonarMission& mission, const Calibration& likely, Choice& choice,
                              SonarTrajectory& result) {
-  const Idea& best = *choice.best;
-  SonarBatchOptions free;
-  free.heading_weight = 0.0;
+  Idea loose = *choice.best;
+  loose.is_free = true;
   if (mission.before_attempt) mission.before_attempt();
-  const Attempt loose =
-      solve(mission, best, "walls in any direction", best.heading.correction_rad, free);
-  result.variants.push_back(loose.variant);
-  std::vector<double> walls_rad = map_directions(best.problem.segments, loose.map_from_robot, {});
-  if (walls_rad.size() < 2) return;
-  const double first_rad = walls_rad.front();
-  for (double& wall_rad : walls_rad) wall_rad = wrap_quarter(wall_rad - first_rad);
-  std::vector<Pose2> poses = loose.map_from_robot;
-  for (Pose2& pose : poses) pose = Pose2{0.0, 0.0, -first_rad} * pose;
-  Idea idea = idea_at(mission, likely, walls_rad, poses);
-  idea.is_open = true;
-  if (mission.before_attempt) mission.before_attempt();
-  idea.attempt = solve(mission, idea, "walls in the map's directions", idea.heading.correction_rad);
-  choice.offer(std::move(idea), result);
+  loose.attempt = solve(mission, loose, "walls in any direction", loose.heading.correction_rad);
+  std::vector<double> walls_rad =
+      map_directions(loose.problem.segments, loose.attempt.map_from_robot, {});
+  if (walls_rad.size() > 1) {
+    const double first_rad = walls_rad.front();
+    for (double& wall_rad : walls_rad) wall_rad = wrap_quarter(wall_rad - first_rad);
+    std::vector<Pose2> poses = loose.attempt.map_from_robot;
+    for (Pose2& pose : poses) pose = Pose2{0.0, 0.0, -first_rad} * pose;
+    Idea idea = idea_at(mission, likely, walls_rad, poses);
+    idea.is_open = true;
+    if (mission.before_attempt) mission.before_attempt();
+    idea.attempt =
+        solve(mission, idea, "walls in the map's directions", idea.heading.correction_rad);
+    choice.offer(std::move(idea), result);
+  }
+  if (takes_over(loose, *choice.best)) {
+    choice.offer(std::move(loose), result);
+  } else {
+    result.variants.push_back(loose.attempt.variant);  // no other winding
+  }
 }
 
 void consider_other_habits(const SonarMission& mission, const Calibration& likely, Choice& choice,
@@ -252,7 +257,7 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
   result.drawn = std::move(best.attempt.drawn);
   result.map_from_robot = std::move(best.attempt.map_from_robot);
   const double turn_rad = begin_at(readings.front().odom_from_robot, result.map_from_robot);
-  if (!best.is_odometry) result.walls_rad = wrap_quarter(turn_rad);
+  if (!best.is_odometry && !best.is_free) result.walls_rad = wrap_quarter(turn_rad);
   return result;
 }
 
