@@ -88,13 +88,14 @@ bool is_better(const Attempt& attempt, const Attempt& than) {
 double merit(const Attempt& attempt) { return attempt.score_m - attempt.strain; }
 
 bool takes_over(const Idea& idea, const Idea& best) {
-  constexpr double kOdometryTells = 5.0;  // of merit; less is noise
-  constexpr double kFreeTells = 25.0;     // rectangular buildings gain up to 24 by it
+  constexpr double kOdometryTells = 5.0;    // of merit; less is noise
+  constexpr double kFreeTells = 25.0;       // rectangular buildings gain up to 33 by it, ...
+  constexpr double kFreeTellsShare = 0.05;  // ... those over 25 up to 2 %
   const double more = merit(idea.attempt) - merit(best.attempt);
   if (idea.is_odometry)
     return is_better(idea.attempt, best.attempt) && more > best.heading.log_evidence;
   if (idea.is_open && more > kOdometryTells) return true;
-  if (idea.is_free) return more > kFreeTells;
+  if (idea.is_free) return more > std::max(kFreeTells, kFreeTellsShare * merit(best.attempt));
   return is_better(idea.attempt, best.attempt);
 }
 
