@@ -90,9 +90,17 @@ TEST(DriveDirections, ALongDriveWhosePairsSayLittleEachIsUndecided) {
   DriveDirectionOptions summed;
   summed.mission.clear_log_odds_per_pair = 0.0;
   EXPECT_GT(find_drive_directions(readings, summed).drives_reversed, 0);
-  const DriveDirections directions = find_drive_directions(readings, {});
+  DriveDirectionOptions alone;
+  alone.mission.forward_drives = 1000;
+  const DriveDirections directions = find_drive_directions(readings, alone);
   EXPECT_EQ(directions.drives_reversed, 0);
   EXPECT_GT(directions.undecided_m.back(), 1.0);
+}
+
+TEST(DriveDirections, ARobotThatClearlyDrivesForwardsDoesSoWhereNothingTells) {
+  const DriveDirections directions = find_drive_directions(tour_of_a_hall(), {});
+  EXPECT_EQ(directions.drives_reversed, 0);
+  EXPECT_EQ(directions.undecided_m.back(), 0.0);
 }
 
 /// One mission behind the other.
