@@ -59,5 +59,47 @@ TEST(TellDirected, ShowsABuildingThatWasMadeSquare) {
   EXPECT_LT(bent_deg, 0.5 * square_deg);
 }
 
+Idea idea_with(double score_m, double strain) {
+  Idea idea;
+  idea.attempt.score_m = score_m;
+  idea.attempt.strain = strain;
+  return idea;
+}
+
+TEST(TakesOver, WallsThatFollowNoDirectionMustFitFarBetter) {
+  const auto takes = [](double more, double best) {
+    Idea free = idea_with(best + more, 0.0);
+    free.is_free = true;
+    return takes_over(free, idea_with(best + 10.0, 10.0));
+  };
+  EXPECT_FALSE(takes(24.0, 100.0));
+  EXPECT_TRUE(takes(26.0, 100.0));
+  EXPECT_FALSE(takes(49.0, 1000.0));  // of a large mission a share
+  EXPECT_TRUE(takes(51.0, 1000.0));
+}
+
+/// How far headings against the first are off, mean, degrees; with walls along one direction or
+/// none.
+double headings_off_deg(const test::DrivenWorld& corridor, bool is_free) {
+  const SonarTrajectoryOptions options;
+  const DriveDirections directions = find_drive_directions(corridor.readings, {});
+  const SonarMission mission{corridor.readings, directions, options, {}};
+  Idea idea = idea_of(mission, {}, {0.0});
+  idea.is_free = is_free;
+  idea.attempt = solve(mission, idea, "", idea.heading.correction_rad);
+  double off_rad = 0.0;
+  const auto& found = idea.attempt.map_from_robot;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    off_rad += std::abs(wrap_angle((found[i].theta_rad - found[0].theta_rad) -
+                                   (corridor.truth[i].theta_rad - corridor.truth[0].theta_rad)));
+  }
+  return degrees(off_rad) / static_cast<double>(found.size());
+}
+
+TEST(FreeWalls, LeaveABuildingAsOdometryAndWallsSeenAgainHaveIt) {
+  const test::DrivenWorld corridor = test::bent_corridor(9.0);
+  EXPECT_LT(headings_off_deg(corridor, true), 0.5 * headings_off_deg(corridor, false));
+}
+
 }  // namespace
 }  // namespace roomatlas
