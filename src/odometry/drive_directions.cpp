@@ -231,20 +231,20 @@ void mark(std::span<const RangeReading> mission, const Keys& keys, const Decided
 
 }  // namespace
 
-DriveDirections find_drive_directions(std::span<const RangeReading> mission,
+DriveDirections find_drive_directions(std::span<const RangeReading> readings,
                                       const DriveDirectionOptions& options) {
   DriveDirections result;
-  result.of_step.assign(mission.size(), DriveDirection::as_reported);
-  result.undecided_m.assign(mission.size(), 0.0);
-  if (mission.empty()) return result;
-  const Keys keys = keys_of(mission);
+  result.of_step.assign(readings.size(), DriveDirection::as_reported);
+  result.undecided_m.assign(readings.size(), 0.0);
+  if (readings.empty()) return result;
+  const Keys keys = keys_of(readings);
   result.odometry_is_signed = reports_backward_steps(keys.readings);
   if (!options.find_reverse || result.odometry_is_signed) return result;
   std::vector<DecidedDrive> drives = drives_of(keys.readings, options);
   judge_together(options, drives);
   for (const DecidedDrive& drive : drives) {
     if (drive.direction == DriveDirection::reversed) ++result.drives_reversed;
-    mark(mission, keys, drive, result);
+    mark(readings, keys, drive, result);
   }
   // so far by step: summed up along the mission
   std::partial_sum(result.undecided_m.begin(), result.undecided_m.end(),
