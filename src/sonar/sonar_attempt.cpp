@@ -94,8 +94,8 @@ bool takes_over(const Idea& idea, const Idea& best) {
   const double more = merit(idea.attempt) - merit(best.attempt);
   if (idea.is_odometry)
     return is_better(idea.attempt, best.attempt) && more > best.heading.log_evidence;
-  if (idea.is_open && more > kOdometryTells) return true;
   if (idea.is_free) return more > std::max(kFreeTells, kFreeTellsShare * merit(best.attempt));
+  if (idea.is_open && more > kOdometryTells) return true;
   return is_better(idea.attempt, best.attempt);
 }
 

@@ -33,6 +33,7 @@ constexpr Change kChanges[] = {
 };
 
 constexpr const char* kOdometrysOwn = "odometry's own heading";
+constexpr const char* kFreeWalls = "walls in any direction";
 
 /// Whether the walls make one heading clearly more likely than walls that lie anyhow would: in a
 /// round hall they do not.
@@ -84,6 +85,7 @@ void take(std::size_t other, Choice& choice, SonarTrajectory& result) {
   result.chosen = place_of(taken.name, result.variants);
   choice.best->habits = taken.habits;
   choice.best->is_odometry = taken.name == kOdometrysOwn;
+  choice.best->is_free = taken.name == kFreeWalls;
 }
 
 std::string name_of(const std::vector<double>& walls_rad) {
@@ -168,7 +170,7 @@ void consider_map_directions(const SonarMission& mission, const Calibration& lik
   Idea loose = *choice.best;
   loose.is_free = true;
   if (mission.before_attempt) mission.before_attempt();
-  loose.attempt = solve(mission, loose, "walls in any direction", loose.heading.correction_rad);
+  loose.attempt = solve(mission, loose, kFreeWalls, loose.heading.correction_rad);
   std::vector<double> walls_rad =
       map_directions(loose.problem.segments, loose.attempt.map_from_robot, {});
   if (walls_rad.size() > 1) {

@@ -70,6 +70,7 @@ TEST(TakesOver, WallsThatFollowNoDirectionMustFitFarBetter) {
   const auto takes = [](double more, double best) {
     Idea free = idea_with(best + more, 0.0);
     free.is_free = true;
+    free.is_open = true;  // as the idea that it was begun from
     return takes_over(free, idea_with(best + 10.0, 10.0));
   };
   EXPECT_FALSE(takes(24.0, 100.0));

@@ -73,7 +73,8 @@ struct DriveDirections {
 /// Decides for a whole mission, by cones: returns of one reading are carried into a later one's
 /// cones both ways, and the ranges heard there decide. Each return counts by itself, since a ring
 /// has few; the readings of the stop before and behind are compared, too. A drive whose pairs say
-/// little each is reversed only in a mission in which more drives clearly are. `DeadReckoner`
+/// little each is reversed only in a mission in which more drives clearly are, and nothing is
+/// undecided in one whose robot clearly drives forwards alone (`forward_drives`). `DeadReckoner`
 /// decides on a stream, where no later drive is known yet: its answer is for the first mapping,
 /// this one for the correction of the mission, and where both were asked this one holds.
 /// @returns one entry a reading; empty for none. Only steps to and from readings of the sensor that
