@@ -36,6 +36,7 @@ AsrShape shape_of(const Asr& asr, const LocalizeOptions& localize, const MatchMa
   shape.id = asr.id;
   shape.map = LocalMap(localize.cell_m);
   std::optional<Pose2> last_added;
+  MovingPoints moving(localize.moving);
   RecentSweeps recent(localize.recent);
   for (std::size_t i = 0; i < asr.readings.size(); ++i) {
     const Pose2& pose = asr.path[i].asr_from_robot;
@@ -47,6 +48,7 @@ AsrShape shape_of(const Asr& asr, const LocalizeOptions& localize, const MatchMa
     if (last_added && !is_new_view(*last_added, pose, localize, has_few_beams)) continue;
     last_added = pose;
     Scan scan = scan_of(asr.readings[i], localize.scan);
+    moving.hide(scan, asr.readings[i].timestamp_s, asr.readings[i].odom_from_robot, pose);
     if (has_few_beams) {
       recent.add_normals(scan, pose);
       recent.add(scan, pose);

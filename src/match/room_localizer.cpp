@@ -59,6 +59,8 @@ void RoomLocalizer::clear() {
   learnt_.habits.interrupt();
   map_ = LocalMap(options_.cell_m);
   waiting_.clear();
+  before_.clear();
+  moving_.clear();
   recent_.clear();
   last_added_.reset();
   recent_turn_rad_ = 0.0;
@@ -82,6 +84,11 @@ void RoomLocalizer::insert(const Scan& scan, const Pose2& map_from_robot) {
 
 void RoomLocalizer::add(const RangeReading& reading, const Pose2& asr_from_robot) {
   if (!can_be_matched(reading)) return;
+  if (before_.empty() ||
+      reading.timestamp_s >= before_.back().first.timestamp_s + options_.moving.apart_s) {
+    before_.emplace_back(reading, asr_from_robot);
+    if (before_.size() > static_cast<std::size_t>(options_.moving.kept)) before_.pop_front();
+  }
   has_few_ = recent_.are_needed(*reading.sensor);
   if (!is_worth_adding(asr_from_robot)) return;
   if (has_few_) {
@@ -101,6 +108,16 @@ void RoomLocalizer::insert_some_waiting() {
     map_.add(scan_of(reading, options_.scan), map_from_robot);
     waiting_.pop_back();
   }
+}
+
+/// Takes what moves out of a sweep. The first of a room is compared with those at its door.
+bool RoomLocalizer::hide_moving(Scan& scan, const RangeReading& reading,
+                                const Pose2& map_from_robot) {
+  for (const auto& [seen, pose] : std::exchange(before_, {})) {
+    Scan at_door = scan_of(seen, options_.scan);
+    moving_.hide(at_door, seen.timestamp_s, seen.odom_from_robot, pose);
+  }
+  return moving_.hide(scan, reading.timestamp_s, reading.odom_from_robot, map_from_robot) > 0;
 }
 
 ScanAlignment RoomLocalizer::match(const std::vector<ScanPoint>& points, const Pose2& predicted,
@@ -138,8 +155,13 @@ Pose2 RoomLocalizer::locate(const RangeReading& reading, const Pose2& predicted_
   const Pose2 before = predicted_asr_from_robot * inverse(step);
   Pose2 pose = before * without_habits(step, learnt_.habits.habits());
   if (has_few_) recent_.add_normals(scan, pose);
-  if (!map_.empty()) {
-    const ScanAlignment aligned = match(thinned(scan.points, options_.max_points), pose, step);
+  if (map_.empty()) {
+    hide_moving(scan, reading, pose);
+  } else {
+    ScanAlignment aligned = match(thinned(scan.points, options_.max_points), pose, step);
+    if (hide_moving(scan, reading, aligned.map_from_points)) {
+      aligned = match(thinned(scan.points, options_.max_points), pose, step);
+    }
     if (aligned.matched > min_matched() &&
         aligned.matched > options_.min_matched_share * aligned.points) {
       pose = aligned.map_from_points;

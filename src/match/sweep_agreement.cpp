@@ -7,7 +7,6 @@
 namespace roomatlas {
 namespace {
 
-constexpr int kBins = 360;
 constexpr std::size_t kPoints = 120;      // of a sweep that are compared; more cost more
 constexpr double kTolerance_m = 0.10;     // of a point, and ...
 constexpr double kToleranceShare = 0.02;  // ... of its range: headings are a degree wrong
@@ -17,25 +16,21 @@ constexpr double kCoarseTolerance = 1.5;  // ... and how much wider it looks
 constexpr std::size_t kRefined = 8;       // best places that are looked at closely
 constexpr int kRefinements = 3;           // each halves the steps
 
-int bin_of(const Point2& ray) {
-  const double degree = degrees(std::atan2(ray.y(), ray.x())) + 180.0;
-  return std::clamp(static_cast<int>(degree), 0, kBins - 1);
-}
-
 /// Counts the points of `b` in what `a` saw.
 void count(const SeenSweep& a, const SeenSweep& b, const Pose2& a_from_b, double wider,
            Agreement& counts) {
   const PointTransform transform(a_from_b);
+  const RangeProfile::Tolerance tolerance{wider * kTolerance_m, wider * kToleranceShare};
   for (const Point2& point : b.points) {
-    const Point2 ray = transform * point - a.eye;
-    const auto bin = static_cast<std::size_t>(bin_of(ray));
-    if (a.largest_m[bin] <= 0.0F) continue;
-    const double range_m = ray.norm();
-    const double tolerance_m = wider * (kTolerance_m + kToleranceShare * range_m);
-    if (range_m < a.least_m[bin] - tolerance_m) {
-      ++counts.contradicting;
-    } else if (range_m <= a.largest_m[bin] + tolerance_m) {
-      ++counts.agreeing;
+    switch (a.profile.place_of(transform * point, tolerance)) {
+      case RangeProfile::Place::through:
+        ++counts.contradicting;
+        break;
+      case RangeProfile::Place::there:
+        ++counts.agreeing;
+        break;
+      default:
+        break;
     }
   }
 }
@@ -116,35 +111,16 @@ Tried refined(const Side& a, const Side& b, const Pose2& start, double comparabl
 
 SeenSweep seen_sweep(const RangeReading& reading) {
   const RangeSensor& sensor = *reading.sensor;
-  SeenSweep seen;
-  seen.least_m.assign(kBins, 0.0F);
-  seen.largest_m.assign(kBins, 0.0F);
-  for (const Pose2& beam : sensor.robot_from_beam) seen.eye += beam.position();
-  if (!sensor.robot_from_beam.empty()) {
-    seen.eye /= static_cast<double>(sensor.robot_from_beam.size());
-  }
+  Point2 eye = Point2::Zero();
+  for (const Pose2& beam : sensor.robot_from_beam) eye += beam.position();
+  if (!sensor.robot_from_beam.empty()) eye /= static_cast<double>(sensor.robot_from_beam.size());
   std::vector<Point2> points;
   for (std::size_t i = 0; i < reading.ranges_m.size(); ++i) {
     const double range_m = reading.ranges_m[i];
     if (!(range_m > 0.0) || !(range_m < sensor.max_range_m)) continue;
     points.push_back(sensor.robot_from_beam[i] * Point2(range_m, 0.0));
-    const Point2 ray = points.back() - seen.eye;
-    const auto bin = static_cast<std::size_t>(bin_of(ray));
-    const auto seen_m = static_cast<float>(ray.norm());
-    seen.least_m[bin] = seen.largest_m[bin] > 0.0F ? std::min(seen.least_m[bin], seen_m) : seen_m;
-    seen.largest_m[bin] = std::max(seen.largest_m[bin], seen_m);
   }
-  // a direction between two beams, and one that an error of the heading takes for the next
-  const SeenSweep own = seen;
-  for (std::size_t bin = 0; bin < kBins; ++bin) {
-    for (const std::size_t next : {(bin + 1) % kBins, (bin + kBins - 1) % kBins}) {
-      if (own.largest_m[next] <= 0.0F) continue;
-      seen.least_m[bin] = seen.largest_m[bin] > 0.0F
-                              ? std::min(seen.least_m[bin], own.least_m[next])
-                              : own.least_m[next];
-      seen.largest_m[bin] = std::max(seen.largest_m[bin], own.largest_m[next]);
-    }
-  }
+  SeenSweep seen{{}, RangeProfile(eye, points)};
   const std::size_t every = std::max<std::size_t>(1, (points.size() + kPoints - 1) / kPoints);
   for (std::size_t i = 0; i < points.size(); i += every) seen.points.push_back(points[i]);
   return seen;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "range_profile.hpp"
 #include "roomatlas/mission/mission.hpp"
 
 namespace roomatlas {
@@ -11,10 +12,7 @@ namespace roomatlas {
 /// What one sweep saw: its points, and how far it saw in each direction from where it looked.
 struct SeenSweep {
   std::vector<Point2> points;  ///< robot's frame, metres; thinned
-  Point2 eye = Point2::Zero();
-  /// Least and largest range for each degree, [-180, 180); a largest of 0: nothing was seen there.
-  std::vector<float> least_m;
-  std::vector<float> largest_m;
+  RangeProfile profile;
 };
 
 [[nodiscard]] SeenSweep seen_sweep(const RangeReading& reading);

@@ -27,8 +27,11 @@ std::vector<std::size_t> beams_within(const RangeSensor& laser, double bearing_r
   return beams;
 }
 
+/// A cone that no beam lies in hears nothing: it is none.
 void add_cone(SonarCones& cones, RangeSensor& ring, double bearing_rad) {
-  cones.beams.push_back(beams_within(*cones.laser, bearing_rad, kHalfConeRad));
+  std::vector<std::size_t> beams = beams_within(*cones.laser, bearing_rad, kHalfConeRad);
+  if (beams.empty()) return;
+  cones.beams.push_back(std::move(beams));
   Pose2 beam = cones.laser->robot_from_beam[cones.beams.back().front()];
   beam.theta_rad = wrap_angle(bearing_rad);
   ring.robot_from_beam.push_back(beam);

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "roomatlas/match/align.hpp"
+#include "roomatlas/match/moving_points.hpp"
 #include "roomatlas/match/recent_sweeps.hpp"
 #include "roomatlas/odometry/habits.hpp"
 #include "roomatlas/odometry/lag_learner.hpp"
@@ -41,6 +43,7 @@ struct LocalizeOptions {
                                   ///< odometry's lengths are learnt
   double insert_every_m = 0.10;   ///< a sweep enters the map after this much motion ...
   double insert_every_deg = 4.0;  ///< ... or turn
+  MovingPointsOptions moving;     ///< what moves neither holds the robot nor enters the map
   RecentSweepsOptions recent;     ///< of lasers with few beams, of which ...
   int min_matched_of_few = 6;     ///< ... so many partners suffice, and ...
   double insert_few_every_m = 0.03;  ///< ... each sweep enters the map sooner
@@ -90,7 +93,7 @@ class Localizer {
 class RoomLocalizer : public Localizer {
  public:
   explicit RoomLocalizer(const LocalizeOptions& options)
-      : options_(options), map_(options.cell_m), recent_(options.recent) {}
+      : options_(options), map_(options.cell_m), moving_(options.moving), recent_(options.recent) {}
 
   void clear() override;
   void add(const RangeReading& reading, const Pose2& asr_from_robot) override;
@@ -108,6 +111,7 @@ class RoomLocalizer : public Localizer {
   [[nodiscard]] bool is_worth_adding(const Pose2& map_from_robot) const;
   void insert(const Scan& scan, const Pose2& map_from_robot);
   void insert_some_waiting();
+  bool hide_moving(Scan& scan, const RangeReading& reading, const Pose2& map_from_robot);
 
   /// Where the points lie on the room's walls, near to where odometry has them if possible.
   [[nodiscard]] ScanAlignment match(const std::vector<ScanPoint>& points, const Pose2& predicted,
@@ -123,8 +127,10 @@ class RoomLocalizer : public Localizer {
 
   LocalizeOptions options_;
   LocalMap map_;
-  RecentSweeps recent_;   ///< of a laser with few beams
-  bool has_few_ = false;  ///< the sweep at hand is one of few beams
+  MovingPoints moving_;
+  std::deque<std::pair<RangeReading, Pose2>> before_;  ///< the last at the door, for `moving_`
+  RecentSweeps recent_;                                ///< of a laser with few beams
+  bool has_few_ = false;                               ///< the sweep at hand is one of few beams
   LearntOdometry learnt_;
   std::vector<std::pair<RangeReading, Pose2>> waiting_;  ///< to be drawn, the newest first: a new
                                                          ///< room begins with many at once
