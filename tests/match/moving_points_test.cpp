@@ -8,13 +8,10 @@
 #include <limits>
 #include <vector>
 
+#include "match/swept_room.hpp"
+
 namespace roomatlas {
 namespace {
-
-struct Disc {
-  Point2 middle = Point2::Zero();
-  double radius_m = 0.22;
-};
 
 constexpr double kHall_m = 8.0;  // walls at plus and minus this on x, and half of it on y
 
@@ -26,21 +23,14 @@ double to_wall_m(const Point2& from, const Point2& ray) {
   return std::min(until(from.x(), ray.x(), kHall_m), until(from.y(), ray.y(), kHall_m / 2.0));
 }
 
-double to_disc_m(const Point2& from, const Point2& ray, const Disc& disc) {
-  const Point2 off = disc.middle - from;
-  const double along_m = off.dot(ray);
-  const double square = disc.radius_m * disc.radius_m - off.squaredNorm() + along_m * along_m;
-  const bool is_met = square > 0.0 && along_m > 0.0;
-  return is_met ? along_m - std::sqrt(square) : std::numeric_limits<double>::infinity();
-}
-
 struct Seen {
   Scan scan;
   std::vector<int> disc_of;  ///< for each point, which disc it lies on; -1: a wall
 };
 
 /// All around, a point each half degree.
-Seen seen_in_hall(const Pose2& hall_from_robot, const std::vector<Disc>& discs) {
+/// @param discs middles of people and of a column, 0.22 m in radius
+Seen seen_in_hall(const Pose2& hall_from_robot, const std::vector<Point2>& discs) {
   Seen seen;
   for (int i = 0; i < 720; ++i) {
     const double bearing_rad = radians(0.5 * i);
@@ -48,7 +38,7 @@ Seen seen_in_hall(const Pose2& hall_from_robot, const std::vector<Disc>& discs) 
     double range_m = to_wall_m(hall_from_robot.position(), ray);
     int met = -1;
     for (std::size_t d = 0; d < discs.size(); ++d) {
-      const double disc_m = to_disc_m(hall_from_robot.position(), ray, discs[d]);
+      const double disc_m = test::to_disc_m(hall_from_robot.position(), ray, discs[d]);
       if (disc_m < range_m) met = static_cast<int>(d);
       range_m = std::min(range_m, disc_m);
     }
@@ -88,7 +78,7 @@ Hidden after_driving(const Point2& start, const Point2& velocity, double told = 
   Hidden hidden;
   for (int i = 0; i <= 20; ++i) {
     const Pose2 pose{0.05 * i, 0.0, turn_rad * i};
-    Seen seen = seen_in_hall(pose, {{start + 0.1 * i * velocity}, {{3.0, -2.0}}});
+    Seen seen = seen_in_hall(pose, {start + 0.1 * i * velocity, {3.0, -2.0}});
     const Pose2 odometry{told * pose.x_m, 0.0, pose.theta_rad};
     moving.hide(seen.scan, 0.1 * i, odometry, is_held_back ? Pose2{0.0, 0.0, turn_rad * i} : pose);
     hidden = hidden_of(seen);
@@ -135,7 +125,7 @@ TEST(MovingPoints, ForgetsWhatItSaw) {
     Seen before = seen_in_hall({}, {});
     EXPECT_EQ(moving.hide(before.scan, 0.25 * i, {}, {}), 0);
   }
-  Seen with_person = seen_in_hall({}, {{{2.0, 0.0}}});
+  Seen with_person = seen_in_hall({}, {{2.0, 0.0}});
   Seen again = with_person;
   EXPECT_GT(moving.hide(with_person.scan, 2.0, {}, {}), 20);
   moving.clear();

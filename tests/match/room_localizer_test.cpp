@@ -135,13 +135,6 @@ TEST(RoomLocalizer, GivesTheSameBitsTwice) {
   }
 }
 
-/// How far a ray from the origin goes until it meets a person, a disc of 0.22 m.
-double to_person_m(const Point2& person, double bearing_rad) {
-  const double along_m = person.dot(direction(bearing_rad));
-  const double square = 0.22 * 0.22 - person.squaredNorm() + along_m * along_m;
-  return square > 0.0 && along_m > 0.0 ? along_m - std::sqrt(square) : 1e9;
-}
-
 /// A sweep of 240 degrees and 12.75 m, with 2 cm of noise, from inside a corridor along x without
 /// ends, 2 m wide; ten in a second.
 /// @param person where one walks, from the robot
@@ -164,7 +157,9 @@ RangeReading sweep_in_corridor(double x_m, std::mt19937& engine, int number = 0,
   for (const Pose2& beam : kSensor->robot_from_beam) {
     const double across = std::abs(std::sin(beam.theta_rad));
     const double wall_m = across > 1e-6 ? 1.0 / across : 1e9;
-    const double range_m = person ? std::min(wall_m, to_person_m(*person, beam.theta_rad)) : wall_m;
+    const Point2 ray = direction(beam.theta_rad);
+    const double range_m =
+        person ? std::min(wall_m, to_disc_m(Point2::Zero(), ray, *person)) : wall_m;
     const bool is_seen = range_m < kSensor->max_range_m;
     reading.ranges_m.push_back(
         static_cast<float>(is_seen ? range_m + noise(engine) : kSensor->max_range_m));

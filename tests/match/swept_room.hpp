@@ -2,6 +2,8 @@
 // Maps of drawn rooms, from sweeps at true poses, and maps made of literal faces.
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "roomatlas/match/local_map.hpp"
@@ -74,6 +76,16 @@ inline std::vector<ScanPoint> seen_from(const Pose2& map_from_robot,
     points.push_back({robot_from_map * point.position, turn * point.normal, point.is_hit});
   }
   return points;
+}
+
+/// How far a ray goes until it meets a disc, a person as a rule; infinite where it misses it.
+inline double to_disc_m(const Point2& from, const Point2& ray, const Point2& middle,
+                        double radius_m = 0.22) {
+  const Point2 off = middle - from;
+  const double along_m = off.dot(ray);
+  const double square = radius_m * radius_m - off.squaredNorm() + along_m * along_m;
+  const bool is_met = square > 0.0 && along_m > 0.0;
+  return is_met ? along_m - std::sqrt(square) : std::numeric_limits<double>::infinity();
 }
 
 inline double turn_deg(const Pose2& a, const Pose2& b) {
