@@ -32,9 +32,9 @@ void require_assembly(const GeoPackageStore& store, const Path& file) {
 }
 
 Evaluation evaluation_of(const GeoPackageStore& store, const Path& file, const Truth& truth,
-                         const Preparation& prepare) {
+                         const Preparation& prepare, int jobs) {
   require_assembly(store, file);
-  return evaluate_store(store, truth, {prepare, prepare.relation_options(), prepare.carry()});
+  return evaluate_store(store, truth, {prepare, prepare.relation_options(), prepare.carry()}, jobs);
 }
 
 /// What the files on the command line hold.
@@ -83,7 +83,7 @@ void add_other_answer(const Settings& settings, const Path& file, const std::str
 void add_store(const Settings& settings, const Path& file, const std::string& name,
                const Truth& truth, const Preparation& prepare, Judged& judged) {
   const GeoPackageStore store(file, GeoPackageStore::Mode::read);
-  Evaluation evaluation = evaluation_of(store, file, truth, prepare);
+  Evaluation evaluation = evaluation_of(store, file, truth, prepare, settings.jobs);
   if (evaluation.missions) return add_missions(store, name, truth, prepare, evaluation, judged);
   PlacedMission placed = place(store, store.correction());
   const Trajectory true_poses = true_poses_of(store);
@@ -211,7 +211,7 @@ Evaluation evaluation_of(const Settings& settings, const Path& store_file,
                          const std::vector<Path>& truth_files, const TrajectoryFlags& flags) {
   const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
   const Truth truth = read_truth(truth_files, settings);
-  return evaluation_of(store, store_file, truth, Preparation(flags, settings));
+  return evaluation_of(store, store_file, truth, Preparation(flags, settings), settings.jobs);
 }
 
 void evaluate(const Settings& settings, const std::vector<Path>& files,

@@ -108,6 +108,10 @@ Polygon transformed(const Pose2& a_from_b, const Polygon& polygon_b) {
 }
 
 Segment2 transformed(const Pose2& a_from_b, const Segment2& segment_b) {
+  return transformed(PointTransform(a_from_b), segment_b);
+}
+
+Segment2 transformed(const PointTransform& a_from_b, const Segment2& segment_b) {
   return {a_from_b * segment_b.a, a_from_b * segment_b.b};
 }
 

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomatlas/asr/shared_source.hpp"
+#include "roomatlas/core/for_each_index.hpp"
+
 namespace roomatlas {
 namespace {
 
@@ -110,12 +113,13 @@ AsrEvidence evidence_of(const Asr& asr, const EvidenceOptions& options) {
   return evidence;
 }
 
-std::vector<AsrEvidence> evidence_of(const AsrSource& source, const EvidenceOptions& options) {
-  std::vector<AsrEvidence> all;
-  for (const AsrId id : source.ids()) {
-    all.push_back(evidence_of(source.get(id, AsrDetail::readings), options));
-  }
-  return all;
+std::vector<AsrEvidence> evidence_of(const AsrSource& source, const EvidenceOptions& options,
+                                     int jobs) {
+  const std::vector<AsrId> ids = source.ids();
+  const SharedSource shared(source);
+  return results_of<AsrEvidence>(ids.size(), jobs, [&](std::size_t i) {
+    return evidence_of(shared.get(ids[i], AsrDetail::readings), options);
+  });
 }
 
 }  // namespace roomatlas

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "consistency_figures.hpp"
+#include "roomatlas/core/for_each_index.hpp"
 
 namespace roomatlas {
 namespace {
@@ -32,7 +33,7 @@ void for_each_asked(const PlacedEvidence& a, const Others& others, std::size_t s
   const auto& rays = a.evidence->rays;
   const std::size_t shares = std::max<std::size_t>(1, others.size() / kManyVisits);
   for (std::size_t k = 0; k < others.size(); ++k) {
-    const Pose2 b_from_a = inverse(others[k]->building_from_asr) * a.building_from_asr;
+    const PointTransform b_from_a(inverse(others[k]->building_from_asr) * a.building_from_asr);
     for (std::size_t i = stride * (k % shares); i < rays.size(); i += stride * shares) {
       ask(i, transformed(b_from_a, rays[i].segment), *others[k]->evidence);
     }
@@ -73,6 +74,50 @@ bool add(const NearHit& near_hit, bool is_free, double reach_m, VisitAgreement& 
   return true;
 }
 
+/// The rays of one visit that come to walls of others.
+struct RaysAtWalls {
+  std::int64_t met = 0;
+  std::int64_t through = 0;
+};
+
+RaysAtWalls rays_of(const PlacedEvidence& a, const PlacedAll& all,
+                    const ConsistencyOptions& options) {
+  RaysAtWalls rays;
+  const Others others =
+      others_than(a, all, [&](const PlacedEvidence& b) { return near(a.seen, b.solid, 0.0); });
+  const auto ask = [&](std::size_t i, const Segment2& ray, const AsrEvidence& b) {
+    const auto behind_m = behind_wall_m(ray, b.walls, options.deep_m);
+    if (!behind_m) return;
+    // A ray without a hit that ends before the wall says nothing of it.
+    if (!a.evidence->rays[i].is_hit && *behind_m < options.deep_m) return;
+    ++rays.met;
+    if (*behind_m > options.deep_m) ++rays.through;
+  };
+  for_each_asked(a, others, kRayStride, ask);
+  return rays;
+}
+
+VisitAgreement judge_visit(const PlacedEvidence& a, const PlacedAll& all,
+                           const ConsistencyOptions& options) {
+  const auto& rays = a.evidence->rays;
+  VisitAgreement sums;
+  sums.asr = a.evidence->asr;
+  std::vector<bool> is_known(rays.size(), false);
+  const Others others = others_than(
+      a, all, [&](const PlacedEvidence& b) { return near(a.seen, b.seen, options.deep_m); });
+  const auto ask = [&](std::size_t i, const Segment2& ray, const AsrEvidence& b) {
+    if (!rays[i].is_hit) return;
+    if (add(b.seen.nearest_hit(ray.b, ray.b - ray.a, options.deep_m),
+            b.seen.free_rays(ray.b) >= options.min_free_rays, options.deep_m, sums)) {
+      is_known[i] = true;
+    }
+  };
+  for_each_asked(a, others, kHitStride, ask);
+  for (std::size_t i = 0; i < rays.size(); i += kHitStride) sums.hits += rays[i].is_hit ? 1 : 0;
+  sums.known = std::count(is_known.begin(), is_known.end(), true);
+  return sums;
+}
+
 ConsistencyValue mean_of(ConsistencyFigure figure, double sum, std::int64_t count) {
   ConsistencyValue result{figure};
   result.measured = static_cast<double>(count);
@@ -85,43 +130,18 @@ ConsistencyValue mean_of(ConsistencyFigure figure, double sum, std::int64_t coun
 ConsistencyValue rays_through_walls(const PlacedAll& all, const ConsistencyOptions& options) {
   std::int64_t met = 0;
   std::int64_t through = 0;
-  for (const PlacedEvidence& a : all) {
-    const Others others =
-        others_than(a, all, [&](const PlacedEvidence& b) { return near(a.seen, b.solid, 0.0); });
-    const auto ask = [&](std::size_t i, const Segment2& ray, const AsrEvidence& b) {
-      const auto behind_m = behind_wall_m(ray, b.walls, options.deep_m);
-      if (!behind_m) return;
-      // A ray without a hit that ends before the wall says nothing of it.
-      if (!a.evidence->rays[i].is_hit && *behind_m < options.deep_m) return;
-      ++met;
-      if (*behind_m > options.deep_m) ++through;
-    };
-    for_each_asked(a, others, kRayStride, ask);
+  for (const RaysAtWalls& rays :
+       results_of<RaysAtWalls>(all.size(), options.jobs,
+                               [&](std::size_t i) { return rays_of(all[i], all, options); })) {
+    met += rays.met;
+    through += rays.through;
   }
   return mean_of(ConsistencyFigure::rays_through_walls, static_cast<double>(through), met);
 }
 
 std::vector<VisitAgreement> judge_visits(const PlacedAll& all, const ConsistencyOptions& options) {
-  std::vector<VisitAgreement> visits;
-  for (const PlacedEvidence& a : all) {
-    const auto& rays = a.evidence->rays;
-    VisitAgreement& sums = visits.emplace_back();
-    sums.asr = a.evidence->asr;
-    std::vector<bool> is_known(rays.size(), false);
-    const Others others = others_than(
-        a, all, [&](const PlacedEvidence& b) { return near(a.seen, b.seen, options.deep_m); });
-    const auto ask = [&](std::size_t i, const Segment2& ray, const AsrEvidence& b) {
-      if (!rays[i].is_hit) return;
-      if (add(b.seen.nearest_hit(ray.b, ray.b - ray.a, options.deep_m),
-              b.seen.free_rays(ray.b) >= options.min_free_rays, options.deep_m, sums)) {
-        is_known[i] = true;
-      }
-    };
-    for_each_asked(a, others, kHitStride, ask);
-    for (std::size_t i = 0; i < rays.size(); i += kHitStride) sums.hits += rays[i].is_hit ? 1 : 0;
-    sums.known = std::count(is_known.begin(), is_known.end(), true);
-  }
-  return visits;
+  return results_of<VisitAgreement>(
+      all.size(), options.jobs, [&](std::size_t i) { return judge_visit(all[i], all, options); });
 }
 
 HitFigures judge_hits(const PlacedAll& all, const ConsistencyOptions& options) {

@@ -7,6 +7,7 @@
 
 #include "consistency_figures.hpp"
 #include "room_raster.hpp"
+#include "roomatlas/core/for_each_index.hpp"
 
 namespace roomatlas {
 namespace {
@@ -51,14 +52,27 @@ std::optional<double> thickness_at(const Point2& point, const Point2& outwards,
 /// Lowers each thickness of `a`'s surfaces to that against `b`, where `b`'s wall is nearer.
 void find_nearest_backs(const PlacedEvidence& a, const PlacedEvidence& b,
                         const ConsistencyOptions& options, std::vector<double>& thickness_m) {
-  const Pose2 b_from_a = inverse(b.building_from_asr) * a.building_from_asr;
+  const Pose2 step = inverse(b.building_from_asr) * a.building_from_asr;
+  const PointTransform b_from_a(step);
   for (std::size_t i = 0; i < thickness_m.size(); ++i) {
     const SurfaceSample& sample = a.evidence->surfaces[i];
     const auto found =
-        thickness_at(b_from_a * sample.point, b_from_a * sample.outwards - b_from_a.position(),
+        thickness_at(b_from_a * sample.point, b_from_a * sample.outwards - step.position(),
                      b.evidence->surfaces, options.wall_reach_m, options.evidence.step_m);
     if (found && std::abs(*found) < std::abs(thickness_m[i])) thickness_m[i] = *found;
   }
+}
+
+/// The thickness of the wall at each of an ASR's surfaces; `wall_reach_m` where nothing is behind.
+std::vector<double> thicknesses_of(const PlacedEvidence& a, const PlacedAll& all,
+                                   const ConsistencyOptions& options) {
+  std::vector<double> thickness_m(a.evidence->surfaces.size(), options.wall_reach_m);
+  for (const PlacedEvidence& b : all) {
+    if (a.room != b.room && near(a.solid, b.solid, options.wall_reach_m)) {
+      find_nearest_backs(a, b, options, thickness_m);
+    }
+  }
+  return thickness_m;
 }
 
 }  // namespace
@@ -83,14 +97,10 @@ ConsistencyValue negative_walls(const PlacedAll& all, const ConsistencyOptions& 
   ConsistencyValue result{ConsistencyFigure::negative_walls};
   double depth_sum_m = 0.0;
   std::int64_t samples = 0;
-  for (const PlacedEvidence& a : all) {
-    std::vector<double> thickness_m(a.evidence->surfaces.size(), options.wall_reach_m);
-    for (const PlacedEvidence& b : all) {
-      if (a.room != b.room && near(a.solid, b.solid, options.wall_reach_m)) {
-        find_nearest_backs(a, b, options, thickness_m);
-      }
-    }
-    for (const double thickness : thickness_m) {
+  for (const auto& of_asr : results_of<std::vector<double>>(
+           all.size(), options.jobs,
+           [&](std::size_t i) { return thicknesses_of(all[i], all, options); })) {
+    for (const double thickness : of_asr) {
       depth_sum_m += std::max(-thickness, 0.0);
       if (thickness < options.wall_reach_m) result.measured += 1.0;
       ++samples;

@@ -60,7 +60,7 @@ RoomPoseErrors pose_errors_of(const std::vector<PlacedVisit>& visits, const Traj
 }  // namespace
 
 void judge_placements(const AsrSource& source, const Correction& correction, const FloorPlan& plan,
-                      const Truth& truth, Evaluation& evaluation) {
+                      const Truth& truth, Evaluation& evaluation, int jobs) {
   if (correction.asrs.empty()) return;  // a finished map: nothing was placed
   const std::map<AsrId, RoomId> room_of = rooms_of(plan);
   const Placements placements = placements_of(correction);
@@ -69,8 +69,9 @@ void judge_placements(const AsrSource& source, const Correction& correction, con
         pose_errors_of(visits_of(source, placements.before, room_of), truth.poses),
         pose_errors_of(visits_of(source, placements.after, room_of), truth.poses)};
   }
-  const ConsistencyOptions options;
-  const std::vector<AsrEvidence> evidence = evidence_of(source, options.evidence);
+  ConsistencyOptions options;
+  options.jobs = jobs;
+  const std::vector<AsrEvidence> evidence = evidence_of(source, options.evidence, jobs);
   evaluation.consistency =
       compare(self_consistency(evidence, placements.before, room_of, options),
               self_consistency(evidence, placements.after, room_of, options), {});

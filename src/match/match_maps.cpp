@@ -167,8 +167,9 @@ Pose2 SearchableMap::search(const std::vector<ScanPoint>& points, const Pose2& g
   for (int n = 0; n <= 2 * turns; ++n) {
     const double turn_rad = nth_from_middle(n) * step_rad;
     const Pose2 turned{guess.x_m, guess.y_m, wrap_angle(guess.theta_rad + turn_rad)};
+    const PointTransform place(turned);
     std::transform(points.begin(), points.end(), cells.begin(), [&](const ScanPoint& point) {
-      return map_.frame().cell_of(turned * point.position);
+      return map_.frame().cell_of(place * point.position);
     });
     search_shifts(cells, {turned, turn_rad}, window, best);
   }
@@ -176,10 +177,10 @@ Pose2 SearchableMap::search(const std::vector<ScanPoint>& points, const Pose2& g
 }
 
 void SearchableMap::judge(const std::vector<ScanPoint>& points, MapMatch& match) const {
-  const Pose2& pose = match.first_from_second;
-  const Pose2 turn{0.0, 0.0, pose.theta_rad};
+  const PointTransform place(match.first_from_second);
+  const PointTransform turn(Pose2{0.0, 0.0, match.first_from_second.theta_rad});
   for (const ScanPoint& point : points) {
-    const Point2 at = pose * point.position;
+    const Point2 at = place * point.position;
     const Point2 normal = turn * point.normal;
     const Cell cell = map_.frame().cell_of(at);
     bool agrees = false;

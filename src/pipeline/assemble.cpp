@@ -241,9 +241,9 @@ Assembly assemble_corrected(MissionKind kind, const AsrSource& source, Corrected
   }
   report(progress, "judge", -1.0);
   if (kind == MissionKind::sonar && !assembly.sonars) return assembly;  // several missions' sonars
-  assembly.judgement = judge_map(
-      map_figures(WithPaths(recorded, assembly.paths), assembly, options.assemble.correct),
-      assembly);
+  assembly.judgement = judge_map(map_figures(WithPaths(recorded, assembly.paths), assembly,
+                                             options.assemble.correct, options.jobs),
+                                 assembly);
   if (assembly.judgement) advise(assembly, options.assemble.correct, *assembly.judgement);
   if (corrected.recorded_again) {
     assembly.mapped_again = std::move(corrected.recorded_again->asrs);

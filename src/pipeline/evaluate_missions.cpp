@@ -236,7 +236,7 @@ JoinedPaths joined_paths(const AssemblyStore& store, const Truth& truth,
 }
 
 Evaluation evaluate_missions(const AssemblyStore& store, const Truth& truth,
-                             const TrajectoryPreparation& preparation) {
+                             const TrajectoryPreparation& preparation, int jobs) {
   const std::vector<MemberMission> members = store.members();
   const Correction correction = store.correction();
   const FloorPlan plan = store.plan();
@@ -249,7 +249,8 @@ Evaluation evaluate_missions(const AssemblyStore& store, const Truth& truth,
   joint.spans = truth.spans;
   Evaluation evaluation = evaluate(paths.all_odometry, paths.all_corrected, plan, joint,
                                    preparation.relations, preparation.carry);
-  judge_placements(LaterAsrs(store, members, paths.later_s), correction, plan, joint, evaluation);
+  judge_placements(LaterAsrs(store, members, paths.later_s), correction, plan, joint, evaluation,
+                   jobs);
 
   MissionsEvaluation missions;
   missions.figures =

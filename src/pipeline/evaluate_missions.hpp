@@ -8,6 +8,6 @@ namespace roomatlas {
 
 /// All missions together, and each in the building's frame; see `evaluate_store`.
 [[nodiscard]] Evaluation evaluate_missions(const AssemblyStore& store, const Truth& truth,
-                                           const TrajectoryPreparation& preparation);
+                                           const TrajectoryPreparation& preparation, int jobs);
 
 }  // namespace roomatlas

@@ -18,8 +18,8 @@ Trajectory true_poses_of(const AsrSource& source) {
 }
 
 Evaluation evaluate_store(const AssemblyStore& store, Truth truth,
-                          const TrajectoryPreparation& preparation) {
-  if (!store.members().empty()) return evaluate_missions(store, truth, preparation);
+                          const TrajectoryPreparation& preparation, int jobs) {
+  if (!store.members().empty()) return evaluate_missions(store, truth, preparation, jobs);
   if (!truth.missions.empty()) {
     throw UsageError("truth of mission " + truth.missions.front().mission +
                      ": the store is of one mission; leave the name out");
@@ -34,7 +34,7 @@ Evaluation evaluate_store(const AssemblyStore& store, Truth truth,
   Evaluation evaluation = evaluate(prepared("odometry", std::move(placed.odometry)),
                                    prepared("corrected", std::move(placed.corrected)), plan, truth,
                                    preparation.relations, preparation.carry);
-  judge_placements(store, correction, plan, truth, evaluation);
+  judge_placements(store, correction, plan, truth, evaluation, jobs);
   return evaluation;
 }
 

@@ -10,14 +10,14 @@ constexpr double kStretch_m = 1.0;
 
 }  // namespace
 
-void OdometryUse::add(const Asr& asr) {
+void OdometryUse::add(const std::vector<PathSample>& path) {
   double map_m = 0.0;
   double odometry_m = 0.0;
   double map_rad = 0.0;
   double odometry_rad = 0.0;
-  for (std::size_t i = 1; i < asr.path.size(); ++i) {
-    const Pose2 map = inverse(asr.path[i - 1].asr_from_robot) * asr.path[i].asr_from_robot;
-    const Pose2 odometry = inverse(asr.path[i - 1].odom_from_robot) * asr.path[i].odom_from_robot;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Pose2 map = inverse(path[i - 1].asr_from_robot) * path[i].asr_from_robot;
+    const Pose2 odometry = inverse(path[i - 1].odom_from_robot) * path[i].odom_from_robot;
     map_m += map.position().norm();
     odometry_m += odometry.position().norm();
     map_rad += map.theta_rad;

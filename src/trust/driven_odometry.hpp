@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
+#include <vector>
 
 #include "roomatlas/asr/asr.hpp"
 
@@ -10,8 +10,8 @@ namespace roomatlas {
 /// How odometry's motion differs from the map's, over stretches of about a metre inside of visits.
 class OdometryUse {
  public:
-  /// @param asr with its path
-  void add(const Asr& asr);
+  /// @param path of one visit
+  void add(const std::vector<PathSample>& path);
 
   struct Differences {
     double heading_rad_per_m = 0.0;  ///< root mean square, its steady part left out

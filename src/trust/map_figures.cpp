@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "driven_odometry.hpp"
+#include "roomatlas/asr/shared_source.hpp"
+#include "roomatlas/core/for_each_index.hpp"
 #include "roomatlas/graph/bridges.hpp"
 
 namespace roomatlas {
@@ -25,26 +28,47 @@ struct Measured {
   bool has_readings = false;
 };
 
-Measured measure(const AsrSource& source, const Assembly& assembly) {
-  Measured measured;
-  const ConsistencyOptions options;
-  std::vector<AsrEvidence> evidence;
-  double readings = 0.0;
-  double hits = 0.0;
-  for (const AsrId id : source.ids()) {
-    const Asr asr = source.get(id, AsrDetail::readings);
-    evidence.push_back(evidence_of(asr, options.evidence));
-    measured.odometry.add(asr);
-    measured.readings.emplace_back(id, asr.readings.size());
-    for (const RangeReading& reading : asr.readings) {
-      readings += 1.0;
-      hits += static_cast<double>(std::count_if(
-          reading.ranges_m.begin(), reading.ranges_m.end(),
-          [&](float range_m) { return range_m > 0.0F && range_m < reading.sensor->max_range_m; }));
-    }
+/// What one visit gives; its readings are gone then.
+struct VisitMeasured {
+  AsrEvidence evidence;
+  std::vector<PathSample> path;
+  std::size_t readings = 0;
+  std::ptrdiff_t hits = 0;
+};
+
+VisitMeasured measure(Asr asr, const EvidenceOptions& options) {
+  VisitMeasured visit{evidence_of(asr, options), std::move(asr.path), asr.readings.size(), 0};
+  for (const RangeReading& reading : asr.readings) {
+    visit.hits += std::count_if(
+        reading.ranges_m.begin(), reading.ranges_m.end(),
+        [&](float range_m) { return range_m > 0.0F && range_m < reading.sensor->max_range_m; });
   }
-  measured.has_readings = readings > 0.0;
-  measured.hits_a_reading = hits / std::max(1.0, readings);
+  return visit;
+}
+
+Measured measure(const AsrSource& source, const Assembly& assembly, int jobs) {
+  ConsistencyOptions options;
+  options.jobs = jobs;
+  const std::vector<AsrId> ids = source.ids();
+  const SharedSource shared(source);
+  auto visits = results_of<VisitMeasured>(ids.size(), jobs, [&](std::size_t i) {
+    return measure(shared.get(ids[i], AsrDetail::readings), options.evidence);
+  });
+  Measured measured;
+  std::vector<AsrEvidence> evidence;
+  evidence.reserve(visits.size());
+  std::size_t readings = 0;
+  std::ptrdiff_t hits = 0;
+  for (std::size_t i = 0; i < visits.size(); ++i) {
+    evidence.push_back(std::move(visits[i].evidence));
+    measured.odometry.add(visits[i].path);
+    measured.readings.emplace_back(ids[i], visits[i].readings);
+    readings += visits[i].readings;
+    hits += visits[i].hits;
+  }
+  measured.has_readings = readings > 0;
+  measured.hits_a_reading =
+      static_cast<double>(hits) / std::max(1.0, static_cast<double>(readings));
   measured.agreement = visit_agreement(evidence, placement_of(assembly.correction), options);
   return measured;
 }
@@ -251,10 +275,10 @@ void add_holding(const Assembly& assembly, const VisitUncertainty& uncertainty,
 }  // namespace
 
 MapFigures map_figures(const AsrSource& source, const Assembly& assembly,
-                       const CorrectOptions& correct) {
+                       const CorrectOptions& correct, int jobs) {
   MapFigures result;
   if (assembly.correction.asrs.empty()) return result;
-  const Measured measured = measure(source, assembly);
+  const Measured measured = measure(source, assembly, jobs);
   if (!measured.has_readings) return result;
   result.sensor = assembly.sonars ? SensorKind::sonar : SensorKind::laser;
   result.figures = common_figures(measured, assembly);

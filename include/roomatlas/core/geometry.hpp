@@ -61,5 +61,6 @@ struct Box2 {
 [[nodiscard]] Polyline transformed(const Pose2& a_from_b, const Polyline& line_b);
 [[nodiscard]] Polygon transformed(const Pose2& a_from_b, const Polygon& polygon_b);
 [[nodiscard]] Segment2 transformed(const Pose2& a_from_b, const Segment2& segment_b);
+[[nodiscard]] Segment2 transformed(const PointTransform& a_from_b, const Segment2& segment_b);
 
 }  // namespace roomatlas

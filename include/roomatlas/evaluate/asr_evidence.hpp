@@ -106,8 +106,9 @@ struct AsrEvidence {
 /// measured
 [[nodiscard]] AsrEvidence evidence_of(const Asr& asr, const EvidenceOptions& options);
 
-/// The evidence of all ASRs, in the order of their ids. Loads one ASR's readings at a time.
+/// The evidence of all ASRs, in the order of their ids.
+/// @param jobs threads at once, see `for_each_index`; so many ASRs' readings are loaded at a time
 [[nodiscard]] std::vector<AsrEvidence> evidence_of(const AsrSource& source,
-                                                   const EvidenceOptions& options);
+                                                   const EvidenceOptions& options, int jobs = 1);
 
 }  // namespace roomatlas

@@ -94,7 +94,8 @@ struct Evaluation {
 
 /// Judges where odometry and where the correction put the rooms: against true poses where there are
 /// some, and against themselves. Adds to `evaluation`, which `evaluate` has made of the same truth.
+/// @param jobs threads at once, see `for_each_index`
 void judge_placements(const AsrSource& source, const Correction& correction, const FloorPlan& plan,
-                      const Truth& truth, Evaluation& evaluation);
+                      const Truth& truth, Evaluation& evaluation, int jobs = 1);
 
 }  // namespace roomatlas

@@ -81,6 +81,7 @@ struct ConsistencyOptions {
   double wall_reach_m = 0.6;  ///< thicker walls are not compared
   double door_reach_m = 1.0;  ///< farther doorways are other doors
   int min_free_rays = 2;      ///< sampled rays that make a cell free; 1 believes a lone reading
+  int jobs = 1;               ///< threads at once, see `for_each_index`; no result hangs on it
 };
 
 /// Judges a placement from readings and geometry alone: no truth, and nothing of the solver's cost.

@@ -20,9 +20,11 @@ struct TrajectoryPreparation {
 /// Judges all that an assembly left: its trajectory and plan against the truth, and where it put
 /// the rooms, against themselves too. Where `truth` has no poses, those of the store are taken.
 /// Of several missions each is judged by itself too.
+/// @param jobs threads at once, see `for_each_index`
 /// @throws InputError where the store is not assembled, UsageError as `joined_paths`
 [[nodiscard]] Evaluation evaluate_store(const AssemblyStore& store, Truth truth,
-                                        const TrajectoryPreparation& preparation = {});
+                                        const TrajectoryPreparation& preparation = {},
+                                        int jobs = 1);
 
 /// All missions of a building as one, and what is known of them.
 struct JoinedPaths {

@@ -23,8 +23,9 @@ struct MapFigures {
 
 /// @param source the visits as they were corrected, with readings
 /// @param correct options of the correction, by which its uncertainty is told
+/// @param jobs threads at once, see `for_each_index`; so many visits' readings are loaded at a time
 /// Without readings, or of a finished map, the list of figures is empty.
 [[nodiscard]] MapFigures map_figures(const AsrSource& source, const Assembly& assembly,
-                                     const CorrectOptions& correct);
+                                     const CorrectOptions& correct, int jobs = 1);
 
 }  // namespace roomatlas
