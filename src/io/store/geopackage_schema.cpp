@@ -52,12 +52,15 @@ std::optional<std::string> why_no_store(Database& database) {
   return std::nullopt;
 }
 
-std::string found_version(Database& database) {
+std::string found_version(Database& database, const std::filesystem::path& file) try {
   std::string version = "none";
   database.for_each_row(
       "SELECT value FROM metadata WHERE key = ?", [&](Row& row) { version = row.text(); },
       kSchemaVersionKey);
   return version;
+} catch (const DamagedData& damage) {
+  throw InputError(file.string() + ": " + damage.what() +
+                   ": the store is damaged; map the log again");
 }
 
 }  // namespace
@@ -110,7 +113,7 @@ void check_schema(Database& database, const std::filesystem::path& file) {
     throw InputError(file.string() + ": not a building store: found " + *reason +
                      ", expected a GeoPackage written by 'roomatlas map' or 'roomatlas build'");
   }
-  const std::string found = found_version(database);
+  const std::string found = found_version(database, file);
   if (found == expected) return;
   throw OtherVersion(file.string() + ": schema version " + found + " found, " + expected +
                      " expected: map the log again with this release, or use the release that "

@@ -222,6 +222,17 @@ TEST(StoreFile, AnotherSchemaVersionIsRefusedNamingBoth) {
                     Not(HasSubstr("\n"))));
 }
 
+TEST(StoreFile, ASchemaVersionThatIsNoTextIsADamagedStore) {
+  const TemporaryDirectory directory;
+  const std::filesystem::path file = directory / "building.gpkg";
+  GeoPackageStore(file, Mode::create).finish();
+  SQLite::Database(file.string(), SQLite::OPEN_READWRITE)
+      .exec("UPDATE metadata SET value = x'3300' WHERE key = 'schema_version'");
+  EXPECT_THAT(error_of_opening(file, Mode::read),
+              HasSubstr("building.gpkg: table metadata, row 1, field value: found bytes, expected "
+                        "text: the store is damaged"));
+}
+
 TEST(StoreFile, DamagedReadingsAreAnInputErrorThatNamesTheFile) {
   const TemporaryDirectory directory;
   const std::filesystem::path file = directory / "building.gpkg";
