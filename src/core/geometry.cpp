@@ -44,12 +44,16 @@ double length(const Polyline& line) {
   return sum;
 }
 
+bool is_crossed_by_ray(const Segment2& segment, const Point2& point) {
+  const auto& [a, b] = segment;
+  if ((a.y() > point.y()) == (b.y() > point.y())) return false;
+  return point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+}
+
 bool contains(const Ring& ring, const Point2& point) {
   bool inside = false;
   for_each_edge(ring, [&](const Point2& a, const Point2& b) {
-    if ((a.y() > point.y()) == (b.y() > point.y())) return;
-    const double x = a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-    if (point.x() < x) inside = !inside;
+    if (is_crossed_by_ray({a, b}, point)) inside = !inside;
   });
   return inside;
 }

@@ -42,6 +42,9 @@ struct Box2 {
 [[nodiscard]] double length(const Polyline& line);
 /// Even-odd test; points on an edge may go either way. False for an empty ring.
 [[nodiscard]] bool contains(const Ring& ring, const Point2& point);
+/// Whether a ray from the point along +x crosses the segment: an odd number of a ring's edges where
+/// the ring contains the point.
+[[nodiscard]] bool is_crossed_by_ray(const Segment2& segment, const Point2& point);
 [[nodiscard]] bool contains(const Polygon& polygon, const Point2& point);
 
 [[nodiscard]] double distance(const Segment2& segment, const Point2& point);

@@ -18,13 +18,16 @@ function makePainter(map, pane, layers) {
   let painted = null;    // { zoom, corner, bounds }: what is on the front
   let job = null;        // what paints the back; one at a time
   let isStale = false;   // what the job paints is not the last any more
-  let perFrame = 6000;   // points that are painted in a frame
+  const pointLength = 10; // px of a line that cost as much as a point of it
+  let perFrame = 4000;   // points that are painted in a frame, and what lines cost beside them
   let last = 0;          // ms, when a frame of the job began
 
   const area = (ring) => ring.reduce((sum, [x, y], i) => {
     const [nextX, nextY] = ring[(i + 1) % ring.length];
     return sum + x * nextY - nextX * y;
   }, 0);
+  const lengthOf = (line) => line.reduce((sum, [x, y], i) => (i ? sum + Math.hypot(x - line[i - 1][0], y - line[i - 1][1]) : 0), 0);
+  const sumOf = (values) => values.reduce((sum, value) => sum + value, 0);
   function trace(path, { lines, isRing }) {
     lines.forEach((line, k) => {
       const turned = isRing && (area(line) > 0) !== (k === 0) ? [...line].reverse() : line;  // holes run the other way
@@ -44,10 +47,11 @@ function makePainter(map, pane, layers) {
       const { tiles } = groups.get(key);
       const box = boxOf(shape.lines);
       const tile = parts * place((box[0] + box[2]) / 2, whole[0], whole[2]) + place((box[1] + box[3]) / 2, whole[1], whole[3]);
-      if (!tiles.has(tile)) tiles.set(tile, { path: new Path2D(), box, points: 0 });
+      if (!tiles.has(tile)) tiles.set(tile, { path: new Path2D(), box, points: 0, length: 0 });
       const one = tiles.get(tile);
       trace(one.path, shape);
-      one.points += shape.lines.reduce((sum, line) => sum + line.length, 0);
+      one.points += sumOf(shape.lines.map((line) => line.length));
+      one.length += sumOf(shape.lines.map(lengthOf));
       one.box = boxOf([[one.box.slice(0, 2), one.box.slice(2), box.slice(0, 2), box.slice(2)]]);
     }
     groupsOf.set(id, [...groups.values()]);
@@ -70,7 +74,7 @@ function makePainter(map, pane, layers) {
       ink.fillText(label.text, toX(x), toY(y));
     }
   }
-  /// Paints the back as the map lies now; yields how many points it has painted since.
+  /// Paints the back as the map lies now; yields what it has painted since, in points.
   function* painting() {
     const sharpness = window.devicePixelRatio || 1;
     const size = map.getSize();
@@ -98,11 +102,11 @@ function makePainter(map, pane, layers) {
       ink.lineCap = style.cap || 'round';
       ink.lineJoin = 'round';
       ink.setLineDash(style.dash && scale >= finestDash ? style.dash.map((length) => length / scale) : []);
-      for (const { path, box, points } of tiles.values()) {
+      for (const { path, box, points, length } of tiles.values()) {
         if (box[0] > bounds[2] || box[2] < bounds[0] || box[1] > bounds[3] || box[3] < bounds[1]) continue;
         if (style.fill) ink.fill(path);
         if (style.stroke) ink.stroke(path);
-        yield points;
+        yield points + length * scale / pointLength;
       }
     }
     ink.setLineDash([]);
@@ -114,7 +118,7 @@ function makePainter(map, pane, layers) {
   }
   /// A frame's share of the job; as much as keeps frames short.
   function work(time) {
-    if (last) perFrame = time - last > 25 ? Math.max(500, perFrame / 2) : Math.min(20000, perFrame * 1.5);
+    if (last) perFrame = time - last > 25 ? Math.max(500, perFrame / 2) : Math.min(10000, perFrame * 1.5);
     last = time;
     for (let points = 0; points < perFrame;) {
       const { value, done } = job.next();

@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <unordered_map>
 
+#include "roomatlas/core/place_index.hpp"
 #include "roomatlas/core/pose2.hpp"
 #include "roomatlas/planar/union.hpp"
 
@@ -38,20 +42,28 @@ struct Strip {
   }
 };
 
-/// Faces with the wall to their left.
-std::vector<Segment2> faces_of(const std::vector<Polygon>& bodies) {
-  std::vector<Segment2> faces;
+/// All edges of the bodies, with the wall to their left.
+std::vector<Segment2> edges_of(const std::vector<Polygon>& bodies) {
+  std::vector<Segment2> edges;
   const auto add = [&](const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Segment2 face{ring[i], ring[(i + 1) % ring.size()]};
-      if ((face.b - face.a).norm() >= kShortest_m) faces.push_back(face);
+      edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
     }
   };
   for (const Polygon& body : bodies) {
     add(body.outer);
     for (const Ring& hole : body.holes) add(hole);
   }
-  return faces;
+  return edges;
+}
+
+double length_of(const Segment2& segment) { return (segment.b - segment.a).norm(); }
+
+Box2 box_of(const Segment2& segment, double reach_m) {
+  Box2 box = box_around(segment.a, reach_m);
+  box.extend(segment.b + Point2(reach_m, reach_m));
+  box.extend(segment.b - Point2(reach_m, reach_m));
+  return box;
 }
 
 /// The wall between two faces that look away from each other.
@@ -77,10 +89,16 @@ std::optional<Strip> between(const Segment2& face, const Segment2& other) {
   return Strip{{origin.x(), origin.y(), wrap_angle(heading_rad + kPi)}, -end, -begin, depth};
 }
 
-/// Where there is wall.
+/// Where there is wall: of the edges at one height, an odd number lies to the right.
 class Solid {
  public:
-  explicit Solid(const std::vector<Polygon>& bodies) : bodies_(bodies) {}
+  /// @param edges of disjoint bodies
+  explicit Solid(const std::vector<Segment2>& edges) {
+    for (const Segment2& edge : edges) {
+      const auto [low, high] = std::minmax({row_of(edge.a), row_of(edge.b)});
+      for (std::int64_t row = low; row <= high; ++row) edges_of_row_[row].push_back(edge);
+    }
+  }
 
   /// Whether wall is all along there, at a few places across.
   [[nodiscard]] bool holds(const Strip& strip, double from_m, double to_m) const {
@@ -98,23 +116,31 @@ class Solid {
   }
 
  private:
-  [[nodiscard]] bool holds(const Point2& point) const {
-    return std::any_of(bodies_.begin(), bodies_.end(),
-                       [&](const Polygon& body) { return contains(body, point); });
+  static std::int64_t row_of(const Point2& point) {
+    constexpr double kRow_m = 0.25;
+    return static_cast<std::int64_t>(std::floor(point.y() / kRow_m));
   }
-  const std::vector<Polygon>& bodies_;
+  [[nodiscard]] bool holds(const Point2& point) const {
+    const auto row = edges_of_row_.find(row_of(point));
+    if (row == edges_of_row_.end()) return false;
+    const auto crossed =
+        std::count_if(row->second.begin(), row->second.end(),
+                      [&](const Segment2& edge) { return is_crossed_by_ray(edge, point); });
+    return crossed % 2 == 1;
+  }
+  std::unordered_map<std::int64_t, std::vector<Segment2>> edges_of_row_;
 };
 
-std::vector<Strip> strips_of(const std::vector<Segment2>& all, const Solid& solid) {
-  std::vector<Segment2> faces = all;
-  const auto low_x = [](const Segment2& face) { return std::min(face.a.x(), face.b.x()); };
-  const auto high_x = [](const Segment2& face) { return std::max(face.a.x(), face.b.x()); };
-  std::stable_sort(faces.begin(), faces.end(),
-                   [&](const Segment2& p, const Segment2& q) { return low_x(p) < low_x(q); });
+std::vector<Strip> strips_of(const std::vector<Segment2>& edges, const Solid& solid) {
+  std::vector<Segment2> faces;
+  std::copy_if(edges.begin(), edges.end(), std::back_inserter(faces),
+               [](const Segment2& edge) { return length_of(edge) >= kShortest_m; });
+  PlaceIndex places;
+  for (std::size_t i = 0; i < faces.size(); ++i) places.add(i, box_of(faces[i], 0.0));
   std::vector<Strip> strips;
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    const double reach_m = high_x(faces[i]) + kThickest_m;
-    for (std::size_t k = i + 1; k < faces.size() && low_x(faces[k]) <= reach_m; ++k) {
+    for (const std::size_t k : places.near(box_of(faces[i], kThickest_m))) {
+      if (k <= i) continue;
       const auto strip = between(faces[i], faces[k]);
       constexpr double kInside_m = 0.005;  // from ends, where other faces begin
       if (strip && solid.holds(*strip, strip->begin_m + kInside_m, strip->end_m - kInside_m)) {
@@ -127,30 +153,39 @@ std::vector<Strip> strips_of(const std::vector<Segment2>& all, const Solid& soli
 
 bool is_longer(const Strip& p, const Strip& q) { return p.length_m() > q.length_m(); }
 
+/// Takes another stretch into the wall, where both are of one wall and what lies between is too.
+bool takes_in(Strip& wall, const Strip& other, const Solid& solid) {
+  if (std::abs(other.thickness_m - wall.thickness_m) > kOneLine_m) return false;
+  const Pose2 wall_from_building = inverse(wall.building_from_wall);
+  const Point2 from = wall_from_building * other.at(other.begin_m, 0.0);
+  const Point2 to = wall_from_building * other.at(other.end_m, 0.0);
+  if (std::abs(from.y()) > kOneLine_m || std::abs(to.y()) > kOneLine_m) return false;
+  const auto [low_m, high_m] = std::minmax({from.x(), to.x()});
+  const double gap_from_m = std::min(wall.end_m, high_m) + 0.005;
+  const double gap_to_m = std::max(wall.begin_m, low_m) - 0.005;
+  const bool is_one = gap_to_m <= gap_from_m || (gap_to_m - gap_from_m <= kThickest_m &&
+                                                 solid.holds(wall, gap_from_m, gap_to_m));
+  if (!is_one) return false;
+  wall.begin_m = std::min(wall.begin_m, low_m);
+  wall.end_m = std::max(wall.end_m, high_m);
+  return true;
+}
+
 /// Stretches of one wall as one, where what lies between them is wall too.
 std::vector<Strip> joined(std::vector<Strip> strips, const Solid& solid) {
   std::stable_sort(strips.begin(), strips.end(), is_longer);
+  PlaceIndex places;
+  for (std::size_t i = 0; i < strips.size(); ++i) places.add(i, bounds(strips[i].ring()));
   std::vector<Strip> walls;
   std::vector<bool> is_used(strips.size(), false);
   for (std::size_t i = 0; i < strips.size(); ++i) {
     if (is_used[i]) continue;
+    is_used[i] = true;
     Strip wall = strips[i];
     for (bool has_grown = true; has_grown;) {
       has_grown = false;
-      for (std::size_t k = i + 1; k < strips.size(); ++k) {
-        if (is_used[k] || std::abs(strips[k].thickness_m - wall.thickness_m) > kOneLine_m) continue;
-        const Point2 from = inverse(wall.building_from_wall) * strips[k].at(strips[k].begin_m, 0.0);
-        const Point2 to = inverse(wall.building_from_wall) * strips[k].at(strips[k].end_m, 0.0);
-        if (std::abs(from.y()) > kOneLine_m || std::abs(to.y()) > kOneLine_m) continue;
-        const double low_m = std::min(from.x(), to.x());
-        const double high_m = std::max(from.x(), to.x());
-        const double gap_from_m = std::min(wall.end_m, high_m) + 0.005;
-        const double gap_to_m = std::max(wall.begin_m, low_m) - 0.005;
-        const bool is_one = gap_to_m <= gap_from_m || (gap_to_m - gap_from_m <= kThickest_m &&
-                                                       solid.holds(wall, gap_from_m, gap_to_m));
-        if (!is_one) continue;
-        wall.begin_m = std::min(wall.begin_m, low_m);
-        wall.end_m = std::max(wall.end_m, high_m);
+      for (const std::size_t k : places.near(bounds(wall.ring(2.0 * kThickest_m)))) {
+        if (is_used[k] || !takes_in(wall, strips[k], solid)) continue;
         is_used[k] = has_grown = true;
       }
     }
@@ -220,13 +255,14 @@ std::vector<WallSegment> wall_segments(const FloorPlan& plan) {
     if (door.opening.size() > 2) shapes.push_back({door.opening, {}});
   }
   const std::vector<Polygon> bodies = union_of(shapes);
-  const Solid solid(bodies);
-  std::vector<Strip> walls = joined(strips_of(faces_of(bodies), solid), solid);
+  const std::vector<Segment2> edges = edges_of(bodies);
+  const Solid solid(edges);
+  std::vector<Strip> walls = joined(strips_of(edges, solid), solid);
   for (Strip& wall : walls) extend(wall, solid);
   std::stable_sort(walls.begin(), walls.end(), is_longer);
   std::vector<WallSegment> segments;
   std::vector<Polygon> taken;
-  std::vector<Box2> boxes;
+  PlaceIndex places;
   const auto keep = [&](WallSegment segment) {
     if (area(segment.outline) >= kSmallest_m2) segments.push_back(std::move(segment));
   };
@@ -234,14 +270,14 @@ std::vector<WallSegment> wall_segments(const FloorPlan& plan) {
     const Polygon whole{walls[i].ring(), {}};
     const Box2 box = bounds(whole.outer);
     std::vector<Polygon> cutters;
-    for (std::size_t k = 0; k < i; ++k) {
-      if (meet(boxes[k], box)) cutters.push_back(cutter(walls[k], walls[i]));
+    for (const std::size_t k : places.near(box)) {
+      if (meet(bounds(walls[k].ring()), box)) cutters.push_back(cutter(walls[k], walls[i]));
     }
     const std::vector<Polygon> pieces =
         cutters.empty() ? std::vector<Polygon>{whole} : difference_of({whole}, cutters);
     for (const Polygon& piece : pieces) keep(segment_of(walls[i], piece));
     taken.push_back({walls[i].ring(kThrough_m, kThrough_m), {}});
-    boxes.push_back(box);
+    places.add(i, box);
   }
   for (const Polygon& rest : difference_of(bodies, taken)) {
     if (!is_sliver(rest)) keep({rest, std::nullopt, 0.0, false});
