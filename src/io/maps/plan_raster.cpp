@@ -31,13 +31,8 @@ class Painter {
  public:
   explicit Painter(PlanRaster& raster) : raster_(raster) {}
 
-  /// All cells whose centres lie in the polygon, by the even-odd rule.
   void fill(const Polygon& polygon, std::uint8_t value) {
-    const Box2 box = bounds(polygon.outer);
-    if (box.empty()) return;
-    const int first = std::max(0, cell(box.min.y(), 1));
-    const int last = std::min(raster_.cells.height() - 1, cell(box.max.y(), 1));
-    for (int y = first; y <= last; ++y) fill_row(polygon, y, value);
+    for_each_cell_in(polygon, raster_, [&](int x, int y) { raster_.cells(x, y) = value; });
   }
 
   /// The cells that the ring's edges run through.
@@ -78,36 +73,45 @@ class Painter {
     return static_cast<int>(std::floor((at_m - raster_.origin_m[axis]) / raster_.cell_m));
   }
 
-  void fill_row(const Polygon& polygon, int y, std::uint8_t value) {
-    const double at_m = raster_.origin_m.y() + (y + 0.5) * raster_.cell_m;
-    crossings_.clear();
-    cross(polygon.outer, at_m);
-    for (const Ring& hole : polygon.holes) cross(hole, at_m);
-    std::sort(crossings_.begin(), crossings_.end());
-    for (std::size_t i = 0; i + 1 < crossings_.size(); i += 2) {
-      const auto column = [&](double x_m) {
-        const double exact = (x_m - raster_.origin_m.x()) / raster_.cell_m - 0.5;
-        return static_cast<int>(std::ceil(exact));
-      };
-      const int last = std::min(raster_.cells.width(), column(crossings_[i + 1]));
-      for (int x = std::max(0, column(crossings_[i])); x < last; ++x) raster_.cells(x, y) = value;
-    }
-  }
-
-  void cross(const Ring& ring, double y_m) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point2& a = ring[i];
-      const Point2& b = ring[(i + 1) % ring.size()];
-      if ((a.y() <= y_m) == (b.y() <= y_m)) continue;
-      crossings_.push_back(a.x() + (y_m - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
-    }
-  }
-
   PlanRaster& raster_;
-  std::vector<double> crossings_;
 };
 
+/// Where the ring's edges cross a height.
+void add_crossings(const Ring& ring, double y_m, std::vector<double>& crossings) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point2& a = ring[i];
+    const Point2& b = ring[(i + 1) % ring.size()];
+    if ((a.y() <= y_m) == (b.y() <= y_m)) continue;
+    crossings.push_back(a.x() + (y_m - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+  }
+}
+
 }  // namespace
+
+void for_each_cell_in(const Polygon& polygon, const PlanRaster& raster,
+                      const std::function<void(int x, int y)>& visit) {
+  const Box2 box = bounds(polygon.outer);
+  if (box.empty()) return;
+  const auto row = [&](double y_m) {
+    return static_cast<int>(std::floor((y_m - raster.origin_m.y()) / raster.cell_m));
+  };
+  const auto column = [&](double x_m) {
+    return static_cast<int>(std::ceil((x_m - raster.origin_m.x()) / raster.cell_m - 0.5));
+  };
+  const int last_row = std::min(raster.cells.height() - 1, row(box.max.y()));
+  std::vector<double> crossings;
+  for (int y = std::max(0, row(box.min.y())); y <= last_row; ++y) {
+    const double at_m = raster.origin_m.y() + (y + 0.5) * raster.cell_m;
+    crossings.clear();
+    add_crossings(polygon.outer, at_m, crossings);
+    for (const Ring& hole : polygon.holes) add_crossings(hole, at_m, crossings);
+    std::sort(crossings.begin(), crossings.end());
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+      const int end = std::min(raster.cells.width(), column(crossings[i + 1]));
+      for (int x = std::max(0, column(crossings[i])); x < end; ++x) visit(x, y);
+    }
+  }
+}
 
 PlanRaster raster_of(const FloorPlan& plan, double cell_m, double margin_m) {
   PlanRaster raster;

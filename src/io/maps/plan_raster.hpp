@@ -6,6 +6,7 @@
 #include "roomatlas/plan/floor_plan.hpp"
 
 #include <cstdint>
+#include <functional>
 
 namespace roomatlas::io {
 
@@ -20,6 +21,10 @@ struct PlanRaster {
   double cell_m = 0.05;              ///< side of a cell
   CellGrid<std::uint8_t> cells;
 };
+
+/// All cells of the raster whose centres lie in the polygon, by the even-odd rule.
+void for_each_cell_in(const Polygon& polygon, const PlanRaster& raster,
+                      const std::function<void(int x, int y)>& visit);
 
 /// @param margin_m of unknown space around; the origin lies on a whole number of cells
 /// Throws InputError for more than 2^28 cells.

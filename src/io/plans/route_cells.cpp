@@ -85,15 +85,7 @@ RouteCells::RouteCells(const FloorPlan& plan)
   }
   for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
     for (const Polygon& part : plan.rooms[i].parts) {
-      const Box2 box = bounds(part.outer);
-      if (box.empty()) continue;
-      const Cell low = cell_of(box.min);
-      const Cell high = cell_of(box.max);
-      for (int y = std::max(low.y, 0); y <= std::min(high.y, owner_.height() - 1); ++y) {
-        for (int x = std::max(low.x, 0); x <= std::min(high.x, owner_.width() - 1); ++x) {
-          if (contains(part, centre_of({x, y}))) owner_(x, y) = static_cast<int>(i) + 1;
-        }
-      }
+      for_each_cell_in(part, map_, [&](int x, int y) { owner_(x, y) = static_cast<int>(i) + 1; });
     }
   }
 }
@@ -180,24 +172,27 @@ Way RouteCells::pulled(const std::vector<Cell>& cells, const Point2& from, const
   return way;
 }
 
-std::vector<Way> RouteCells::ways(const Point2& from, const std::vector<Point2>& to) const {
-  const int width = high_.x - low_.x;
-  const int height = high_.y - low_.y;
-  constexpr float kNever = std::numeric_limits<float>::infinity();
-  CellGrid<float> cost(width, height, kNever);
-  CellGrid<std::int8_t> came_by(width, height, -1);
+std::optional<std::vector<RouteCells::Cell>> RouteCells::cells_between(const Cell& from,
+                                                                       const Cell& to) const {
   constexpr std::array<std::array<int, 2>, 8> kMoves = {
       {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
-  std::priority_queue<std::tuple<float, int, int>, std::vector<std::tuple<float, int, int>>,
-                      std::greater<>>
-      open;  // cost, y, x: ties are always broken alike
-  const Cell start = cell_of(from);
-  cost(start.x - low_.x, start.y - low_.y) = 0.0F;
-  open.emplace(0.0F, start.y, start.x);
-  while (!open.empty()) {
-    const auto [so_far, y, x] = open.top();
+  CellGrid<float> cost(high_.x - low_.x, high_.y - low_.y, std::numeric_limits<float>::infinity());
+  CellGrid<std::int8_t> came_by(cost.width(), cost.height(), -1);
+  const auto left = [&](const Cell& at) {  // no way costs less
+    const auto [few, many] = std::minmax({std::abs(to.x - at.x), std::abs(to.y - at.y)});
+    return static_cast<float>(many - few) + kDiagonal * static_cast<float>(few);
+  };
+  // cost there and on, cost there, y, x: ties are always broken alike
+  using Open = std::tuple<float, float, int, int>;
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
+  cost(from.x - low_.x, from.y - low_.y) = 0.0F;
+  open.emplace(left(from), 0.0F, from.y, from.x);
+  bool is_found = false;
+  while (!open.empty() && !is_found) {
+    const auto [whole, so_far, y, x] = open.top();
     open.pop();
     if (so_far > cost(x - low_.x, y - low_.y)) continue;
+    is_found = x == to.x && y == to.y;
     for (std::size_t i = 0; i < kMoves.size(); ++i) {
       const Cell next{x + kMoves[i][0], y + kMoves[i][1]};
       const float free_m = clearance(next);
@@ -209,35 +204,24 @@ std::vector<Way> RouteCells::ways(const Point2& from, const std::vector<Point2>&
       if (total >= best) continue;
       best = total;
       came_by(next.x - low_.x, next.y - low_.y) = static_cast<std::int8_t>(i);
-      open.emplace(total, next.y, next.x);
+      open.emplace(total + left(next), total, next.y, next.x);
     }
   }
-  std::vector<Way> ways;
-  for (const Point2& end : to) {
-    Cell at = cell_of(end);
-    if (cost(at.x - low_.x, at.y - low_.y) == kNever) {
-      ways.emplace_back();
-      continue;
-    }
-    std::vector<Cell> back;
-    for (;;) {
-      back.push_back(at);
-      const int move = came_by(at.x - low_.x, at.y - low_.y);
-      if (move < 0) break;
-      const auto& step = kMoves[static_cast<std::size_t>(move)];
-      at = {at.x - step[0], at.y - step[1]};
-    }
-    // The end cells themselves are where the exact ends lie.
-    std::reverse(back.begin(), back.end());
-    if (back.size() <= 2) {
-      back.clear();
-    } else {
-      back.erase(back.begin());
-      back.pop_back();
-    }
-    ways.push_back(pulled(back, from, end));
+  if (!is_found) return std::nullopt;
+  std::vector<Cell> between;
+  for (Cell at = to; at.x != from.x || at.y != from.y;) {
+    const auto& step = kMoves[static_cast<std::size_t>(came_by(at.x - low_.x, at.y - low_.y))];
+    at = {at.x - step[0], at.y - step[1]};
+    between.push_back(at);
   }
-  return ways;
+  if (!between.empty()) between.pop_back();  // where the way begins
+  std::reverse(between.begin(), between.end());
+  return between;
+}
+
+Way RouteCells::way(const Point2& from, const Point2& to) const {
+  const auto between = cells_between(cell_of(from), cell_of(to));
+  return between ? pulled(*between, from, to) : Way{};
 }
 
 }  // namespace roomatlas::io

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "maps/plan_raster.hpp"
@@ -27,8 +28,8 @@ class RouteCells {
   [[nodiscard]] bool is_open(const Point2& point) const;
   /// The nearest open place within 2 m, or nothing.
   [[nodiscard]] std::optional<Point2> nearest_open(const Point2& point) const;
-  /// Shortest ways that keep away from walls where there is room, in the order of `to`.
-  [[nodiscard]] std::vector<Way> ways(const Point2& from, const std::vector<Point2>& to) const;
+  /// The shortest way that keeps away from walls where there is room.
+  [[nodiscard]] Way way(const Point2& from, const Point2& to) const;
 
  private:
   struct Cell {
@@ -39,6 +40,9 @@ class RouteCells {
   [[nodiscard]] Point2 centre_of(const Cell& cell) const;
   [[nodiscard]] float clearance(const Cell& cell) const;
   [[nodiscard]] double clearance(const Segment2& line) const;
+  /// The cheapest cells from one to another, without the two; nothing where there are none.
+  [[nodiscard]] std::optional<std::vector<Cell>> cells_between(const Cell& from,
+                                                               const Cell& to) const;
   [[nodiscard]] Way pulled(const std::vector<Cell>& cells, const Point2& from,
                            const Point2& to) const;
 

@@ -2,7 +2,7 @@
 #include "roomatlas/io/plans/route_graph.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <compare>
 #include <map>
 #include <set>
 #include <tuple>
@@ -25,25 +25,26 @@ class RoomWays {
     next_[a][b] = length_m;
     next_[b][a] = length_m;
   }
-  /// Along what is joined; infinity where it is not.
-  [[nodiscard]] double distance(std::size_t from, std::size_t to) const {
+  /// Whether it is no more than so far along what is joined.
+  [[nodiscard]] bool are_within(std::size_t from, std::size_t to, double most_m) const {
     std::map<std::size_t, double> known = {{from, 0.0}};
     std::set<std::pair<double, std::size_t>> open = {{0.0, from}};
     while (!open.empty()) {
       const auto [so_far_m, at] = *open.begin();
-      if (at == to) return so_far_m;
+      if (at == to) return true;
       open.erase(open.begin());
       const auto near = next_.find(at);
       if (near == next_.end()) continue;
       for (const auto& [node, length_m] : near->second) {
+        const double far_m = so_far_m + length_m;
         const auto found = known.find(node);
-        if (found != known.end() && found->second <= so_far_m + length_m) continue;
+        if (far_m > most_m || (found != known.end() && found->second <= far_m)) continue;
         if (found != known.end()) open.erase({found->second, node});
-        known[node] = so_far_m + length_m;
-        open.emplace(so_far_m + length_m, node);
+        known[node] = far_m;
+        open.emplace(far_m, node);
       }
     }
-    return std::numeric_limits<double>::infinity();
+    return false;
   }
 
  private:
@@ -62,10 +63,13 @@ class Builder {
   }
 
  private:
+  /// Two ends, and how long the way between them is; until it is known, no less than that.
   struct Candidate {
+    double length_m = 0.0;
+    bool is_known = false;
     std::size_t from = 0;
     std::size_t to = 0;
-    Way way;
+    auto operator<=>(const Candidate&) const = default;
   };
 
   static bool leads_to(const PlanDoor& door, const PlanRoom& room) {
@@ -102,38 +106,43 @@ class Builder {
     return ends;
   }
 
+  /// The greedy spanner of the ways between all ends: the shortest first, and none that is hardly
+  /// shorter than what is joined already. Most are told not to be by the straight line between
+  /// their ends, and never looked for.
   void join(const PlanRoom& room) {
     cells_.enter(room);
     const std::vector<std::size_t> ends = ends_of(room);
-    std::vector<Candidate> candidates;
+    const auto place = [&](std::size_t node) { return graph_.nodes[node].at; };
+    std::set<Candidate> candidates;
     for (std::size_t i = 0; i < ends.size(); ++i) {
-      std::vector<Point2> others;
-      for (std::size_t j = i + 1; j < ends.size(); ++j) others.push_back(graph_.nodes[ends[j]].at);
-      if (others.empty()) break;
-      std::vector<Way> ways = cells_.ways(graph_.nodes[ends[i]].at, others);
       for (std::size_t j = i + 1; j < ends.size(); ++j) {
-        Way& way = ways[j - i - 1];
-        if (!way.line.empty()) candidates.push_back({ends[i], ends[j], std::move(way)});
+        const double straight_m = (place(ends[j]) - place(ends[i])).norm();
+        candidates.insert({straight_m, false, ends[i], ends[j]});
       }
     }
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const auto& a, const auto& b) { return a.way.length_m < b.way.length_m; });
     RoomWays ways;
-    for (const Candidate& candidate : candidates) {
-      if (ways.distance(candidate.from, candidate.to) <= kStretch * candidate.way.length_m)
+    std::map<std::pair<std::size_t, std::size_t>, Way> found;
+    while (!candidates.empty()) {
+      const Candidate next = candidates.extract(candidates.begin()).value();
+      if (ways.are_within(next.from, next.to, kStretch * next.length_m)) continue;
+      Way& way = found[{next.from, next.to}];
+      if (next.is_known) {
+        add(next, way, room, ways);
         continue;
-      add(candidate, room, ways);
+      }
+      way = cells_.way(place(next.from), place(next.to));
+      if (!way.line.empty()) candidates.insert({way.length_m, true, next.from, next.to});
     }
   }
 
-  void add(const Candidate& candidate, const PlanRoom& room, RoomWays& ways) {
-    std::size_t before = candidate.from;
-    const Polyline& line = candidate.way.line;
+  void add(const Candidate& ends, const Way& way, const PlanRoom& room, RoomWays& ways) {
+    std::size_t before = ends.from;
+    const Polyline& line = way.line;
     for (std::size_t i = 1; i < line.size(); ++i) {
-      const std::size_t node = i + 1 == line.size() ? candidate.to : bend(line[i]);
+      const std::size_t node = i + 1 == line.size() ? ends.to : bend(line[i]);
       const double length_m = (graph_.nodes[node].at - graph_.nodes[before].at).norm();
       if (edges_.insert(std::minmax(before, node)).second) {
-        graph_.edges.push_back({before, node, room.id, length_m, candidate.way.clearance_m});
+        graph_.edges.push_back({before, node, room.id, length_m, way.clearance_m});
       }
       ways.join(before, node, length_m);
       before = node;
