@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace roomatlas {
@@ -15,7 +16,10 @@ namespace roomatlas {
 struct LatticeCell {
   std::int64_t column = 0;
   std::int64_t row = 0;
-  [[nodiscard]] auto operator<=>(const LatticeCell&) const = default;
+  [[nodiscard]] bool operator==(const LatticeCell&) const = default;
+  [[nodiscard]] bool operator<(const LatticeCell& other) const {
+    return std::tie(column, row) < std::tie(other.column, other.row);
+  }
 };
 
 /// The squares whose middle lies in a polygon (even-odd), row by row.

@@ -40,6 +40,7 @@ TimeSpan span_of(const Trajectory& trajectory) {
 
 std::vector<TimeSpan> spans_of(const std::vector<Trajectory>& trajectories) {
   std::vector<TimeSpan> spans;
+  spans.reserve(trajectories.size());
   for (const Trajectory& trajectory : trajectories) spans.push_back(span_of(trajectory));
   return spans;
 }

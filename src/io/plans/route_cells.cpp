@@ -177,7 +177,7 @@ std::optional<std::vector<RouteCells::Cell>> RouteCells::cells_between(const Cel
   constexpr std::array<std::array<int, 2>, 8> kMoves = {
       {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
   CellGrid<float> cost(high_.x - low_.x, high_.y - low_.y, std::numeric_limits<float>::infinity());
-  CellGrid<std::int8_t> came_by(cost.width(), cost.height(), -1);
+  CellGrid<std::uint8_t> came_by(cost.width(), cost.height());
   const auto left = [&](const Cell& at) {  // no way costs less
     const auto [few, many] = std::minmax({std::abs(to.x - at.x), std::abs(to.y - at.y)});
     return static_cast<float>(many - few) + kDiagonal * static_cast<float>(few);
@@ -203,14 +203,14 @@ std::optional<std::vector<RouteCells::Cell>> RouteCells::cells_between(const Cel
       float& best = cost(next.x - low_.x, next.y - low_.y);
       if (total >= best) continue;
       best = total;
-      came_by(next.x - low_.x, next.y - low_.y) = static_cast<std::int8_t>(i);
+      came_by(next.x - low_.x, next.y - low_.y) = static_cast<std::uint8_t>(i);
       open.emplace(total + left(next), total, next.y, next.x);
     }
   }
   if (!is_found) return std::nullopt;
   std::vector<Cell> between;
   for (Cell at = to; at.x != from.x || at.y != from.y;) {
-    const auto& step = kMoves[static_cast<std::size_t>(came_by(at.x - low_.x, at.y - low_.y))];
+    const auto& step = kMoves[came_by(at.x - low_.x, at.y - low_.y)];
     at = {at.x - step[0], at.y - step[1]};
     between.push_back(at);
   }

@@ -2,7 +2,6 @@
 #include "roomatlas/io/plans/route_graph.hpp"
 
 #include <algorithm>
-#include <compare>
 #include <map>
 #include <set>
 #include <tuple>
@@ -69,7 +68,10 @@ class Builder {
     bool is_known = false;
     std::size_t from = 0;
     std::size_t to = 0;
-    auto operator<=>(const Candidate&) const = default;
+    bool operator<(const Candidate& other) const {
+      return std::tie(length_m, is_known, from, to) <
+             std::tie(other.length_m, other.is_known, other.from, other.to);
+    }
   };
 
   static bool leads_to(const PlanDoor& door, const PlanRoom& room) {

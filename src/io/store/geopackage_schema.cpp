@@ -38,8 +38,9 @@ void add_columns(Database& database, const std::string& table,
   database.for_each_row("SELECT name FROM pragma_table_info('" + table + "')",
                         [&](Row& row) { is_there = row.text() == last || is_there; });
   if (is_there) return;
+  const std::string add = "ALTER TABLE " + table + " ADD COLUMN ";
   for (const std::string& column : columns) {
-    database.execute("ALTER TABLE " + table + " ADD COLUMN " + column);
+    database.execute(std::string(add).append(column));
   }
 }
 
