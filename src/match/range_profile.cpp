@@ -27,11 +27,9 @@ RangeProfile::RangeProfile(const Point2& eye, std::span<const Point2> hits) : ey
 }
 
 std::size_t RangeProfile::bin_of(const Point2& at) const {
-  const Eigen::Vector2f ray =
-      (at - eye_).cast<float>();  // a bin is a degree: single precision does
-  constexpr auto kDegrees = static_cast<float>(180.0 / kPi);
-  const float degree = std::atan2(ray.y(), ray.x()) * kDegrees + 180.0F;
-  return static_cast<std::size_t>(std::clamp(degree, 0.0F, static_cast<float>(kBins) - 1.0F));
+  const Point2 ray = at - eye_;
+  const double degree = degrees(std::atan2(ray.y(), ray.x())) + 180.0;
+  return static_cast<std::size_t>(std::clamp(degree, 0.0, kBins - 1.0));
 }
 
 RangeProfile::Place RangeProfile::place_of(const Point2& at, const Tolerance& tolerance) const {
