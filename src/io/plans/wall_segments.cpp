@@ -94,6 +94,13 @@ class Solid {
  public:
   /// @param edges of disjoint bodies
   explicit Solid(const std::vector<Segment2>& edges) {
+    constexpr double kMostRows = 4096.0;  // an edge lies in no more, however high the plan is
+    Box2 box;
+    for (const Segment2& edge : edges) {
+      box.extend(edge.a);
+      box.extend(edge.b);
+    }
+    if (!box.empty()) row_m_ = std::max(row_m_, box.size().y() / kMostRows);
     for (const Segment2& edge : edges) {
       const auto [low, high] = std::minmax({row_of(edge.a), row_of(edge.b)});
       for (std::int64_t row = low; row <= high; ++row) edges_of_row_[row].push_back(edge);
@@ -116,9 +123,8 @@ class Solid {
   }
 
  private:
-  static std::int64_t row_of(const Point2& point) {
-    constexpr double kRow_m = 0.25;
-    return static_cast<std::int64_t>(std::floor(point.y() / kRow_m));
+  [[nodiscard]] std::int64_t row_of(const Point2& point) const {
+    return static_cast<std::int64_t>(std::floor(point.y() / row_m_));
   }
   [[nodiscard]] bool holds(const Point2& point) const {
     const auto row = edges_of_row_.find(row_of(point));
@@ -128,6 +134,7 @@ class Solid {
                       [&](const Segment2& edge) { return is_crossed_by_ray(edge, point); });
     return crossed % 2 == 1;
   }
+  double row_m_ = 0.25;
   std::unordered_map<std::int64_t, std::vector<Segment2>> edges_of_row_;
 };
 

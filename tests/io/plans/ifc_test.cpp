@@ -112,6 +112,16 @@ TEST(WallSegments, OfAPlanWithStraightWallsAreRectanglesWithTheirThickness) {
   EXPECT_EQ(thickness_mm.count(100), 1U);
 }
 
+TEST(WallSegments, WithACornerFarOffTakeNoLonger) {
+  constexpr double kFar_m = 9e6;
+  FloorPlan plan;
+  plan.walls = {{{{0.0, 0.0}, {4.0, 0.0}, {4.0, 0.2}, {0.0, 0.2}}, {}},
+                {{{10.0, 0.0}, {11.0, 0.0}, {10.5, kFar_m}}, {}}};
+  std::vector<Polygon> outlines;
+  for (const io::WallSegment& wall : io::wall_segments(plan)) outlines.push_back(wall.outline);
+  EXPECT_NEAR(area_of(outlines), 0.8 + kFar_m / 2.0, 1.0);
+}
+
 TEST(Ifc, ADoorSwingsAsItsLeafWasSeen) {
   // The leaf of door 1 is hinged at jamb a, left of the way from a to b.
   EXPECT_THAT(ifc_step(test::flat(), kOptions), HasSubstr(".DOOR.,.SINGLE_SWING_LEFT."));

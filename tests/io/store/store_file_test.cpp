@@ -211,24 +211,24 @@ TEST(StoreFile, BadFilesAreNamedInOneLineWithARemedy) {
               HasSubstr("x.gpkg: cannot be opened"));
 }
 
-TEST(StoreFile, AnotherSchemaVersionIsRefusedNamingBoth) {
+/// @param value as SQL has it
+std::string error_of_schema_version(const std::string& value) {
   const TemporaryDirectory directory;
   const std::filesystem::path file = directory / "building.gpkg";
   GeoPackageStore(file, Mode::create).finish();
   SQLite::Database(file.string(), SQLite::OPEN_READWRITE)
-      .exec("UPDATE metadata SET value = '999' WHERE key = 'schema_version'");
-  EXPECT_THAT(error_of_opening(file, Mode::read),
+      .exec("UPDATE metadata SET value = " + value + " WHERE key = 'schema_version'");
+  return error_of_opening(file, Mode::read);
+}
+
+TEST(StoreFile, AnotherSchemaVersionIsRefusedNamingBoth) {
+  EXPECT_THAT(error_of_schema_version("'999'"),
               AllOf(HasSubstr("building.gpkg: schema version 999 found, 3 expected"),
                     Not(HasSubstr("\n"))));
 }
 
 TEST(StoreFile, ASchemaVersionThatIsNoTextIsADamagedStore) {
-  const TemporaryDirectory directory;
-  const std::filesystem::path file = directory / "building.gpkg";
-  GeoPackageStore(file, Mode::create).finish();
-  SQLite::Database(file.string(), SQLite::OPEN_READWRITE)
-      .exec("UPDATE metadata SET value = x'3300' WHERE key = 'schema_version'");
-  EXPECT_THAT(error_of_opening(file, Mode::read),
+  EXPECT_THAT(error_of_schema_version("x'3300'"),
               HasSubstr("building.gpkg: table metadata, row 1, field value: found bytes, expected "
                         "text: the store is damaged"));
 }
