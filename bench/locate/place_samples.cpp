@@ -28,12 +28,12 @@ PlaceSample sample_of(const Json& one) {
   return sample;
 }
 
-/// What something is learnt from. A laser's rays say little that its walls do not.
+/// What something is learnt from. Of a laser's rays many can contradict: their odds say it better;
+/// which of them nobody is told of says what its walls do.
 std::vector<JudgedFigure> told_by(const PlaceSample& sample) {
   std::vector<JudgedFigure> figures = sample.figures;
-  if (sample.sensor == SensorKind::laser) {
-    std::erase_if(figures, [](const JudgedFigure& one) { return one.name.starts_with("rays"); });
-  }
+  const std::string left_out = sample.sensor == SensorKind::laser ? "rays" : "contradicting rays";
+  std::erase_if(figures, [&](const JudgedFigure& one) { return one.name.starts_with(left_out); });
   return figures;
 }
 

@@ -58,7 +58,11 @@ class Component {
   [[nodiscard]] const std::vector<Closure>& closures() const { return closures_; }
 
   [[nodiscard]] MissionSearch search(const MissionMap& mission, const Progress& progress) const {
-    return place_mission(mission, index_, options_.place, progress, workers_);
+    MissionSearch search = place_mission(mission, index_, options_.place, progress, workers_);
+    const bool is_open = search.verdict == PlaceVerdict::nothing_in_common &&
+                         may_be_refurnished(search.places, options_.place);
+    if (is_open && is_borne_out(mission, search.places)) search.verdict = PlaceVerdict::placed;
+    return search;
   }
 
   void join(const MissionMap& mission, const MissionPlace& place) {
@@ -78,7 +82,7 @@ class Component {
       solve();
       visits_since_ = 0.0;
     }
-    MissionMap placed{mission.shapes, {}, mission.sensor, {}, {}};
+    MissionMap placed{mission.shapes, {}, mission.sensor, {}, {}, {}};
     for (const AsrShape& shape : mission.shapes) {
       placed.mission_from_asr[shape.id] = placement_.at(shape.id);
     }
@@ -115,6 +119,16 @@ class Component {
   }
 
  private:
+  /// Whether readings put the mission where its walls do.
+  [[nodiscard]] bool is_borne_out(const MissionMap& mission,
+                                  const std::vector<MissionPlace>& places) const {
+    if (mission.rays.empty()) return false;
+    const JudgedPlaces judged =
+        judge_places(places, asked_visits(mission), index_.seen(), mission.sensor, options_.judge);
+    return judged.first_is_right >= options_.sure_by_readings &&
+           judged.places[0].building_from_mission == places[0].building_from_mission;
+  }
+
   struct Pair {
     const AsrShape* first = nullptr;
     const AsrShape* second = nullptr;
@@ -255,7 +269,7 @@ class AnswerSearch {
     if (first.other_answer.empty()) return found;
     // What the mission measured was measured for the first.
     const auto entry = others_.try_emplace(
-        mission, MissionMap{first.shapes, first.other_answer, first.sensor, {}, {}});
+        mission, MissionMap{first.shapes, first.other_answer, first.sensor, {}, {}, first.rays});
     const MissionMap& other = entry.first->second;
     MissionSearch of_other = component.search(other, progress);
     if (is_better(of_other, found.search)) found = {&other, std::move(of_other)};

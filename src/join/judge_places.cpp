@@ -87,8 +87,13 @@ double clear_votes(const PlaceEvidence& first, const PlaceEvidence& rival, const
 // Where no other place is near, votes and margins are as clear as these.
 constexpr double kClearVotes = 6.0;
 constexpr double kClearMargin = 30.0;
+// What a longer path scores more than this says how long it is.
+constexpr double kClearScore = 100.0;
 
 double log_share(double part, double of_all) { return std::log((part + 1.0) / (of_all + 20.0)); }
+
+/// Of the same counts, without the bound that a share has.
+double log_odds(double part, double rest) { return std::log((part + 1.0) / (rest + 19.0)); }
 
 class PlaceJudge {
  public:
@@ -154,8 +159,9 @@ class PlaceJudge {
     const double margin = evidence.size() < 2 ? kClearMargin : places[0].score - places[1].score;
     return {{"walls and floor that contradict", log_share(against, walls.agree + against)},
             {"walls where nothing is known", log_share(walls.nothing, all_walls)},
-            {"score", std::log1p(std::max(0.0, places[0].score))},
+            {"score", std::log1p(std::clamp(places[0].score, 0.0, kClearScore))},
             {"rays that contradict", log_share(rays.contradict, rays.agree + rays.contradict)},
+            {"contradicting rays to agreeing ones", log_odds(rays.contradict, rays.agree)},
             {"rays that nothing is told", log_share(rays.nothing, all_rays)},
             {"margin to the next place", std::log1p(margin)},
             {"votes against the closest rival", votes}};
@@ -168,6 +174,21 @@ class PlaceJudge {
 };
 
 }  // namespace
+
+std::vector<AskedVisit> asked_visits(const MissionMap& mission) {
+  std::vector<AskedVisit> asked;
+  asked.reserve(mission.shapes.size());
+  for (const AsrShape& shape : mission.shapes) {
+    const AsrShape* one = &shape;
+    asked.push_back({shape.id,
+                     mission.mission_from_asr.at(shape.id),
+                     sketch_of({&one, 1}, {{shape.id, Pose2{}}}),
+                     {}});
+    const auto rays = mission.rays.find(shape.id);
+    if (rays != mission.rays.end()) asked.back().rays = rays->second;
+  }
+  return asked;
+}
 
 JudgedPlaces judge_places(std::vector<MissionPlace> places, const std::vector<AskedVisit>& asked,
                           const SeenBuilding& building, SensorKind sensor,

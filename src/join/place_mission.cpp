@@ -54,6 +54,16 @@ struct Vote {
   double support = 0.0;  ///< of all pieces that vote alike
 };
 
+double fitting_share(const MissionPlace& place) {
+  return place.pieces.empty()
+             ? 0.0
+             : static_cast<double>(place.fitting()) / static_cast<double>(place.pieces.size());
+}
+
+double next_score(const std::vector<MissionPlace>& places) {
+  return places.size() < 2 ? 0.0 : places[1].score;
+}
+
 class MissionPlacer {
  public:
   MissionPlacer(const MissionMap& mission, const BuildingIndex& building,
@@ -215,20 +225,9 @@ class MissionPlacer {
     return result;
   }
 
-  [[nodiscard]] static double fitting_share(const MissionPlace& place) {
-    return place.pieces.empty()
-               ? 0.0
-               : static_cast<double>(place.fitting()) / static_cast<double>(place.pieces.size());
-  }
-
-  /// Whether what contradicts a place may be furniture that was moved: nearly all walls agree, and
-  /// elsewhere nothing does.
   [[nodiscard]] bool is_refurnished(const std::vector<MissionPlace>& places) const {
-    const auto& least = options_.refurnished;
-    const MissionPlace& place = places[0];
-    const double next = places.size() < 2 ? 0.0 : places[1].score;
-    return place.agreement() >= least.min_agreement && fitting_share(place) >= least.min_fitting &&
-           place.score >= least.min_score && next <= least.max_next * place.score;
+    return places[0].score >= options_.refurnished.min_score &&
+           may_be_refurnished(places, options_);
   }
 
   [[nodiscard]] PlaceVerdict judged(const std::vector<MissionPlace>& places) const {
@@ -237,7 +236,7 @@ class MissionPlacer {
       return PlaceVerdict::nothing_in_common;
     }
     const double score = places[0].score;
-    const double next = places.size() < 2 ? 0.0 : places[1].score;
+    const double next = next_score(places);
     const double margin = options_.min_margin + options_.margin_sigmas * std::sqrt(score);
     const bool is_alone = score >= options_.sure_score ||
                           fitting_share(places[0]) >= options_.sure_fitting ||
@@ -268,6 +267,15 @@ std::map<AsrId, Pose2> MissionPlace::building_from_mission_by_visit() const {
     for (const AsrId id : piece.visits) poses[id] = piece.place.building_from_query;
   }
   return poses;
+}
+
+bool may_be_refurnished(const std::vector<MissionPlace>& places,
+                        const PlaceMissionOptions& options) {
+  if (places.empty() || places[0].score < options.min_score) return false;
+  const auto& least = options.refurnished;
+  return places[0].agreement() >= least.min_agreement &&
+         fitting_share(places[0]) >= least.min_fitting &&
+         next_score(places) <= least.max_next * places[0].score;
 }
 
 const char* to_string(PlaceVerdict verdict) {

@@ -35,7 +35,8 @@ class Teller {
   }
 
  private:
-  /// A laser's ray, and its neighbours: near an edge they see different walls.
+  /// A laser's ray, and its neighbours: near an edge they see different walls. What stands about
+  /// may have gone since, or come; a stretch of wall that a ray passes through speaks against it.
   [[nodiscard]] Told laser(const QueryRay& ray) const {
     const double beyond_m = ray.range_m + options_.ray_off_m;
     bool ends_at_wall = false;
@@ -49,7 +50,16 @@ class Teller {
       is_in_the_open = is_in_the_open && !met.is_wall && met.range_m >= beyond_m;
     }
     if (ray.is_echo && ends_at_wall) return Told::agrees;
-    return is_stopped || (ray.is_echo && is_in_the_open) ? Told::contradicts : Told::nothing;
+    if (ray.is_echo && is_in_the_open) return Told::contradicts;
+    return is_stopped && passes_wall(ray) ? Told::contradicts : Told::nothing;
+  }
+
+  [[nodiscard]] bool passes_wall(const QueryRay& ray) const {
+    const double before_m = ray.range_m - options_.ray_off_m;
+    const auto is_passed = [&](double turn_rad) {
+      return building_.cast_to_stretch(beam(ray, turn_rad), before_m).is_wall;
+    };
+    return is_passed(-options_.beside_rad) && is_passed(0.0) && is_passed(options_.beside_rad);
   }
 
   /// A sonar's cone: a wall across it that looks at the sonar must give an echo, one that does not
@@ -82,8 +92,10 @@ class Teller {
   }
 
   [[nodiscard]] SeenBuilding::Met cast(const QueryRay& ray, double turn_rad) const {
-    return building_.cast(place_ * ray.query_from_beam * Pose2{0.0, 0.0, turn_rad},
-                          ray.range_m + options_.ray_off_m);
+    return building_.cast(beam(ray, turn_rad), ray.range_m + options_.ray_off_m);
+  }
+  [[nodiscard]] Pose2 beam(const QueryRay& ray, double turn_rad) const {
+    return place_ * ray.query_from_beam * Pose2{0.0, 0.0, turn_rad};
   }
 
   const SeenBuilding& building_;

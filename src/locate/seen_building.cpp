@@ -13,6 +13,11 @@ constexpr double kMinCosine = 0.7;   // between normals of walls that look the s
 constexpr double kCastStepM = 0.1;   // of a ray; the faces' own cells are as large
 constexpr double kFaceReachM = 0.1;  // a face stands for so much of its wall to each side
 constexpr double kMinFacing = 0.1;   // below it a ray runs along the wall
+// A straight stretch of wall: so long, without a gap of a step, and as straight.
+constexpr double kStretchM = 1.0;
+constexpr double kStretchStepM = 0.1;
+constexpr double kStretchOffM = 0.06;
+constexpr double kStretchCosine = 0.95;
 
 /// Where a ray meets the plane of a face, if it meets the face.
 std::optional<SeenBuilding::Met> met_face(const Face& face, const Point2& from,
@@ -73,7 +78,34 @@ std::optional<double> SeenBuilding::distance_to_wall(const Point2& at, const Poi
   return least_m;
 }
 
-SeenBuilding::Met SeenBuilding::cast(const Pose2& building_from_beam, double reach_m) const {
+/// Whether the wall of a face is there so far along it.
+bool SeenBuilding::goes_on_at(const Face& face, double along_m) const {
+  const Point2 at = face.position + along_m * Point2{-face.normal.y(), face.normal.x()};
+  bool is_there = false;
+  faces_.for_each_face_near(at, kStretchStepM, [&](const Face& other) {
+    const Point2 off = other.position - at;
+    is_there = is_there ||
+               (off.norm() <= kStretchStepM && std::abs(off.dot(face.normal)) <= kStretchOffM &&
+                std::abs(other.normal.dot(face.normal)) > kStretchCosine);
+  });
+  return is_there;
+}
+
+bool SeenBuilding::is_on_stretch(const Face& face) const {
+  if (face.normal.squaredNorm() == 0.0) return false;
+  double length_m = 0.0;
+  for (const double step_m : {-kStretchStepM, kStretchStepM}) {
+    for (double along_m = step_m; goes_on_at(face, along_m); along_m += step_m) {
+      length_m += kStretchStepM;
+      if (length_m >= kStretchM) return true;
+    }
+  }
+  return false;
+}
+
+template <typename Stops>
+SeenBuilding::Met SeenBuilding::cast_until(const Pose2& building_from_beam, double reach_m,
+                                           Stops stops) const {
   const Point2 from = building_from_beam.position();
   const Point2 along = direction(building_from_beam.theta_rad);
   for (double way_m = 0.0; way_m < reach_m; way_m += kCastStepM) {
@@ -86,11 +118,21 @@ SeenBuilding::Met SeenBuilding::cast(const Pose2& building_from_beam, double rea
     Met first{reach_m, 0.0, false};
     faces_.for_each_face_near(at, kCastStepM, [&](const Face& face) {
       const std::optional<Met> met = met_face(face, from, along);
-      if (met && met->range_m <= first.range_m) first = *met;
+      if (met && met->range_m <= first.range_m && stops(face)) first = *met;
     });
     if (first.is_wall) return first;
   }
   return {reach_m, 0.0, false};
+}
+
+SeenBuilding::Met SeenBuilding::cast(const Pose2& building_from_beam, double reach_m) const {
+  return cast_until(building_from_beam, reach_m, [](const Face&) { return true; });
+}
+
+SeenBuilding::Met SeenBuilding::cast_to_stretch(const Pose2& building_from_beam,
+                                                double reach_m) const {
+  return cast_until(building_from_beam, reach_m,
+                    [&](const Face& face) { return is_on_stretch(face); });
 }
 
 }  // namespace roomatlas

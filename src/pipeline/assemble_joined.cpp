@@ -94,6 +94,9 @@ void renumber(MissionMap& map, AsrId offset) {
   map.mission_from_asr = renumbered(map.mission_from_asr, offset);
   map.other_answer = renumbered(map.other_answer, offset);
   for (AsrShape& shape : map.shapes) shape.id += offset;
+  decltype(map.rays) rays;
+  for (auto& [id, of_visit] : map.rays) rays[id + offset] = std::move(of_visit);
+  map.rays = std::move(rays);
   for (OwnMeasurement& one : map.measured) {
     one.from += offset;
     one.to += offset;

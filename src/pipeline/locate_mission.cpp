@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomatlas/asr/load.hpp"
 #include "roomatlas/asr/with_paths.hpp"
 #include "roomatlas/core/geometry.hpp"
 #include "roomatlas/pipeline/mission_map.hpp"
@@ -63,21 +62,6 @@ double way_of(const MissionMap& mission) {
   return way_m;
 }
 
-/// What the visits saw, with as many of their readings as a place needs to be judged.
-std::vector<AskedVisit> asked_visits(const MissionMap& query, const AsrSource& source) {
-  constexpr double kMostReadings = 200.0;
-  QueryRayOptions rays;
-  rays.every_m = std::max(rays.every_m, way_of(query) / kMostReadings);
-  std::vector<AskedVisit> asked;
-  for (const AsrShape& shape : query.shapes) {
-    const AsrShape* one = &shape;
-    asked.push_back({shape.id, query.mission_from_asr.at(shape.id),
-                     sketch_of({&one, 1}, {{shape.id, Pose2{}}}),
-                     rays_of(load_with_readings(source, shape.id), rays)});
-  }
-  return asked;
-}
-
 Trajectory trajectory_at(const MissionPlace& place, const AsrSource& source,
                          const Placement& placement) {
   Trajectory trajectory;
@@ -122,8 +106,8 @@ LocatedMission MissionLocator::locate(const AsrSource& asked, const RobotFootpri
   const MissionMap query = mission_map_of(source, mission.placement, options_);
   const PlaceMissionOptions placing = locating_options(way_of(query));
   MissionSearch search = place_mission(query, index_, placing, progress, options_.jobs);
-  JudgedPlaces judged = judge_places(std::move(search.places), asked_visits(query, source),
-                                     index_.seen(), query.sensor, {});
+  JudgedPlaces judged =
+      judge_places(std::move(search.places), asked_visits(query), index_.seen(), query.sensor, {});
   LocatedMission located;
   located.verdict = verdict_on(judged.first_is_right, search.verdict);
   located.sensor = query.sensor;

@@ -131,6 +131,45 @@ TEST(JoinMissions, LeavesAMissionOfAnotherBuildingAlone) {
   }
 }
 
+/// What a laser measured around the middles of a mission's rooms, turned by so much.
+void add_rays(const Row& row, double turn_rad, const Pose2& mission_from_world,
+              MissionMap& mission) {
+  for (const auto& [id, pose] : mission.mission_from_asr) {
+    const Pose2 world_from_asr = inverse(mission_from_world) * pose;
+    for (int n = 0; n < 60; ++n) {
+      const double heading_rad = radians(6.0 * n);
+      const Point2 along = direction(world_from_asr.theta_rad + heading_rad);
+      const double range_m = range_to(row.walls, world_from_asr.position(), along).value();
+      mission.rays[id].push_back({{0.0, 0.0, heading_rad + turn_rad}, range_m, 0.0, true});
+    }
+  }
+}
+
+TEST(JoinMissions, HearsReadingsWhereMuchFurnitureWasMoved) {
+  const Row before = building();
+  Row since = row_of({4.0, 5.3, 7.1, 3.6, 6.2}, {1.9, 0.0, 2.4, 1.2, 0.7});
+  for (const Point2& middle : since.middles) {  // and tables
+    for (const DrawnWall& wall : room_walls(middle.x() + 0.9, middle.y() - 0.8, 0.7, 0.7, 0.0)) {
+      since.walls.push_back(wall);
+    }
+  }
+  const Pose2 second_from_world{20.0, -7.0, radians(123.0)};
+  const MissionMap without_rays = driven(since, {0, 1, 2, 3, 4}, 11, second_from_world);
+  MissionMap measured = without_rays;
+  add_rays(since, 0.0, second_from_world, measured);
+  MissionMap elsewhere = without_rays;
+  add_rays(since, radians(50.0), second_from_world, elsewhere);
+  using Missions = std::initializer_list<const MissionMap*>;
+  for (const MissionMap* second : Missions{&without_rays, &measured, &elsewhere}) {
+    const std::vector<MissionMap> missions = {driven(before, {0, 1, 2, 3, 4}, 1, {}), *second};
+    JoinOptions options = for_small_missions();
+    options.place.min_agreement = 0.9;  // 0.84 agree
+    options.place.refurnished.max_next = 0.6;
+    const JoinedMissions joined = join_missions(missions, options);
+    EXPECT_EQ(joined.missions[1].component == 0, second == &measured);
+  }
+}
+
 /// The same mission, led astray in a doorway: what comes after lies elsewhere.
 Placement astray(const MissionMap& mission, AsrId from, const Pose2& by) {
   Placement placement = mission.mission_from_asr;

@@ -20,7 +20,10 @@ struct Drawn {
   std::vector<DrawnWall> walls = room_walls(0.0, 0.0, 5.0, 4.0, 1.0);
   Point2 middle{3.0, 2.6};
   SeenBuilding seen;
-  Drawn() {
+  Drawn() : Drawn(std::vector<DrawnWall>()) {}
+  /// @param more walls that stand in the room besides
+  explicit Drawn(const std::vector<DrawnWall>& more) {
+    walls.insert(walls.end(), more.begin(), more.end());
     const AsrShape shape =
         seen_shape(1, walls, {middle, {3.6, 2.2}, {2.2, 3.0}, {1.4, 1.6}, {4.0, 1.0}}, {});
     const AsrShape* one = &shape;
@@ -81,6 +84,22 @@ TEST(SeenBuilding, EndsARayWhereNothingIsKnown) {
   EXPECT_EQ(met.range_m, 0.0);
 }
 
+/// A screen of this width, 3.8 m from the left wall, around the height of 1.9 m.
+DrawnWall screen(double width_m) {
+  return {{3.8, 1.9 - width_m / 2.0}, {3.8, 1.9 + width_m / 2.0}};
+}
+
+TEST(SeenBuilding, TellsStretchesOfWallFromWhatStandsAbout) {
+  const Pose2 beam = beam_at({2.0, 1.9}, 0.0);
+  for (const double width_m : {0.5, 2.0}) {
+    const Drawn drawn(std::vector{screen(width_m)});
+    EXPECT_NEAR(drawn.seen.cast(beam, kReachM).range_m, 1.8, 0.05) << width_m;
+    const SeenBuilding::Met stretch = drawn.seen.cast_to_stretch(beam, kReachM);
+    EXPECT_TRUE(stretch.is_wall) << width_m;
+    EXPECT_NEAR(stretch.range_m, width_m < 1.0 ? 3.0 : 1.8, 0.05) << width_m;
+  }
+}
+
 TEST(SeenBuilding, FindsTheNearestWallThatLooksTheSameWay) {
   const Drawn drawn;
   const std::optional<double> off_m = drawn.seen.distance_to_wall({4.92, 2.0}, {-1.0, 0.0}, 0.15);
@@ -111,6 +130,15 @@ TEST(PlaceEvidence, ContradictsThemElsewhere) {
       EXPECT_LT(counts[Told::agrees], 60) << by_sonars << " at " << place.x_m;
     }
   }
+}
+
+TEST(PlaceEvidence, LetsRaysPassWhatStoodThereAndNoWall) {
+  const std::vector<QueryRay> rays = measured(Drawn(), {2.6, 1.9}, false);
+  std::map<Told, int> by_a_thing = told(Drawn(std::vector{screen(0.5)}), rays, {});
+  std::map<Told, int> by_a_wall = told(Drawn(std::vector{screen(2.0)}), rays, {});
+  EXPECT_LE(by_a_thing[Told::contradicts], 1);
+  EXPECT_GE(by_a_thing[Told::nothing], 4);  // of 90: those that end behind it
+  EXPECT_GE(by_a_wall[Told::contradicts], 14);
 }
 
 TEST(PlaceEvidence, SaysNothingWhereNobodyWas) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "roomatlas/core/progress.hpp"
+#include "roomatlas/join/judge_places.hpp"
 #include "roomatlas/join/place_mission.hpp"
 
 namespace roomatlas {
@@ -17,6 +18,10 @@ struct OwnSigmas {
 
 struct JoinOptions {
   PlaceMissionOptions place;
+  JudgePlacesOptions judge;
+  /// Where walls leave open whether furniture was moved: probability by readings too, of a place
+  /// that is taken.
+  double sure_by_readings = kSurePlace;
   MatchMapsOptions match;
   OwnSigmas laser{0.015, 0.004, 0.25};
   OwnSigmas sonar{0.03, 0.01, 0.6};

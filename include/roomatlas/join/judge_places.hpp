@@ -9,6 +9,10 @@
 
 namespace roomatlas {
 
+/// A place is sure where it is right with so much. Of the queries that were given it when their pair
+/// was left out of learning, all 858 of lasers were right, and 441 of 445 of sonars.
+constexpr double kSurePlace = 0.92;
+
 struct JudgePlacesOptions {
   PlaceEvidenceOptions evidence;
   double near_score = 25.0;  ///< places whose walls score so much less than the best are not asked
@@ -18,7 +22,10 @@ struct JudgePlacesOptions {
   double cell_m = 0.5;  ///< what lies in one such cell counts as one where places are compared
 };
 
-/// Places of a few metres of path, judged by walls, floor and single ranges.
+/// What the visits of a mission saw, as `judge_places` asks for it.
+[[nodiscard]] std::vector<AskedVisit> asked_visits(const MissionMap& mission);
+
+/// Places of a few metres of path or of a whole mission, judged by walls, floor and single ranges.
 struct JudgedPlaces {
   std::vector<MissionPlace> places;   ///< the likeliest first; scores with those of the rays
   std::vector<JudgedFigure> figures;  ///< of the first, and what speaks for it against the others

@@ -7,6 +7,7 @@
 #include "roomatlas/core/progress.hpp"
 #include "roomatlas/core/workers.hpp"
 #include "roomatlas/locate/building_index.hpp"
+#include "roomatlas/locate/query_rays.hpp"
 
 namespace roomatlas {
 
@@ -30,6 +31,8 @@ struct MissionMap {
   /// Where a second answer puts the visits, which the mission's readings allow nearly as well;
   /// empty where there is but one.
   Placement other_answer;
+  /// Some readings of each visit, in its frame, spread over the whole mission.
+  std::map<AsrId, std::vector<QueryRay>> rays;
 };
 
 struct PlaceMissionOptions {
@@ -47,7 +50,8 @@ struct PlaceMissionOptions {
   double min_piece_agreement = 0.65;  ///< of what can tell
   double min_agreement = 0.75;        ///< of the pieces inside what is known ...
   /// ... or so much where furniture was moved since: if so large a share of the whole path fits,
-  /// the score is so high, and the next place has at most so large a share of it.
+  /// and the next place has at most so large a share of its score. Of a lower score than this
+  /// readings must say so too.
   struct Refurnished {
     double min_agreement = 0.6;
     double min_fitting = 1.0 / 3.0;
@@ -98,6 +102,11 @@ enum class PlaceVerdict {
   ambiguous,          ///< two places fit nearly as well
 };
 [[nodiscard]] const char* to_string(PlaceVerdict verdict);
+
+/// Whether furniture that was moved, doors that were shut, may be all that contradicts the first
+/// place, as far as walls tell: nearly all agree, and at no other place do they.
+[[nodiscard]] bool may_be_refurnished(const std::vector<MissionPlace>& places,
+                                      const PlaceMissionOptions& options);
 
 /// Where a mission lies in a building of which nothing is known beforehand.
 struct MissionSearch {

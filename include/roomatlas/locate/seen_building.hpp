@@ -32,12 +32,20 @@ class SeenBuilding {
     bool is_wall = false;  ///< else the ray ends there, or what is known does
   };
   [[nodiscard]] Met cast(const Pose2& building_from_beam, double reach_m) const;
+  /// The same of straight stretches of wall alone, a metre and longer: what stands about in rooms,
+  /// and people, are no part of any.
+  [[nodiscard]] Met cast_to_stretch(const Pose2& building_from_beam, double reach_m) const;
 
   [[nodiscard]] const LocalMap& faces() const { return faces_; }
   [[nodiscard]] const TileGrid<char>& known_walls() const { return walls_; }
   [[nodiscard]] const TileGrid<char>& known_floor() const { return floor_; }
 
  private:
+  template <typename Stops>
+  [[nodiscard]] Met cast_until(const Pose2& building_from_beam, double reach_m, Stops stops) const;
+  [[nodiscard]] bool is_on_stretch(const Face& face) const;
+  [[nodiscard]] bool goes_on_at(const Face& face, double along_m) const;
+
   /// Marks a cell, and counts it where nothing was known of it.
   void note(TileGrid<char>& seen, const TileGrid<char>& other, const Cell& cell);
 

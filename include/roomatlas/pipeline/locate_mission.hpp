@@ -22,9 +22,6 @@ struct LocatedMission {
   std::vector<JudgedFigure> figures;  ///< that the likeliest place's odds are made from
 };
 
-/// Of queries that were given so much when their pair was left out of learning 99.7 % were right.
-constexpr double kSurePlace = 0.92;
-
 /// How short pieces of a path are looked for: a few metres see less than a mission.
 [[nodiscard]] PlaceMissionOptions locating_options(double way_m);
 
