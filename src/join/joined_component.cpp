@@ -2,6 +2,7 @@
 #include "joined_component.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "joint_graph.hpp"
 #include "packed.hpp"
@@ -34,6 +35,17 @@ std::vector<ClosureVerdict> verdicts_of(const std::vector<Closure>& closures) {
   return verdicts;
 }
 
+/// What the visits saw that lie in what is known; how a mission bent beyond it says nothing.
+std::vector<AskedVisit> asked_inside(const MissionMap& mission, const MissionPlace& place) {
+  std::set<AsrId> inside;
+  for (const PlacedPiece& piece : place.pieces) {
+    if (piece.is_inside) inside.insert(piece.visits.begin(), piece.visits.end());
+  }
+  std::vector<AskedVisit> asked = asked_visits(mission);
+  std::erase_if(asked, [&](const AskedVisit& visit) { return !inside.contains(visit.id); });
+  return asked;
+}
+
 /// Points in common of the matches that hold.
 double holding(const std::vector<Closure>& closures) {
   double score = 0.0;
@@ -59,9 +71,14 @@ JoinedComponent::JoinedComponent(const MissionMap& base, const JoinOptions& opti
 
 MissionSearch JoinedComponent::search(const MissionMap& mission, const Progress& progress) const {
   MissionSearch search = place_mission(mission, index_, options_.place, progress, workers_);
-  const bool is_open = search.verdict == PlaceVerdict::nothing_in_common &&
-                       may_be_refurnished(search.places, options_.place);
-  if (is_open && is_borne_out(mission, search.places)) search.verdict = PlaceVerdict::placed;
+  if (mission.sensor != SensorKind::laser || mission.rays.empty()) return search;
+  const bool is_placed = search.verdict == PlaceVerdict::placed;
+  const bool is_open = is_placed ? search.places[0].score < options_.place.sure_score
+                                 : search.verdict == PlaceVerdict::nothing_in_common &&
+                                       may_be_refurnished(search.places, options_.place);
+  if (!is_open) return search;
+  search.verdict =
+      is_borne_out(mission, search.places) ? PlaceVerdict::placed : PlaceVerdict::nothing_in_common;
   return search;
 }
 
@@ -114,11 +131,10 @@ bool JoinedComponent::straighten() {
 
 bool JoinedComponent::is_borne_out(const MissionMap& mission,
                                    const std::vector<MissionPlace>& places) const {
-  if (mission.rays.empty()) return false;
   constexpr std::size_t kOnce = 1;
   const std::vector<char> borne_out = made_by<char>(workers_, kOnce, 1, [&](std::size_t) {
-    const JudgedPlaces judged =
-        judge_places(places, asked_visits(mission), index_.seen(), mission.sensor, options_.judge);
+    const JudgedPlaces judged = judge_places(places, asked_inside(mission, places[0]),
+                                             index_.seen(), mission.sensor, options_.judge);
     const bool is_sure = judged.first_is_right >= options_.sure_by_readings;
     const bool is_same = judged.places[0].building_from_mission == places[0].building_from_mission;
     return static_cast<char>(is_sure && is_same ? 1 : 0);

@@ -19,8 +19,8 @@ struct OwnSigmas {
 struct JoinOptions {
   PlaceMissionOptions place;
   JudgePlacesOptions judge;
-  /// Where walls leave open whether furniture was moved: probability by readings too, of a place
-  /// that is taken.
+  /// Where walls leave it open, since their score is low or furniture may have been moved: a
+  /// laser's place that is taken has so much probability by readings too.
   double sure_by_readings = kSurePlace;
   MatchMapsOptions match;
   OwnSigmas laser{0.015, 0.004, 0.25};

@@ -9,8 +9,8 @@
 
 namespace roomatlas {
 
-/// A place is sure where it is right with so much. Of the queries that were given it when their pair
-/// was left out of learning, all 858 of lasers were right, and 441 of 445 of sonars.
+/// A place is sure where it is right with so much. Of the queries that were given it when their
+/// pair was left out of learning, all 858 of lasers were right, and 441 of 445 of sonars.
 constexpr double kSurePlace = 0.92;
 
 struct JudgePlacesOptions {

@@ -63,10 +63,10 @@ struct PlaceMissionOptions {
   double min_score = 60.0;         ///< log likelihood of the whole mission
   double min_margin = 8.0;         ///< by which it exceeds that of any other place, and ...
   double margin_sigmas = 2.0;      ///< ... so many times its root: sums of many points err more
-  /// Another building may reach 101, in several places alike, where a few corridors lie on each
+  /// Another building may reach 220, in several places alike, where a few corridors lie on each
   /// other: of a lower score than this, and if less of the path fits, the next place has at most so
   /// large a share.
-  double sure_score = 200.0;
+  double sure_score = 400.0;
   double sure_fitting = 2.0 / 3.0;
   double max_next = 0.45;
 };
