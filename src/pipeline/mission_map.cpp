@@ -21,12 +21,7 @@ bool is_by_sonars(const Asr& asr) {
 QueryRayOptions spread_over(const AsrSource& source, const std::vector<AsrId>& ids) {
   constexpr double kMostReadings = 200.0;
   double way_m = 0.0;
-  for (const AsrId id : ids) {
-    const std::vector<PathSample> path = source.get(id, AsrDetail::path).path;
-    for (std::size_t i = 1; i < path.size(); ++i) {
-      way_m += (path[i].asr_from_robot.position() - path[i - 1].asr_from_robot.position()).norm();
-    }
-  }
+  for (const AsrId id : ids) way_m += path_length_m(source.get(id, AsrDetail::path));
   QueryRayOptions options;
   options.every_m = std::max(options.every_m, way_m / kMostReadings);
   return options;

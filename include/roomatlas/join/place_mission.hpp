@@ -104,7 +104,7 @@ enum class PlaceVerdict {
 [[nodiscard]] const char* to_string(PlaceVerdict verdict);
 
 /// Whether furniture that was moved, doors that were shut, may be all that contradicts the first
-/// place, as far as walls tell: nearly all agree, and at no other place do they.
+/// place, as far as walls tell: most agree, and at no other place do they.
 [[nodiscard]] bool may_be_refurnished(const std::vector<MissionPlace>& places,
                                       const PlaceMissionOptions& options);
 
