@@ -63,6 +63,7 @@ CLI::Option* bind(CLI::App& app, const Parameter& parameter, const FileParameter
 }
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr const char* kTwice = " is given twice";
 
 bool is_text(const std::string& line) {
   return std::none_of(line.begin(), line.end(),
@@ -95,7 +96,16 @@ void bind(CLI::App& app, const Parameter& parameter) {
   if (parameter.stage == Stage::run) option->configurable(false);
 }
 
-/// Reads one line as the program would, which has the parameter that the line names among others.
+/// Reads lines as the program would: into an app that has the parameters that they name.
+void parse(CLI::App& app, const std::string& lines) {
+  std::istringstream in(lines);
+  try {
+    app.parse_from_stream(in);
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what());
+  }
+}
+
 void try_line(const std::string& name, const std::string& line) {
   CLI::App app;
   Settings unused;
@@ -109,12 +119,7 @@ void try_line(const std::string& name, const std::string& line) {
     for (const Parameter& parameter : parameters) names.push_back(parameter.name);
     throw UsageError("no such parameter: " + name + did_you_mean(name, names));
   }
-  std::istringstream in(line);
-  try {
-    app.parse_from_stream(in);
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(error.what());
-  }
+  parse(app, line);
 }
 
 void check_line(const std::string& line, std::set<std::string>& names) {
@@ -122,7 +127,7 @@ void check_line(const std::string& line, std::set<std::string>& names) {
   if (text.empty() || text.front() == '#' || text.front() == ';') return;
   const std::string name = name_in(text);
   try_line(name, text);
-  if (!names.insert(name).second) throw UsageError(name + " is given twice");
+  if (!names.insert(name).second) throw UsageError(name + kTwice);
 }
 
 void check(const std::string& content, const std::string& file) {
@@ -155,6 +160,17 @@ std::vector<Line> lines_of(const std::string& toml) {
   return lines;
 }
 
+/// A configuration with some of its lines, by their names, in the place of its own.
+std::string with_lines(const std::string& toml, const std::map<std::string, std::string>& taken) {
+  std::string result;
+  for (const Line& line : lines_of(toml)) {
+    const auto other = taken.find(line.name);
+    result += other == taken.end() ? line.text : other->second;
+    result += '\n';
+  }
+  return result;
+}
+
 }  // namespace
 
 void bind_parameters(CLI::App& app, Settings& settings) {
@@ -169,33 +185,38 @@ void complete(Settings& settings, const CLI::App& app) {
   }
 }
 
+Settings default_settings() {
+  Settings settings;
+  CLI::App app;
+  bind_parameters(app, settings);
+  complete(settings, app);
+  return settings;
+}
+
 FromConfiguration with_configuration(
     const Settings& settings, const std::string& toml,
     const std::function<bool(const std::string& name, Stage stage)>& takes) {
   FromConfiguration result{settings, {}};
-  std::map<std::string, Stage> stage_of;
+  std::map<std::string, Parameter> parameter_of;
   for (const Parameter& parameter : parameters_of(result.settings)) {
-    stage_of[parameter.name] = parameter.stage;
-  }
-  std::string taken;
-  for (const Line& line : lines_of(toml)) {
-    const auto stage = stage_of.find(line.name);
-    if (stage == stage_of.end()) {
-      result.unknown.push_back(line.name);
-    } else if (takes(line.name, stage->second)) {
-      taken += line.text + '\n';
-    }
+    parameter_of.emplace(parameter.name, parameter);
   }
   CLI::App app;
-  bind_parameters(app, result.settings);
-  try {
-    std::istringstream in(taken);
-    app.parse_from_stream(in);
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(error.what());
+  std::map<std::string, std::string> taken;
+  for (const Line& line : lines_of(toml)) {
+    const auto parameter = parameter_of.find(line.name);
+    if (parameter == parameter_of.end()) {
+      result.unknown.push_back(line.name);
+    } else if (takes(line.name, parameter->second.stage)) {
+      if (!taken.emplace(line.name, line.text).second) throw UsageError(line.name + kTwice);
+      bind(app, parameter->second);
+    }
   }
+  std::string lines;
+  for (const auto& entry : taken) lines += entry.second + '\n';
+  parse(app, lines);
   share(result.settings);
-  result.settings.as_toml = app.config_to_str(true, false);
+  result.settings.as_toml = with_lines(settings.as_toml, taken);
   return result;
 }
 

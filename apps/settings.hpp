@@ -31,15 +31,20 @@ struct Settings : Options {
   std::set<std::string> given;  ///< names that stood on the command line or in its file
 };
 
+/// As without command line and configuration file.
+[[nodiscard]] Settings default_settings();
+
 /// What became of a configuration.
 struct FromConfiguration {
   Settings settings;
   std::vector<std::string> unknown;  ///< names that no parameter has
 };
 
-/// The settings with some parameters from a configuration (TOML, a parameter a line, no sections).
+/// The settings with some parameters from a configuration (TOML, a parameter a line, no sections),
+/// whose lines `as_toml` has from then on, letter by letter.
+/// @param settings complete: `as_toml` has all parameters
 /// @param takes says by its name and stage whether a parameter is taken
-/// @throws UsageError for a value that cannot be read
+/// @throws UsageError for a value that cannot be read, or one that is given twice
 [[nodiscard]] FromConfiguration with_configuration(
     const Settings& settings, const std::string& toml,
     const std::function<bool(const std::string& name, Stage stage)>& takes);

@@ -17,7 +17,7 @@ using TakesStage = std::function<bool(Stage)>;
 
 /// A configuration's parameters of mapping, and all others as nothing was said.
 std::string mapping_of(const std::string& toml) {
-  return with_configuration({}, toml,
+  return with_configuration(default_settings(), toml,
                             [](const std::string&, Stage stage) { return is_of_mapping(stage); })
       .settings.as_toml;
 }

@@ -97,6 +97,16 @@ TEST(StoredConfiguration, PlanAndReportTellTheAccuracyWithWhichTheStoreWasAssemb
   for (std::size_t i = 0; i < otherwise.size(); ++i) EXPECT_NE(as_assembled[i], otherwise[i]) << i;
 }
 
+TEST(StoredConfiguration, KeepsEachValueToItsLastDigit) {
+  const Folder folder;
+  const std::string store = mapped(folder, "laser", "--cell 0.0512345678");
+  ASSERT_EQ(run("-q assemble " + store + " --odometry-heading 1.23456789").exit_code, 0);
+  auto kept = GeoPackageStore(store, GeoPackageStore::Mode::read).metadata();
+  const std::string toml = kept["assembly_configuration"];
+  EXPECT_THAT(toml, HasSubstr("\ncell=0.0512345678\n"));
+  EXPECT_THAT(toml, HasSubstr("\nodometry-heading=1.23456789\n"));
+}
+
 TEST(StoredConfiguration, WhatThisVersionCannotReadIsNamedAndTheRestHolds) {
   const Folder folder;
   const std::string store = mapped(folder, "laser", "");
@@ -113,6 +123,11 @@ TEST(StoredConfiguration, WhatThisVersionCannotReadIsNamedAndTheRestHolds) {
   const Outcome unreadable = inspected(folder, store);
   EXPECT_THAT(unreadable.err, HasSubstr("this version cannot read the parameters"));
   EXPECT_EQ(unreadable.out, inspected(folder, store, "--cell 0.1").out);
+
+  keep("cell=0.05\ncell=0.2\n");
+  const Outcome twice = inspected(folder, store);
+  EXPECT_THAT(twice.err, HasSubstr("those of this run hold: cell is given twice"));
+  EXPECT_EQ(twice.out, unreadable.out);
 }
 
 Outcome built(const Folder& folder, const std::string& log, const std::string& options,

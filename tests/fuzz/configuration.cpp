@@ -34,7 +34,8 @@ void read_file(const Path& file, const std::string&) {
 
 void read_stored(const Path&, const std::string& toml) {
   try {
-    (void)apps::with_configuration({}, toml, [](const std::string&, auto) { return true; });
+    static const apps::Settings defaults = apps::default_settings();
+    (void)apps::with_configuration(defaults, toml, [](const std::string&, auto) { return true; });
   } catch (const UsageError&) {  // the store's name is said by who reads it
   }
 }
