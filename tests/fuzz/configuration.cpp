@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include <memory>
+#include <sstream>
 
 #include "bind_parameters.hpp"
 #include "roomatlas/core/issue.hpp"
@@ -40,9 +41,24 @@ void read_stored(const Path&, const std::string& toml) {
   }
 }
 
+/// All parameters, some of them at a time: an input takes time for each.
+std::vector<std::string> defaults() {
+  std::istringstream toml(apps::default_settings().as_toml);
+  std::vector<std::string> parts;
+  int count = 0;
+  for (std::string line; std::getline(toml, line); ++count) {
+    if (count % 8 == 0) parts.emplace_back();
+    parts.back() += line + '\n';
+  }
+  return parts;
+}
+
 std::vector<std::string> seeds() {
-  return {"# comment\ncell=0.1\nheading-bias=true\nsonar-cone = 30\n", "max-piece=8\njobs=1\n",
-          "cell=[0.1, 0.2]\n[section]\nlaser-max=\"50\"\nscan-topics='/a,/b'\n"};
+  std::vector<std::string> seeds = {
+      "# comment\ncell=0.1\nheading-bias=true\nsonar-cone = 30\n", "max-piece=8\njobs=1\n",
+      "cell=[0.1, 0.2]\n[section]\nlaser-max=\"50\"\nscan-topics='/a,/b'\n"};
+  for (const std::string& part : defaults()) seeds.push_back(part);
+  return seeds;
 }
 
 }  // namespace
