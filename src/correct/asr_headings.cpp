@@ -16,13 +16,19 @@ constexpr double kUniform = 1.0 / kCount;
 
 double correction_rad(std::size_t state) { return static_cast<double>(state) * kStates.step_rad(); }
 
+/// Likelihood of being off, in proportion. Farther off than it looks it is so small that no sum of
+/// ours has a bit of it.
+double normal(double off_rad, double sigma_rad) {
+  const double off = off_rad / sigma_rad;
+  return std::abs(off) > 10.0 ? 0.0 : std::exp(-off * off / 2.0);
+}
+
 /// A normal distribution of the drift around none.
 HeadingDrift drift_of(double sigma_rad) {
   constexpr double kNegligible = 1e-6;  // of the share: a move that costs time alone
   HeadingBelief shares;
   for (std::size_t s = 0; s < kStates.corrections; ++s) {
-    const double off = wrap_quarter(correction_rad(s)) / sigma_rad;
-    shares.push_back(std::exp(-off * off / 2.0));
+    shares.push_back(normal(wrap_quarter(correction_rad(s)), sigma_rad));
   }
   normalise(shares);
   HeadingDrift drift;
@@ -36,23 +42,19 @@ HeadingDrift drift_of(double sigma_rad) {
 }
 
 /// Likelihood of a wall direction for each correction, summing to 1; flat where an ASR has none.
-HeadingBelief evidence_of(const std::optional<WallDirection>& wall, double odometry_rad,
-                          const CorrectOptions& options) {
-  HeadingBelief evidence(kStates.size(), kUniform);
-  if (!wall) return evidence;
+void set_belief(HeadingBelief& belief, const std::optional<WallDirection>& wall,
+                double odometry_rad, const CorrectOptions& options) {
+  belief.assign(kStates.size(), kUniform);
+  if (!wall) return;
   const double sigma_rad = wall_sigma_rad(*wall, options);
-  HeadingBelief normal;
-  double sum = 0.0;
   for (std::size_t s = 0; s < kStates.corrections; ++s) {
     const double heading = odometry_rad + correction_rad(s);
-    const double off = wrap_quarter(heading + wall->angle_rad) / sigma_rad;
-    normal.push_back(std::exp(-off * off / 2.0));
-    sum += normal.back();
+    belief[s] = normal(wrap_quarter(heading + wall->angle_rad), sigma_rad);
   }
-  for (std::size_t s = 0; s < kStates.corrections; ++s) {
-    evidence[s] = (1.0 - kTrustInWalls) * kUniform + kTrustInWalls * normal[s] / sum;
+  normalise(belief);
+  for (double& value : belief) {
+    value = (1.0 - kTrustInWalls) * kUniform + kTrustInWalls * value;
   }
-  return evidence;
 }
 
 /// Circular mean, [-pi/4, pi/4).
@@ -64,33 +66,53 @@ double mean_of(const HeadingBelief& belief) {
   return wrap_quarter(std::atan2(sum.y(), sum.x()) / 4.0);
 }
 
-HeadingChain chain_of(const Measurements& measurements, const OdometryHabits& habits,
-                      const CorrectOptions& options) {
-  const std::size_t count = measurements.ids.size();
-  Measurements without = measurements;
-  take_out_habits(without, habits);
+/// A driven heading, once the habits are taken out.
+double heading_without(const OdometryHabits& habits, const Measurements& measurements,
+                       const Measurements::Edge& edge) {
+  const auto mean = [](double a, double b) { return (a + b) / 2.0; };
+  const double driven_m =
+      mean(measurements.path_length_m[edge.from], measurements.path_length_m[edge.to]);
+  const double turned_rad =
+      mean(measurements.turning[edge.from].signed_rad, measurements.turning[edge.to].signed_rad);
+  return wrap_angle(edge.measured.from_from_to.theta_rad + habits.bias_rad_per_m * driven_m +
+                    (habits.turn_gain - 1.0) * turned_rad);
+}
+
+/// The chain without evidence. How uncertain a heading is does not hang on habits.
+HeadingChain drifting(const Measurements& measurements, const CorrectOptions& options) {
   HeadingChain chain;
   chain.states = kStates;
   chain.scaling = MessageScaling::after_evidence;
-  chain.drift.resize(count);
-  std::vector<double> odometry_rad;
-  for (const Pose2& pose : measurements.odom_from_asr) odometry_rad.push_back(pose.theta_rad);
-  for (const Measurements::Edge& edge : without.driven) {
+  chain.evidence.resize(measurements.ids.size());
+  chain.drift.resize(measurements.ids.size());
+  for (const Measurements::Edge& edge : measurements.driven) {
     if (edge.to != edge.from + 1) continue;
-    odometry_rad[edge.to] = odometry_rad[edge.from] + edge.measured.from_from_to.theta_rad;
     chain.drift[edge.to] = drift_of(sigmas_of(edge.measured, options).heading_rad);
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    chain.evidence.push_back(evidence_of(measurements.walls[i], odometry_rad[i], options));
-  }
   return chain;
+}
+
+/// What the walls say of odometry without these habits. The chain keeps its memory.
+void set_evidence(HeadingChain& chain, const Measurements& measurements,
+                  const OdometryHabits& habits, const CorrectOptions& options) {
+  std::vector<double> odometry_rad;
+  odometry_rad.reserve(measurements.ids.size());
+  for (const Pose2& pose : measurements.odom_from_asr) odometry_rad.push_back(pose.theta_rad);
+  for (const Measurements::Edge& edge : measurements.driven) {
+    if (edge.to != edge.from + 1) continue;
+    odometry_rad[edge.to] = odometry_rad[edge.from] + heading_without(habits, measurements, edge);
+  }
+  for (std::size_t i = 0; i < odometry_rad.size(); ++i) {
+    set_belief(chain.evidence[i], measurements.walls[i], odometry_rad[i], options);
+  }
 }
 
 }  // namespace
 
 AsrHeadings asr_headings(const Measurements& measurements, const OdometryHabits& habits,
                          const CorrectOptions& options) {
-  const HeadingChain chain = chain_of(measurements, habits, options);
+  HeadingChain chain = drifting(measurements, options);
+  set_evidence(chain, measurements, habits, options);
   HeadingPosterior found = posterior(chain);
   AsrHeadings result;
   result.log_evidence = found.log_evidence;
@@ -121,11 +143,12 @@ EstimatedHabits estimate_habits(const Measurements& measurements, const CorrectO
                                    [](const auto& wall) { return wall.has_value(); });
   if (walls < kMinAsrs) return best;
   best.asrs = static_cast<int>(walls);
+  HeadingChain chain = drifting(measurements, options);
   const auto score = [&](const OdometryHabits& habits) {
     const double bias = habits.bias_rad_per_m / kBiasSigma;
     const double gain = (habits.turn_gain - 1.0) / kGainSigma;
-    return log_evidence(chain_of(measurements, habits, options)) -
-           (bias * bias + gain * gain) / 2.0;
+    set_evidence(chain, measurements, habits, options);
+    return log_evidence(chain) - (bias * bias + gain * gain) / 2.0;
   };
   double highest = score(best.habits);
   const auto search = [&](double bias_step, int bias_steps, double gain_step, int gain_steps) {
@@ -148,15 +171,8 @@ EstimatedHabits estimate_habits(const Measurements& measurements, const CorrectO
 }
 
 void take_out_habits(Measurements& measurements, const OdometryHabits& habits) {
-  const auto mean = [](double a, double b) { return (a + b) / 2.0; };
   for (Measurements::Edge& edge : measurements.driven) {
-    const double driven_m =
-        mean(measurements.path_length_m[edge.from], measurements.path_length_m[edge.to]);
-    const double turned_rad =
-        mean(measurements.turning[edge.from].signed_rad, measurements.turning[edge.to].signed_rad);
-    double& heading = edge.measured.from_from_to.theta_rad;
-    heading = wrap_angle(heading + habits.bias_rad_per_m * driven_m +
-                         (habits.turn_gain - 1.0) * turned_rad);
+    edge.measured.from_from_to.theta_rad = heading_without(habits, measurements, edge);
   }
 }
 

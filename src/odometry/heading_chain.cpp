@@ -26,14 +26,13 @@ void drift_apart(HeadingBelief& belief, const HeadingDrift& drift, const Heading
                  HeadingBelief& scratch) {
   int farthest = 0;
   for (const HeadingMove& move : drift) farthest = std::max(farthest, std::abs(move.steps));
-  const auto margin = static_cast<std::size_t>(farthest);
   const std::size_t count = states.corrections;
-  scratch.resize(count + 2 * margin);
   for (std::size_t d = 0; d < states.directions; ++d) {
     double* const part = belief.data() + d * count;
     // once round and a margin at both ends, so that no move has to wrap
-    for (std::size_t i = 0; i < scratch.size(); ++i)
-      scratch[i] = part[(i + count - margin) % count];
+    scratch.assign(part + count - farthest, part + count);
+    scratch.insert(scratch.end(), part, part + count);
+    scratch.insert(scratch.end(), part, part + farthest);
     std::fill(part, part + count, 0.0);
     for (const HeadingMove& move : drift) {
       const double share = move.share;
