@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "roomatlas/core/place_index.hpp"
 #include "roomatlas/evaluate/self_consistency.hpp"
 
 #include <vector>
@@ -18,6 +19,21 @@ struct PlacedEvidence {
 using PlacedAll = std::vector<PlacedEvidence>;
 
 [[nodiscard]] bool near(const Box2& a, const Box2& b, double reach_m);
+
+/// Finds ASRs by one of their boxes, without asking all of the building.
+class NearAsrs {
+ public:
+  NearAsrs(const PlacedAll& all, Box2 PlacedEvidence::*box, double reach_m);
+
+  /// Those whose box comes near another, in the order of all.
+  [[nodiscard]] std::vector<const PlacedEvidence*> near(const Box2& other) const;
+
+ private:
+  const PlacedAll& all_;
+  Box2 PlacedEvidence::*box_;
+  double reach_m_;
+  PlaceIndex index_;
+};
 
 // One function a figure; see ConsistencyFigure for what each means.
 [[nodiscard]] ConsistencyValue room_overlap(const PlacedAll& all,

@@ -87,12 +87,17 @@ ConsistencyValue door_sides(const PlacedAll& all) {
 
 ConsistencyValue doors_again(const PlacedAll& all, const ConsistencyOptions& options) {
   const std::vector<PlacedExit> doorways = doorways_of(all);
+  PlaceIndex index;
+  for (std::size_t i = 0; i < doorways.size(); ++i) {
+    index.add(i, box_around(doorways[i].middle, 0.0));
+  }
   double sum_m = 0.0;
   std::int64_t met = 0;
   for (const PlacedExit& a : doorways) {
     double nearest_m = options.door_reach_m;
     bool found = false;
-    for (const PlacedExit& b : doorways) {
+    for (const std::size_t i : index.near(box_around(a.middle, options.door_reach_m))) {
+      const PlacedExit& b = doorways[i];
       if (same_passage(a, b) || std::abs(a.along.dot(b.along)) < kSameDirection) continue;
       const double apart_m = (a.middle - b.middle).norm();
       if (apart_m >= nearest_m) continue;

@@ -15,27 +15,19 @@ constexpr std::size_t kManyVisits = 64;  ///< near a visit: twice as many are as
 
 using Others = std::vector<const PlacedEvidence*>;
 
-template <typename IsNear>
-Others others_than(const PlacedEvidence& a, const PlacedAll& all, const IsNear& is_near) {
-  Others others;
-  for (const PlacedEvidence& b : all) {
-    if (&a != &b && is_near(b)) others.push_back(&b);
-  }
-  return others;
-}
-
 /// Every so manieth ray of a visit. Where a building was driven often, each of the others is asked
 /// of a share of them, in turn: a visit asks no more however many lie near it, and asks of all.
+/// @param near the others, and perhaps itself
 /// @param ask takes the ray's number, the ray in the other's frame, and the other
 template <typename Ask>
-void for_each_asked(const PlacedEvidence& a, const Others& others, std::size_t stride,
-                    const Ask& ask) {
+void for_each_asked(const PlacedEvidence& a, Others near, std::size_t stride, const Ask& ask) {
+  std::erase(near, &a);
   const auto& rays = a.evidence->rays;
-  const std::size_t shares = std::max<std::size_t>(1, others.size() / kManyVisits);
-  for (std::size_t k = 0; k < others.size(); ++k) {
-    const PointTransform b_from_a(inverse(others[k]->building_from_asr) * a.building_from_asr);
+  const std::size_t shares = std::max<std::size_t>(1, near.size() / kManyVisits);
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    const PointTransform b_from_a(inverse(near[k]->building_from_asr) * a.building_from_asr);
     for (std::size_t i = stride * (k % shares); i < rays.size(); i += stride * shares) {
-      ask(i, transformed(b_from_a, rays[i].segment), *others[k]->evidence);
+      ask(i, transformed(b_from_a, rays[i].segment), *near[k]->evidence);
     }
   }
 }
@@ -80,11 +72,9 @@ struct RaysAtWalls {
   std::int64_t through = 0;
 };
 
-RaysAtWalls rays_of(const PlacedEvidence& a, const PlacedAll& all,
+RaysAtWalls rays_of(const PlacedEvidence& a, const NearAsrs& walls,
                     const ConsistencyOptions& options) {
   RaysAtWalls rays;
-  const Others others =
-      others_than(a, all, [&](const PlacedEvidence& b) { return near(a.seen, b.solid, 0.0); });
   const auto ask = [&](std::size_t i, const Segment2& ray, const AsrEvidence& b) {
     const auto behind_m = behind_wall_m(ray, b.walls, options.deep_m);
     if (!behind_m) return;
@@ -93,18 +83,16 @@ RaysAtWalls rays_of(const PlacedEvidence& a, const PlacedAll& all,
     ++rays.met;
     if (*behind_m > options.deep_m) ++rays.through;
   };
-  for_each_asked(a, others, kRayStride, ask);
+  for_each_asked(a, walls.near(a.seen), kRayStride, ask);
   return rays;
 }
 
-VisitAgreement judge_visit(const PlacedEvidence& a, const PlacedAll& all,
+VisitAgreement judge_visit(const PlacedEvidence& a, const NearAsrs& seen,
                            const ConsistencyOptions& options) {
   const auto& rays = a.evidence->rays;
   VisitAgreement sums;
   sums.asr = a.evidence->asr;
   std::vector<bool> is_known(rays.size(), false);
-  const Others others = others_than(
-      a, all, [&](const PlacedEvidence& b) { return near(a.seen, b.seen, options.deep_m); });
   const auto ask = [&](std::size_t i, const Segment2& ray, const AsrEvidence& b) {
     if (!rays[i].is_hit) return;
     if (add(b.seen.nearest_hit(ray.b, ray.b - ray.a, options.deep_m),
@@ -112,7 +100,7 @@ VisitAgreement judge_visit(const PlacedEvidence& a, const PlacedAll& all,
       is_known[i] = true;
     }
   };
-  for_each_asked(a, others, kHitStride, ask);
+  for_each_asked(a, seen.near(a.seen), kHitStride, ask);
   for (std::size_t i = 0; i < rays.size(); i += kHitStride) sums.hits += rays[i].is_hit ? 1 : 0;
   sums.known = std::count(is_known.begin(), is_known.end(), true);
   return sums;
@@ -128,11 +116,12 @@ ConsistencyValue mean_of(ConsistencyFigure figure, double sum, std::int64_t coun
 }  // namespace
 
 ConsistencyValue rays_through_walls(const PlacedAll& all, const ConsistencyOptions& options) {
+  const NearAsrs walls(all, &PlacedEvidence::solid, 0.0);
   std::int64_t met = 0;
   std::int64_t through = 0;
   for (const RaysAtWalls& rays :
        results_of<RaysAtWalls>(all.size(), options.jobs,
-                               [&](std::size_t i) { return rays_of(all[i], all, options); })) {
+                               [&](std::size_t i) { return rays_of(all[i], walls, options); })) {
     met += rays.met;
     through += rays.through;
   }
@@ -140,8 +129,9 @@ ConsistencyValue rays_through_walls(const PlacedAll& all, const ConsistencyOptio
 }
 
 std::vector<VisitAgreement> judge_visits(const PlacedAll& all, const ConsistencyOptions& options) {
+  const NearAsrs seen(all, &PlacedEvidence::seen, options.deep_m);
   return results_of<VisitAgreement>(
-      all.size(), options.jobs, [&](std::size_t i) { return judge_visit(all[i], all, options); });
+      all.size(), options.jobs, [&](std::size_t i) { return judge_visit(all[i], seen, options); });
 }
 
 HitFigures judge_hits(const PlacedAll& all, const ConsistencyOptions& options) {

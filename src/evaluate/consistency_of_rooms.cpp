@@ -64,13 +64,11 @@ void find_nearest_backs(const PlacedEvidence& a, const PlacedEvidence& b,
 }
 
 /// The thickness of the wall at each of an ASR's surfaces; `wall_reach_m` where nothing is behind.
-std::vector<double> thicknesses_of(const PlacedEvidence& a, const PlacedAll& all,
+std::vector<double> thicknesses_of(const PlacedEvidence& a, const NearAsrs& walls,
                                    const ConsistencyOptions& options) {
   std::vector<double> thickness_m(a.evidence->surfaces.size(), options.wall_reach_m);
-  for (const PlacedEvidence& b : all) {
-    if (a.room != b.room && near(a.solid, b.solid, options.wall_reach_m)) {
-      find_nearest_backs(a, b, options, thickness_m);
-    }
+  for (const PlacedEvidence* b : walls.near(a.solid)) {
+    if (a.room != b->room) find_nearest_backs(a, *b, options, thickness_m);
   }
   return thickness_m;
 }
@@ -95,11 +93,12 @@ ConsistencyValue room_overlap(const PlacedAll& all, const ConsistencyOptions& op
 
 ConsistencyValue negative_walls(const PlacedAll& all, const ConsistencyOptions& options) {
   ConsistencyValue result{ConsistencyFigure::negative_walls};
+  const NearAsrs walls(all, &PlacedEvidence::solid, options.wall_reach_m);
   double depth_sum_m = 0.0;
   std::int64_t samples = 0;
   for (const auto& of_asr : results_of<std::vector<double>>(
            all.size(), options.jobs,
-           [&](std::size_t i) { return thicknesses_of(all[i], all, options); })) {
+           [&](std::size_t i) { return thicknesses_of(all[i], walls, options); })) {
     for (const double thickness : of_asr) {
       depth_sum_m += std::max(-thickness, 0.0);
       if (thickness < options.wall_reach_m) result.measured += 1.0;

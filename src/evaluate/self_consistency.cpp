@@ -92,6 +92,21 @@ bool near(const Box2& a, const Box2& b, double reach_m) {
          (b.min.array() <= a.max.array() + reach_m).all();
 }
 
+NearAsrs::NearAsrs(const PlacedAll& all, Box2 PlacedEvidence::*box, double reach_m)
+    : all_(all), box_(box), reach_m_(reach_m) {
+  for (std::size_t i = 0; i < all.size(); ++i) index_.add(i, all[i].*box);
+}
+
+std::vector<const PlacedEvidence*> NearAsrs::near(const Box2& other) const {
+  std::vector<const PlacedEvidence*> found;
+  if (other.empty()) return found;
+  const Point2 reach = Point2::Constant(reach_m_ + 0.01);  // more than rounding
+  for (const std::size_t i : index_.near({other.min - reach, other.max + reach})) {
+    if (roomatlas::near(other, all_[i].*box_, reach_m_)) found.push_back(&all_[i]);
+  }
+  return found;
+}
+
 const char* to_string(ConsistencyFigure figure) { return facts_of(figure).name; }
 const char* unit_of(ConsistencyFigure figure) { return facts_of(figure).unit; }
 

@@ -47,11 +47,11 @@ Exit exit_at(PassageKind kind, bool is_entry, const Pose2& pivot, AsrId neighbor
 }
 
 /// Two rooms with a wall of 0.2 m between them and a door in it.
-std::vector<AsrEvidence> two_rooms(PassageKind kind = PassageKind::doorway) {
-  Asr first = seen_room(1);
-  Asr second = seen_room(2);
-  first.exits = {exit_at(kind, false, {4.1, 1, 0}, 2)};
-  second.exits = {exit_at(kind, true, {-0.1, 1, wrap_angle(kPi)}, 1)};
+std::vector<AsrEvidence> two_rooms(PassageKind kind = PassageKind::doorway, AsrId id = 1) {
+  Asr first = seen_room(id);
+  Asr second = seen_room(id + 1);
+  first.exits = {exit_at(kind, false, {4.1, 1, 0}, id + 1)};
+  second.exits = {exit_at(kind, true, {-0.1, 1, wrap_angle(kPi)}, id)};
   return {evidence_of(first, {}), evidence_of(second, {})};
 }
 
@@ -74,6 +74,29 @@ TEST(SelfConsistency, OfAPerfectMapIsNone) {
   EXPECT_TRUE(std::isnan(value_of(result, F::doors_again)));    // none was crossed twice
   EXPECT_TRUE(std::isnan(value_of(result, F::corridor_bend)));  // there is no open passage
   EXPECT_NEAR(result.inconsistency, 0.0, 0.01);
+}
+
+TEST(SelfConsistency, OfManyPairsOfRoomsIsThatOfOnePair) {
+  constexpr Pose2 kSecond = {3.95, 0.3, 0.02};
+  for (const PassageKind kind : {PassageKind::doorway, PassageKind::open_passage}) {
+    std::vector<AsrEvidence> evidence;
+    std::map<AsrId, Pose2> placed;
+    for (int pair = 0; pair < 9; ++pair) {
+      const AsrId id = 1 + 2 * pair;
+      const Pose2 at{30.0 * (pair % 3) - 41.0, 25.0 * (pair / 3) - 7.0, 0.1 * pair};
+      for (AsrEvidence& room : two_rooms(kind, id)) evidence.push_back(std::move(room));
+      placed[id] = at;
+      placed[id + 1] = at * kSecond;
+    }
+    const SelfConsistency one = judged(two_rooms(kind), kSecond, {});
+    const SelfConsistency many = self_consistency(evidence, placed, {}, {});
+    for (const F figure : {F::negative_walls, F::door_sides, F::corridor_bend,
+                           F::rays_through_walls, F::hits_in_free_space, F::doubled_walls}) {
+      const double expected = value_of(one, figure);
+      if (std::isnan(expected)) continue;
+      EXPECT_NEAR(value_of(many, figure), expected, 1e-6 + 0.02 * expected) << to_string(figure);
+    }
+  }
 }
 
 TEST(SelfConsistency, OverlapIsTheShareOfTheAreaThatTwoRoomsCover) {
