@@ -99,6 +99,10 @@ void bind(CLI::App& app, const Parameter& parameter) {
 /// Reads lines as the program would: into an app that has the parameters that they name.
 void parse(CLI::App& app, const std::string& lines) {
   std::istringstream in(lines);
+  for (const CLI::ConfigItem& item : CLI::ConfigTOML().from_config(in)) {  // CLI11 reads the first
+    if (item.inputs.empty()) throw UsageError(item.name + ": expected a value after =");
+  }
+  in = std::istringstream(lines);
   try {
     app.parse_from_stream(in);
   } catch (const CLI::ParseError& error) {

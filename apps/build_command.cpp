@@ -64,6 +64,16 @@ Path topmost_missing(const Path& folder) {
   return missing;
 }
 
+/// Removes a folder of which nothing came, and those above it that were made for it.
+/// @param topmost of those that may be removed; what another run put into one stays
+void remove_empty(const Path& folder, const Path& topmost) {
+  std::error_code error;
+  for (Path at = std::filesystem::absolute(folder, error).lexically_normal();
+       !topmost.empty() && std::filesystem::remove(at, error) && at != topmost;
+       at = at.parent_path()) {
+  }
+}
+
 /// A finished map: a store with its plan and no mission.
 void build_from_map(const Settings& settings, const BuildArguments& arguments) {
   const MapCells cells = read_map(arguments.inputs.front(), arguments.resolution_m);
@@ -116,8 +126,7 @@ void build_joined(const Settings& settings, const BuildArguments& arguments,
   if (!is_any_joined(buildings)) {
     if (arguments.inputs.size() > 1) require_any_joined(buildings);
     // the parts of one mission: the largest is the building
-    std::filesystem::copy_file(buildings.front().store, store,
-                               std::filesystem::copy_options::overwrite_existing);
+    put_copy_in_place(buildings.front().store, store);
     buildings.front().store = store;
   }
   for (const WrittenBuilding& written : buildings) {
@@ -149,7 +158,6 @@ void build_from_log(const Settings& settings, const BuildArguments& arguments) {
     throw UsageError(log.string() + ": --resolution is for pictures, and this is none");
   }
   (void)open_mission(log, settings.mission);  // an unreadable log leaves no folder behind
-  const Path new_folder = topmost_missing(out);
   make_folder(out);
   const PlaceLock folder_lock(out);
   const Path store = out / "building.gpkg";
@@ -160,13 +168,8 @@ void build_from_log(const Settings& settings, const BuildArguments& arguments) {
     GeoPackageStore(store, GeoPackageStore::Mode::update)
         .put_metadata({{"configuration", settings.as_toml}});  // maps alike: all else may differ
   } else {
-    try {
-      const Mapped mapped = map(settings, log, store);
-      if (mapped.gone_on) gone_on.push_back(*mapped.gone_on);
-    } catch (const NotEnoughError&) {
-      if (!new_folder.empty()) std::filesystem::remove_all(new_folder);  // nothing came of it
-      throw;
-    }
+    const Mapped mapped = map(settings, log, store);
+    if (mapped.gone_on) gone_on.push_back(*mapped.gone_on);
   }
   const std::size_t rooms = assemble(settings, store);
   write_results(settings, store, arguments,
@@ -189,7 +192,13 @@ void build(const Settings& settings, const BuildArguments& arguments) {
   if (missions.size() > 1) {
     build_joined(settings, arguments, missions);
   } else {
-    build_from_log(settings, arguments);
+    const Path new_folder = topmost_missing(arguments.out);
+    try {
+      build_from_log(settings, arguments);
+    } catch (const NotEnoughError&) {
+      remove_empty(arguments.out, new_folder);
+      throw;
+    }
   }
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exit_code.hpp"
 
-#include <fmt/format.h>
-
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <string>
 
 #include "command_line.hpp"
 #include "commands.hpp"
@@ -13,10 +13,16 @@
 #include "roomatlas/core/issue.hpp"
 
 namespace roomatlas::apps {
+namespace {
+
+/// Says it if it can: where standard error is closed or full, the exit code must do.
+void tell(const std::string& text) { (void)std::fputs((text + '\n').c_str(), stderr); }
+
+}  // namespace
 
 int exit_code_of(const std::function<int()>& work) {
   const auto fail = [](const std::exception& error, ExitCode code) {
-    fmt::print(stderr, "error: {}\n", printable_lines(error.what()));
+    tell("error: " + printable_lines(error.what()));
     return code;
   };
   try {
@@ -30,14 +36,15 @@ int exit_code_of(const std::function<int()>& work) {
   } catch (const GateFailed& error) {
     return fail(error, kGateFailed);
   } catch (const Interrupted& error) {
-    fmt::print(stderr, "{}\n", printable_lines(error.what()));
+    tell(printable_lines(error.what()));
     return kInterrupted;
   } catch (const std::filesystem::filesystem_error& error) {
     return fail(error, kInput);
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr,
-               "error: not enough memory for this input: what it holds lies too far apart, or is "
-               "damaged; a larger --cell needs less\n");
+    tell(
+        "error: not enough memory for this input: what it holds lies too far apart, or is damaged; "
+        "a "
+        "larger --cell needs less");
     return kInput;
   } catch (const std::exception& error) {
     return fail(error, kInternal);

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include <map>
+#include <set>
 
 #include "new_store.hpp"
 #include "output_places.hpp"
@@ -66,13 +66,15 @@ std::optional<Mapped> map_and_assemble(const Settings& settings, const LogPart& 
 
 std::vector<Path> stores_for(const std::vector<LogPart>& missions, const Path& folder) {
   std::vector<Path> stores;
-  std::map<std::string, int> named;
+  std::set<std::string> taken;
   for (const LogPart& mission : missions) {
     std::string name = mission.log.filename().string();
     name = name.substr(0, name.find('.'));
     if (!mission.part.is_whole()) name += fmt::format("-part{}", mission.part.number);
-    const int number = ++named[name];
-    if (number > 1) name += fmt::format("-{}", number);
+    const std::string first = name;
+    for (int number = 2; !taken.insert(name).second; ++number) {
+      name = fmt::format("{}-{}", first, number);
+    }
     stores.push_back(folder / (name + ".gpkg"));
   }
   return stores;

@@ -95,6 +95,18 @@ void remove_leftovers(const fs::path& store) {
   }
 }
 
+void put_copy_in_place(const fs::path& finished, const fs::path& place) {
+  const fs::path copy = place_beside(place);
+  std::error_code error;
+  fs::copy_file(finished, copy, fs::copy_options::overwrite_existing, error);
+  if (error) {
+    remove_store(copy);
+    throw InputError(copy.string() + ": cannot be written: " + error.message() +
+                     "; make room on the disk and run the same command again");
+  }
+  replace(place, copy);
+}
+
 void settle_new_store(const fs::path& place) {
   const fs::path made = place_beside(place);
   const auto stage = made_so_far(made);

@@ -36,6 +36,10 @@ class NewStore {
 /// Where a store is made that takes this place once it is finished.
 [[nodiscard]] std::filesystem::path place_beside(const std::filesystem::path& place);
 
+/// A copy of a finished store takes a place. What is there stays whole until then.
+/// @throws InputError where it cannot be written
+void put_copy_in_place(const std::filesystem::path& finished, const std::filesystem::path& place);
+
 /// Puts the store in its place that a run had finished beside it when it was stopped, and removes
 /// one with which none can go on.
 void settle_new_store(const std::filesystem::path& place);

@@ -82,6 +82,29 @@ TEST(BadInput, APipeIsRefusedBecauseALogIsReadMoreThanOnce) {
                   "is not a regular file");
 }
 
+/// Of the program with its own streams, closed or full.
+int exit_code_with(const std::string& arguments) {
+  const int status = std::system((std::string(ROOMATLAS_PROGRAM) + " " + arguments).c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(BadInput, IsAnErrorWhereNobodyCanHearOfIt) {
+  EXPECT_EQ(exit_code_with("info /nonexistent 2>&-"), 3);
+  EXPECT_EQ(exit_code_with("info /nonexistent 2>/dev/full"), 3);
+}
+
+TEST(StandardStreams, ThatAreClosedGetIntoNoFile) {
+  const Folder folder;
+  std::string log;
+  for (int i = 0; i < 50; ++i) log += scan(0.1 * i, i, 2.0);
+  const std::string made = "convert " + folder.write("mission.clf", log).string() + " -o ";
+  const std::string open = (folder / "open.clf").string();
+  const std::string closed = (folder / "closed.clf").string();
+  EXPECT_EQ(exit_code_with(made + open + " >/dev/null 2>&1"), 0);
+  EXPECT_EQ(exit_code_with(made + closed + " <&- >&- 2>&-"), 0);
+  EXPECT_EQ(content_of(closed), content_of(open));
+}
+
 TEST(BadInput, AMissionThatSawNoWallIsNotEnough) {
   std::string log;
   for (int i = 0; i < 50; ++i) log += scan(0.1 * i, i, 81.91);

@@ -33,6 +33,8 @@ TEST(ConfigurationFile, ThatIsWrongIsNamedWithLineAndReason) {
   EXPECT_THAT(complaint("tau = 2\nmodel = \"se3\"\n"), HasSubstr("my.toml:2: --model"));
   EXPECT_THAT(complaint("cell = 0.1\ntau = 2\ncell = 0.2\n"),
               HasSubstr("my.toml:3: cell is given twice"));
+  EXPECT_THAT(complaint("odom-topic=[\"\n"),
+              HasSubstr("my.toml:1: odom-topic: expected a value after ="));
   EXPECT_THAT(complaint("json = true\n"), HasSubstr("no such parameter: json"));
   for (const char* line : {"=", "= 5", "x", "x="}) (void)complaint(line);
 }

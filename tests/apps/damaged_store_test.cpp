@@ -175,6 +175,7 @@ TEST_F(DamagedStore, SaysTableRowFieldAndWhatIsExpected) {
                     HasSubstr("map the log again")));
   EXPECT_THAT(error_of("UPDATE rooms SET geom = substr(geom, 1, 60) WHERE id = 2"),
               HasSubstr("table rooms, row 2, field geom: the data ends early"));
+  EXPECT_THAT(error_of("UPDATE exits SET neighbor = asr"), HasSubstr("neighbor is the exit's own"));
   EXPECT_THAT(error_of("DELETE FROM corrections WHERE asr = 4"),
               AllOf(HasSubstr("table corrections has no row for visit 4"),
                     HasSubstr("'roomatlas assemble' makes these rows again")));

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "random_store.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
@@ -42,6 +43,22 @@ class Join : public ::testing::Test {
   static inline std::string one_;
   static inline std::string two_;
 };
+
+TEST_F(Join, EachLogHasAStoreOfItsOwnHoweverTheyAreNamed) {
+  const std::filesystem::path out = *folder_ / "named";
+  std::filesystem::create_directory(*folder_ / "other");
+  const std::string same = (*folder_ / "other/one.clf").string();
+  const std::string numbered = (*folder_ / "other/one-2.clf").string();
+  std::filesystem::copy_file(two_, same);
+  std::filesystem::copy_file(one_, numbered);
+  const std::string logs = one_ + " " + same + " " + numbered;
+  ASSERT_EQ(run("-q build " + logs + " -o " + out.string()).exit_code, 0);
+  std::set<std::string> stores;
+  for (const auto& entry : std::filesystem::directory_iterator(out / "missions")) {
+    stores.insert(entry.path().filename());
+  }
+  EXPECT_EQ(stores, (std::set<std::string>{"one.gpkg", "one-2.gpkg", "one-2-2.gpkg"}));
+}
 
 TEST_F(Join, BuildOfTwoLogsIsOneBuildingWhateverTheirOrder) {
   const std::string first = (*folder_ / "first").string();

@@ -55,11 +55,23 @@ std::unique_ptr<Database> create(const fs::path& file) {
   return database;
 }
 
+/// A run that was killed in the middle of a change leaves a journal, without which the store cannot
+/// be read: the change is taken back, as SQLite does for anyone who may write.
+void roll_back(const fs::path& file) {
+  std::error_code missing;
+  if (!fs::exists(beside(file, "-journal"), missing)) return;
+  try {
+    Database(file, SQLite::OPEN_READWRITE).execute("SELECT count(*) FROM sqlite_master");
+  } catch (const SQLite::Exception&) {  // who reads it says what is wrong with it
+  }
+}
+
 std::unique_ptr<Database> open(const fs::path& file, bool writable) {
   if (!fs::is_regular_file(file)) {
     throw InputError(file.string() +
                      ": no such file, expected a building store: 'roomatlas map' writes one");
   }
+  roll_back(file);
   auto database =
       std::make_unique<Database>(file, writable ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY);
   check_schema(*database, file);

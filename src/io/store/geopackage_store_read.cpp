@@ -67,7 +67,13 @@ std::vector<Exit> exits_of(Database& db, AsrId id) {
       "SELECT kind, is_entry, asr_from_pivot_x_m, asr_from_pivot_y_m, asr_from_pivot_theta_rad, "
       "width_m, left_jamb_x_m, left_jamb_y_m, right_jamb_x_m, right_jamb_y_m, neighbor, "
       "timestamp_s FROM exits WHERE id BETWEEN ? AND ? ORDER BY id",
-      [&](Row& row) { exits.push_back(exit_of(row)); }, keys.first, keys.last);
+      [&](Row& row) {
+        exits.push_back(exit_of(row));
+        if (exits.back().neighbor == id) {
+          throw DamagedData("neighbor is the exit's own ASR, expected another one");
+        }
+      },
+      keys.first, keys.last);
   return exits;
 }
 

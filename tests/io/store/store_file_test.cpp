@@ -71,6 +71,30 @@ TEST(StoreFile, TheSameContentGivesTheSameBytesHoweverItCameAbout) {
   EXPECT_TRUE(bytes_of(directory / "a.gpkg") == bytes_of(directory / "b.gpkg"));
 }
 
+/// As `kill -9` leaves it: pages of a change are in the file, and those before it in its journal.
+TEST(StoreFile, AChangeThatWasKilledIsTakenBack) {
+  const TemporaryDirectory directory;
+  const std::filesystem::path file = directory / "a.gpkg";
+  const std::filesystem::path killed = directory / "killed.gpkg";
+  {
+    GeoPackageStore store(file, Mode::create);
+    fill(store);
+    store.finish();
+  }
+  {
+    SQLite::Database changing(file.string(), SQLite::OPEN_READWRITE);
+    changing.exec("PRAGMA cache_size = 1; BEGIN; UPDATE metadata SET value = 'none'");
+    changing.exec("INSERT INTO metadata (key, value) VALUES ('much', hex(randomblob(200000)))");
+    std::filesystem::copy_file(file, killed);
+    std::filesystem::copy_file(file.string() + "-journal", killed.string() + "-journal");
+  }
+  ASSERT_NE(bytes_of(killed), bytes_of(file));
+  EXPECT_EQ(GeoPackageStore(killed, Mode::read).metadata(),
+            GeoPackageStore(file, Mode::read).metadata());
+  EXPECT_FALSE(std::filesystem::exists(killed.string() + "-journal"));
+  EXPECT_EQ(bytes_of(killed), bytes_of(file));
+}
+
 TEST(StoreFile, FinishingLeavesOneFileOutOfWalMode) {
   const TemporaryDirectory directory;
   const std::filesystem::path file = directory / "building.gpkg";
