@@ -189,7 +189,10 @@ std::vector<WrittenBuilding> join_into(const Settings& settings, const std::vect
 
 void join(const Settings& settings, const std::vector<Path>& stores, const Path& out) {
   const PlaceLock lock = lock_new_store(out, stores);
-  require_any_joined(join_into(settings, stores, out));
+  const std::vector<WrittenBuilding> buildings = join_into(settings, stores, out);
+  require_any_joined(buildings);
+  if (is_any_joined(buildings)) return;
+  throw NotEnoughError(out.string() + ": not written: joined are two missions and more");
 }
 
 }  // namespace roomatlas::apps

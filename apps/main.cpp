@@ -4,6 +4,8 @@
 #include <malloc.h>
 #include <unistd.h>
 
+#include <csignal>
+
 #include "command_line.hpp"
 #include "exit_code.hpp"
 
@@ -27,6 +29,7 @@ void keep_standard_streams() {
 int main(int argc, char** argv) {
   using namespace roomatlas::apps;
   keep_standard_streams();
+  (void)std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of writing
   constexpr int kLargeBytes = 1024 * 1024;
   (void)mallopt(M_MMAP_THRESHOLD, kLargeBytes);  // grids go back to the system once they are freed
   FLAGS_minloglevel = google::GLOG_FATAL;        // Ceres logs even when asked to be silent

@@ -93,6 +93,18 @@ TEST(BadInput, IsAnErrorWhereNobodyCanHearOfIt) {
   EXPECT_EQ(exit_code_with("info /nonexistent 2>/dev/full"), 3);
 }
 
+TEST(BadInput, AFileThatMayNotGrowIsAnErrorOfWriting) {
+  const Folder folder;
+  std::string log;
+  for (int i = 0; i < 500; ++i) log += scan(0.1 * i, i, 2.0);
+  const std::string arguments = "convert " + folder.write("mission.clf", log).string() + " -o " +
+                                (folder / "large.clf").string() + " 2>/dev/null";
+  const int status =
+      std::system(("ulimit -f 8; " + std::string(ROOMATLAS_PROGRAM) + " " + arguments).c_str());
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 3);
+}
+
 TEST(StandardStreams, ThatAreClosedGetIntoNoFile) {
   const Folder folder;
   std::string log;

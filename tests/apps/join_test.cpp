@@ -60,6 +60,17 @@ TEST_F(Join, EachLogHasAStoreOfItsOwnHoweverTheyAreNamed) {
   EXPECT_EQ(stores, (std::set<std::string>{"one.gpkg", "one-2.gpkg", "one-2-2.gpkg"}));
 }
 
+TEST_F(Join, OfOneMissionAloneIsNotEnough) {
+  const std::string store = (*folder_ / "alone.gpkg").string();
+  ASSERT_EQ(run("-q map " + one_ + " -o " + store).exit_code, 0);
+  ASSERT_EQ(run("-q assemble " + store).exit_code, 0);
+  const std::string joined = (*folder_ / "joined_alone.gpkg").string();
+  const Outcome outcome = run("-q join " + store + " -o " + joined);
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("joined are two missions and more"));
+  EXPECT_FALSE(std::filesystem::exists(joined));
+}
+
 TEST_F(Join, BuildOfTwoLogsIsOneBuildingWhateverTheirOrder) {
   const std::string first = (*folder_ / "first").string();
   const std::string second = (*folder_ / "second").string();
@@ -236,6 +247,7 @@ TEST_F(Join, RefusesAnOtherAnswerThatIsNotOfTheVisits) {
 TEST_F(Join, RefusesAStoreThatIsNotAssembled) {
   const std::string store = (*folder_ / "mapped.gpkg").string();
   ASSERT_EQ(run("-q map " + one_ + " -o " + store).exit_code, 0);
+  ASSERT_EQ(run("-q assemble " + store).exit_code, 0);
   const Outcome done =
       run("join " + store + " " + store + " -o " + (*folder_ / "none.gpkg").string());
   EXPECT_EQ(done.exit_code, 3);

@@ -15,7 +15,7 @@ namespace roomatlas {
 namespace {
 
 constexpr double kShortest_m = 0.05;  // of a line: shorter has no direction
-constexpr double kFarthest_m = 1e5;   // from the building's origin
+constexpr double kFarthest_m = 1e7;   // from the building's origin, as far as logs may lie
 constexpr double kThickest_m = 2.0;
 
 /// Fails on a member that is none of these: a misspelt one would be dropped otherwise.
@@ -31,7 +31,7 @@ void require_known(const Json& object, const JsonField& field,
 Point2 point_of(const JsonField& field) {
   if (field.size() != 2) field.fail("two numbers, [x, y] in metres");
   const Point2 point(field.element(0).number(), field.element(1).number());
-  if (point.cwiseAbs().maxCoeff() > kFarthest_m) field.fail("metres, at most 100000");
+  if (point.cwiseAbs().maxCoeff() > kFarthest_m) field.fail("metres, at most 10000000");
   return point;
 }
 
