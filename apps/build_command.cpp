@@ -68,9 +68,10 @@ Path topmost_missing(const Path& folder) {
 /// @param topmost of those that may be removed; what another run put into one stays
 void remove_empty(const Path& folder, const Path& topmost) {
   std::error_code error;
-  for (Path at = std::filesystem::absolute(folder, error).lexically_normal();
-       !topmost.empty() && std::filesystem::remove(at, error) && at != topmost;
-       at = at.parent_path()) {
+  Path at = std::filesystem::absolute(folder, error).lexically_normal();
+  if (!at.has_filename()) at = at.parent_path();  // "OUT/": of the folder, not of what is in it
+  while (!topmost.empty() && std::filesystem::remove(at, error) && at != topmost) {
+    at = at.parent_path();
   }
 }
 

@@ -36,8 +36,8 @@ using apps::Settings;
 /// @throws UsageError for a name that no parameter has, and for a value out of its range
 Settings settings_of(const std::string& parameters) {
   std::vector<std::string> of_the_program;  // how it works: quiet, json
-  apps::FromConfiguration read =
-      apps::with_configuration({}, parameters, [&](const std::string& name, apps::Stage stage) {
+  apps::FromConfiguration read = apps::with_configuration(
+      apps::default_settings(), parameters, [&](const std::string& name, apps::Stage stage) {
         if (stage == apps::Stage::run) of_the_program.push_back(name);
         return stage != apps::Stage::run;
       });

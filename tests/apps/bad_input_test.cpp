@@ -129,8 +129,10 @@ TEST(BadInput, AMissionThatSawNoWallLeavesNoneOfTheFoldersItMade) {
   for (int i = 0; i < 50; ++i) log += scan(0.1 * i, i, 81.91);
   const Folder folder;
   const auto file = folder.write("mission.clf", log);
-  EXPECT_EQ(run("build " + file.string() + " -q -o " + (folder / "a/b/c").string()).exit_code, 4);
-  EXPECT_FALSE(std::filesystem::exists(folder / "a"));
+  for (const char* out : {"a/b/c", "a/b/c/"}) {
+    EXPECT_EQ(run("build " + file.string() + " -q -o " + (folder / out).string()).exit_code, 4);
+    EXPECT_FALSE(std::filesystem::exists(folder / "a"));
+  }
 }
 
 TEST(BadInput, AMissionThatSawNoWallLeavesTheStoreThatWasThere) {

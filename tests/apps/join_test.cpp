@@ -61,10 +61,10 @@ TEST_F(Join, EachLogHasAStoreOfItsOwnHoweverTheyAreNamed) {
 }
 
 TEST_F(Join, OfOneMissionAloneIsNotEnough) {
-  const std::string store = (*folder_ / "alone.gpkg").string();
+  const std::string store = (*folder_ / "single.gpkg").string();
   ASSERT_EQ(run("-q map " + one_ + " -o " + store).exit_code, 0);
   ASSERT_EQ(run("-q assemble " + store).exit_code, 0);
-  const std::string joined = (*folder_ / "joined_alone.gpkg").string();
+  const std::string joined = (*folder_ / "joined_single.gpkg").string();
   const Outcome outcome = run("-q join " + store + " -o " + joined);
   EXPECT_EQ(outcome.exit_code, 4);
   EXPECT_THAT(outcome.err, HasSubstr("joined are two missions and more"));
