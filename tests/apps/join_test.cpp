@@ -247,7 +247,6 @@ TEST_F(Join, RefusesAnOtherAnswerThatIsNotOfTheVisits) {
 TEST_F(Join, RefusesAStoreThatIsNotAssembled) {
   const std::string store = (*folder_ / "mapped.gpkg").string();
   ASSERT_EQ(run("-q map " + one_ + " -o " + store).exit_code, 0);
-  ASSERT_EQ(run("-q assemble " + store).exit_code, 0);
   const Outcome done =
       run("join " + store + " " + store + " -o " + (*folder_ / "none.gpkg").string());
   EXPECT_EQ(done.exit_code, 3);
