@@ -37,7 +37,7 @@ Point2 point_of(const JsonField& field) {
 
 Segment2 line_of(const JsonField& field) {
   if (field.size() != 2) field.fail("two points, [[x, y], [x, y]] in metres");
-  const Segment2 line{point_of(field.element(0)), point_of(field.element(1))};
+  Segment2 line{point_of(field.element(0)), point_of(field.element(1))};
   if ((line.b - line.a).norm() < kShortest_m)
     field.fail("two points that are 0.05 m apart or more");
   return line;
