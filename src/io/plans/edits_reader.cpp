@@ -30,7 +30,7 @@ void require_known(const Json& object, const JsonField& field,
 
 Point2 point_of(const JsonField& field) {
   if (field.size() != 2) field.fail("two numbers, [x, y] in metres");
-  const Point2 point(field.element(0).number(), field.element(1).number());
+  Point2 point(field.element(0).number(), field.element(1).number());
   if (point.cwiseAbs().maxCoeff() > kFarthest_m) field.fail("metres, at most 10000000");
   return point;
 }

@@ -14,7 +14,7 @@ namespace roomatlas {
 
 /// @param file what the text is from, for messages
 /// @throws InputError naming file, statement and field: what was found, what is expected
-[[nodiscard]] std::vector<Edit> edits_of(const std::string& json, const std::string& file);
+[[nodiscard]] std::vector<Edit> edits_of(const std::string& text, const std::string& file);
 
 [[nodiscard]] std::vector<Edit> read_edits(const Path& file);
 
