@@ -42,9 +42,8 @@ int exit_code_of(const std::function<int()>& work) {
     return fail(error, kInput);
   } catch (const std::bad_alloc&) {
     tell(
-        "error: not enough memory for this input: what it holds lies too far apart, or is damaged; "
-        "a "
-        "larger --cell needs less");
+        "error: not enough memory for this input: what it holds lies too far apart, or is "
+        "damaged; a larger --cell needs less");
     return kInput;
   } catch (const std::exception& error) {
     return fail(error, kInternal);

@@ -16,8 +16,10 @@ constexpr double kUniform = 1.0 / kCount;
 
 double correction_rad(std::size_t state) { return static_cast<double>(state) * kStates.step_rad(); }
 
-/// Likelihood of being off, in proportion. Farther off than it looks it is so small that no sum of
-/// ours has a bit of it.
+constexpr double kSharpest_rad = kStates.step_rad() / 10.0;  // sigma: a sharper wall has no state
+
+/// Likelihood of being off, in proportion. Beyond ten sigmas (e^-50) it is less than the last bit
+/// of any sum that it would be added to.
 double normal(double off_rad, double sigma_rad) {
   const double off = off_rad / sigma_rad;
   return std::abs(off) > 10.0 ? 0.0 : std::exp(-off * off / 2.0);
@@ -46,7 +48,7 @@ void set_belief(HeadingBelief& belief, const std::optional<WallDirection>& wall,
                 double odometry_rad, const CorrectOptions& options) {
   belief.assign(kStates.size(), kUniform);
   if (!wall) return;
-  const double sigma_rad = wall_sigma_rad(*wall, options);
+  const double sigma_rad = std::max(wall_sigma_rad(*wall, options), kSharpest_rad);
   for (std::size_t s = 0; s < kStates.corrections; ++s) {
     const double heading = odometry_rad + correction_rad(s);
     belief[s] = normal(wrap_quarter(heading + wall->angle_rad), sigma_rad);

@@ -83,8 +83,10 @@ TEST(BadInput, APipeIsRefusedBecauseALogIsReadMoreThanOnce) {
 }
 
 /// Of the program with its own streams, closed or full.
-int exit_code_with(const std::string& arguments) {
-  const int status = std::system((std::string(ROOMATLAS_PROGRAM) + " " + arguments).c_str());
+/// @param before what the shell does first
+int exit_code_with(const std::string& arguments, const std::string& before = "") {
+  const std::string command = before + std::string(ROOMATLAS_PROGRAM) + " " + arguments;
+  const int status = std::system(command.c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
@@ -99,10 +101,7 @@ TEST(BadInput, AFileThatMayNotGrowIsAnErrorOfWriting) {
   for (int i = 0; i < 500; ++i) log += scan(0.1 * i, i, 2.0);
   const std::string arguments = "convert " + folder.write("mission.clf", log).string() + " -o " +
                                 (folder / "large.clf").string() + " 2>/dev/null";
-  const int status =
-      std::system(("ulimit -f 8; " + std::string(ROOMATLAS_PROGRAM) + " " + arguments).c_str());
-  EXPECT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 3);
+  EXPECT_EQ(exit_code_with(arguments, "ulimit -f 8; "), 3);
 }
 
 TEST(StandardStreams, ThatAreClosedGetIntoNoFile) {

@@ -63,6 +63,18 @@ std::array<double, 3> by_definition(const Measurements& measurements,
   return corrections;
 }
 
+/// The surest that an option may have it, with walls that lie between two states.
+TEST(AsrHeadings, OfWallsThatAreSurerThanTheStatesAreFineAreNumbers) {
+  CorrectOptions options;
+  options.wall_heading_deg = 0.01;
+  options.wall_heading_deg_m = 0.0;
+  Measurements measurements = three_asrs();
+  for (auto& wall : measurements.walls) wall->angle_rad += radians(0.5);
+  const AsrHeadings found = asr_headings(measurements, {}, options);
+  EXPECT_TRUE(std::isfinite(found.log_evidence));
+  for (const double correction : found.correction_rad) EXPECT_TRUE(std::isfinite(correction));
+}
+
 TEST(AsrHeadings, AreTheMeansOfAllSequencesOfStates) {
   CorrectOptions options;
   options.odometry.heading = {.still = radians(3.0)};

@@ -19,7 +19,9 @@ struct HeadingStates {
   std::size_t directions = 1;   ///< of the building, at least 1
 
   [[nodiscard]] std::size_t size() const { return corrections * directions; }
-  [[nodiscard]] double step_rad() const { return kPi / 2.0 / static_cast<double>(corrections); }
+  [[nodiscard]] constexpr double step_rad() const {
+    return kPi / 2.0 / static_cast<double>(corrections);
+  }
 };
 
 /// One number, at least 0, for each state: the directions one after the other, in each the
