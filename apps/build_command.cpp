@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "evaluation_report.hpp"
+#include "former_store.hpp"
 #include "join_stores.hpp"
 #include "map_store.hpp"
 #include "mission_parts.hpp"
@@ -22,6 +24,7 @@
 #include "roomatlas/io/maps/read_map.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
+#include "roomatlas/merge/carry_over.hpp"
 #include "store_metadata.hpp"
 
 namespace roomatlas::apps {
@@ -43,7 +46,7 @@ void write_results(const Settings& settings, const Path& store, const BuildArgum
                    const std::vector<GoneOn>& gone_on = {}) {
   const Path& out = arguments.out;
   std::vector<std::string> files =
-      export_all(settings, store, possible_formats(formats), arguments.exported, out);
+      export_all(settings, store, possible_formats(formats, store), arguments.exported, out);
   const Evaluation evaluation =
       evaluation_of(settings, store, arguments.truth, arguments.trajectory);
   write_summary(store, evaluation, out);
@@ -100,6 +103,23 @@ void require_trust(const Path& store_file) {
                    ": the map is doubtful, or could not be judged; it is written nevertheless");
 }
 
+/// The largest part of a mission whose parts nothing joins is the building. Names and statements
+/// that the building in the place has stay, or those of `--edits` hold.
+void put_alone(const Settings& settings, const Path& part, const Path& place) {
+  const Metadata metadata = GeoPackageStore(part, GeoPackageStore::Mode::read).metadata();
+  const Former former = former_in(place, building_of(metadata));
+  const bool is_any_named = std::any_of(former.rooms.begin(), former.rooms.end(), is_named);
+  put_copy_in_place(part, place, [&](const Path& copy) {
+    if (!is_any_named && former.edits.empty() && settings.edits_file.empty()) return;
+    {
+      GeoPackageStore store(copy, GeoPackageStore::Mode::update);
+      store.put_former_rooms(with_names_of(former.rooms, store.plan().rooms));
+      store.put_metadata(former.edits);
+    }
+    (void)assemble(settings, copy);
+  });
+}
+
 /// Each mission in OUT/missions, what holds together in OUT, and whatever does not beside it.
 void build_joined(const Settings& settings, const BuildArguments& arguments,
                   const std::vector<LogPart>& missions) {
@@ -126,8 +146,7 @@ void build_joined(const Settings& settings, const BuildArguments& arguments,
   }
   if (!is_any_joined(buildings)) {
     if (arguments.inputs.size() > 1) require_any_joined(buildings);
-    // the parts of one mission: the largest is the building
-    put_copy_in_place(buildings.front().store, store);
+    put_alone(settings, buildings.front().store, store);
     buildings.front().store = store;
   }
   for (const WrittenBuilding& written : buildings) {

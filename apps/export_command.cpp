@@ -337,9 +337,9 @@ void export_and_tell(const Settings& settings, const Path& store, const Names& f
   make_folder(out);
   const PlaceLock lock(out);
   const bool is_asked = formats != export_formats();
-  tell_files(
-      settings, out,
-      export_all(settings, store, is_asked ? formats : possible_formats(formats), options, out));
+  tell_files(settings, out,
+             export_all(settings, store, is_asked ? formats : possible_formats(formats, store),
+                        options, out));
 }
 
 }  // namespace roomatlas::apps

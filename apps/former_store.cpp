@@ -7,30 +7,56 @@
 
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/merge/carry_over.hpp"
+#include "store_edits.hpp"
 
 namespace roomatlas::apps {
 
-std::vector<PlanRoom> rooms_to_carry_over(const std::filesystem::path& store_file,
-                                          const std::string& mission_sha256) {
+namespace {
+
+/// Of a building in another frame.
+void tell_lost(const std::filesystem::path& store, const Former& former) {
+  std::vector<std::string> names;
+  for (const PlanRoom& room : former.rooms) {
+    if (is_named(room)) names.push_back('"' + room.name + '"');
+  }
+  if (!names.empty()) {
+    spdlog::warn("{} was made from another log: the names of its rooms are lost: {}",
+                 store.string(), fmt::join(names, ", "));
+  }
+  if (!former.edits.empty()) {
+    spdlog::warn("{} was made from another log: the corrections by hand that it kept are lost",
+                 store.string());
+  }
+}
+
+}  // namespace
+
+Former former_in(const std::filesystem::path& store_file, const std::string& building) {
   if (!std::filesystem::exists(store_file)) return {};
   try {
     const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
-    std::vector<PlanRoom> rooms = store.former_rooms();
-    const auto metadata = store.metadata();
-    const auto sha256 = metadata.find("mission_sha256");
-    if (sha256 == metadata.end() || sha256->second == mission_sha256) return rooms;
-    std::vector<std::string> names;
-    for (const PlanRoom& room : rooms) {
-      if (is_named(room)) names.push_back('"' + room.name + '"');
-    }
-    if (!names.empty()) {
-      spdlog::warn("{} was made from another log: the names of its rooms are lost: {}",
-                   store_file.string(), fmt::join(names, ", "));
-    }
+    const Metadata metadata = store.metadata();
+    Former former{store.former_rooms(), {}};
+    const auto edits = metadata.find(kEditsKey);
+    if (edits != metadata.end()) former.edits.insert(*edits);
+    const bool is_known = metadata.contains("building") || metadata.contains("mission_sha256");
+    if (!is_known || building_of(metadata) == building) return former;
+    tell_lost(store_file, former);
   } catch (const InputError& error) {
-    spdlog::warn("{}; names of rooms that it had are lost", error.what());
+    spdlog::warn("{}; names of rooms and corrections by hand that it had are lost", error.what());
   }
   return {};
+}
+
+std::vector<PlanRoom> with_names_of(std::vector<PlanRoom> rooms,
+                                    const std::vector<PlanRoom>& others) {
+  FloorPlan plan;
+  plan.rooms = std::move(rooms);
+  std::map<AsrId, RoomId> no_visits;
+  std::map<RoomId, RoomId> number_of;
+  for (const auto& [was, is] : carry_over(others, plan, no_visits).number) number_of[is] = was;
+  renumber(plan, number_of);
+  return plan.rooms;
 }
 
 void require_known_version(const Settings& settings, const std::filesystem::path& store) {

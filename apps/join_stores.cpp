@@ -7,13 +7,16 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 
 #include "console.hpp"
+#include "former_store.hpp"
 #include "new_store.hpp"
 #include "output_places.hpp"
 #include "plan_report.hpp"
 #include "roomatlas/asr/joined_source.hpp"
 #include "roomatlas/core/counted.hpp"
+#include "roomatlas/io/plans/edits_file.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "store_edits.hpp"
@@ -50,12 +53,29 @@ Metadata metadata_of(const JoinedBuilding& building, const Stores& stores,
   return joined;
 }
 
+/// Names and statements of the building that stands in the place, and before them those of the base
+/// that it does not have: both are in the base's frame, and what is said later holds.
+void put_former(const Former& former, const GeoPackageStore& base, GeoPackageStore& store) {
+  const std::vector<PlanRoom> of_base = base.plan().rooms;
+  store.put_former_rooms(former.rooms.empty() ? of_base : with_names_of(former.rooms, of_base));
+  store.put_metadata(former.edits);
+  const std::vector<Edit> said = stored_edits(store);
+  std::set<std::string> known;
+  for (const Edit& edit : said) known.insert(edits_json({edit}));
+  std::vector<Edit> edits = stored_edits(base);
+  std::erase_if(edits, [&](const Edit& edit) { return known.contains(edits_json({edit})); });
+  edits.insert(edits.end(), said.begin(), said.end());
+  keep_edits(edits, store);
+}
+
 std::size_t write_building(const Settings& settings, const JoinedBuilding& building,
                            const Stores& stores, const Path& place) {
   std::vector<const AsrSource*> sources;
   for (const std::size_t i : building.missions) sources.push_back(stores[i].get());
   const JoinedSource source(sources);
   settle_new_store(place);
+  const GeoPackageStore& base = *stores[building.missions.front()];
+  const Former former = former_in(place, building_of(base.metadata()));
   const NewStore made(place);
   try {
     GeoPackageStore store(made.file(), GeoPackageStore::Mode::create);
@@ -63,9 +83,7 @@ std::size_t write_building(const Settings& settings, const JoinedBuilding& build
     for (const AsrId id : source.ids()) store.put(source.get(id, AsrDetail::readings));
     store.put_members(building.members);
     store.put_metadata(metadata_of(building, stores, settings));
-    const GeoPackageStore& base = *stores[building.missions.front()];
-    store.put_former_rooms(base.plan().rooms);
-    keep_edits(stored_edits(base), store);
+    put_former(former, base, store);
     Settings used = settings;
     used.assemble.edits = edits_for(settings, store);
     const Assembly assembly =

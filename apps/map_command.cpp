@@ -20,7 +20,6 @@
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/pipeline/map_mission.hpp"
-#include "store_edits.hpp"
 #include "store_metadata.hpp"
 
 namespace roomatlas::apps {
@@ -48,16 +47,10 @@ struct Recorded {
   MissionInfo info;
 };
 
-/// What the store that is replaced hands on.
-struct CarriedOver {
-  std::vector<PlanRoom> rooms;
-  Metadata edits;
-};
-
 /// The whole mission into a store, which is finished and closed then.
 /// @param from where a run was stopped whose rooms are in the store
 Recorded record(const Settings& settings, MissionSource& mission, const std::string& sha256,
-                const CarriedOver& carried, const Path& store_file,
+                const Former& former, const Path& store_file,
                 const std::optional<MapCheckpoint>& from) {
   GeoPackageStore store(store_file,
                         from ? GeoPackageStore::Mode::update : GeoPackageStore::Mode::create);
@@ -66,8 +59,8 @@ Recorded record(const Settings& settings, MissionSource& mission, const std::str
   } else {
     store.put_origin(origin_of(sha256, settings));
   }
-  if (!carried.rooms.empty()) store.put_former_rooms(carried.rooms);
-  if (!carried.edits.empty()) store.put_metadata(carried.edits);
+  if (!former.rooms.empty()) store.put_former_rooms(former.rooms);
+  if (!former.edits.empty()) store.put_metadata(former.edits);
   Recorded recorded;
   recorded.summary = map_mission(mission, store, settings.map, from, console_progress(settings));
   recorded.info = mission.info();
@@ -82,13 +75,12 @@ Recorded record(const Settings& settings, MissionSource& mission, const std::str
 Recorded record_in_place(const Settings& settings, MissionSource& mission,
                          const std::string& sha256, const Path& store_file,
                          const std::optional<UnfinishedStore>& unfinished) {
-  const CarriedOver carried{rooms_to_carry_over(store_file, sha256),
-                            edits_to_carry_over(store_file, sha256)};
+  const Former former = former_in(store_file, sha256);
   const NewStore store = unfinished ? NewStore(store_file, unfinished->file) : NewStore(store_file);
   const auto from =
       unfinished ? std::optional<MapCheckpoint>(unfinished->checkpoint) : std::nullopt;
   try {
-    Recorded recorded = record(settings, mission, sha256, carried, store.file(), from);
+    Recorded recorded = record(settings, mission, sha256, former, store.file(), from);
     store.put_in_place();
     return recorded;
   } catch (const Interrupted& stop) {

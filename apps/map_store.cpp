@@ -18,19 +18,18 @@ namespace roomatlas::apps {
 std::size_t map_into_store(const Settings& settings, const Path& file, const MapCells& cells,
                            const Path& store_file) {
   const std::string sha256 = sha256_of_file(file);
-  const std::vector<PlanRoom> carried = rooms_to_carry_over(store_file, sha256);
-  const Metadata edits = edits_to_carry_over(store_file, sha256);
+  const Former former = former_in(store_file, sha256);
   Settings used = settings;
   const NewStore made(store_file);
   try {
     GeoPackageStore store(made.file(), GeoPackageStore::Mode::create);
-    if (!carried.empty()) store.put_former_rooms(carried);
+    if (!former.rooms.empty()) store.put_former_rooms(former.rooms);
     MissionInfo info;  // a map says nothing of the drive behind it
     info.file = file.filename().string();
     Metadata metadata = metadata_of(info, sha256, settings);
     metadata.erase("mission_json");
     store.put_metadata({*metadata.find("mission_file")});
-    store.put_metadata(edits);
+    store.put_metadata(former.edits);
     used.assemble.edits = edits_for(used, store);
     const Assembly assembly =
         assemble_map(store, cells, used, settings.as_toml, console_progress(settings));

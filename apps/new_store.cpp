@@ -95,15 +95,17 @@ void remove_leftovers(const fs::path& store) {
   }
 }
 
-void put_copy_in_place(const fs::path& finished, const fs::path& place) {
+void put_copy_in_place(const fs::path& finished, const fs::path& place,
+                       const std::function<void(const fs::path& copy)>& change) {
   const fs::path copy = place_beside(place);
   std::error_code error;
   fs::copy_file(finished, copy, fs::copy_options::overwrite_existing, error);
   if (error) {
     remove_store(copy);
     throw InputError(copy.string() + ": cannot be written: " + error.message() +
-                     "; make room on the disk and run the same command again");
+                     "; run the same command again where it can be");
   }
+  change(copy);
   replace(place, copy);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <utility>
 
 namespace roomatlas::apps {
@@ -37,8 +38,10 @@ class NewStore {
 [[nodiscard]] std::filesystem::path place_beside(const std::filesystem::path& place);
 
 /// A copy of a finished store takes a place. What is there stays whole until then.
+/// @param change the copy, before it takes the place
 /// @throws InputError where it cannot be written
-void put_copy_in_place(const std::filesystem::path& finished, const std::filesystem::path& place);
+void put_copy_in_place(const std::filesystem::path& finished, const std::filesystem::path& place,
+                       const std::function<void(const std::filesystem::path& copy)>& change);
 
 /// Puts the store in its place that a run had finished beside it when it was stopped, and removes
 /// one with which none can go on.

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 
+#include "roomatlas/io/maps/nav2_export.hpp"
 #include "roomatlas/io/pictures/svg_pictures.hpp"
 #include "roomatlas/io/plans/ogr_export.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -27,9 +29,7 @@ const std::vector<Extra>& extras() {
   return all;
 }
 
-}  // namespace
-
-Names possible_formats(const Names& formats) {
+Names with_packages(const Names& formats) {
   Names possible = formats;
   for (const Extra& extra : extras()) {
     Names asked;
@@ -47,8 +47,23 @@ Names possible_formats(const Names& formats) {
   return possible;
 }
 
+}  // namespace
+
+Names possible_formats(const Names& formats, const Path& store_file) {
+  Names possible = with_packages(formats);
+  const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
+  if (std::count(possible.begin(), possible.end(), "nav2") == 0 || !store.has_assembly()) {
+    return possible;
+  }
+  if (!fits_nav2_map(store.plan())) {
+    spdlog::warn("no nav2: the plan is too large for a map of cells");
+    std::erase(possible, "nav2");
+  }
+  return possible;
+}
+
 void write_picture(const Path& png, const std::string& svg, double dots_per_inch) {
-  if (!possible_formats({"png"}).empty()) write_png(png, svg, dots_per_inch);
+  if (!with_packages({"png"}).empty()) write_png(png, svg, dots_per_inch);
 }
 
 }  // namespace roomatlas::apps

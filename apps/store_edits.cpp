@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "store_edits.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include "roomatlas/io/plans/edits_file.hpp"
 
 namespace roomatlas::apps {
@@ -25,22 +23,6 @@ void keep_edits(const std::vector<Edit>& edits, GeoPackageStore& store) {
   const auto kept = metadata.find(kEditsKey);
   if (kept == metadata.end() ? edits.empty() : kept->second == text) return;
   store.put_metadata({{kEditsKey, text}});
-}
-
-Metadata edits_to_carry_over(const Path& store_file, const std::string& mission_sha256) {
-  if (!std::filesystem::exists(store_file)) return {};
-  try {
-    const Metadata metadata = GeoPackageStore(store_file, GeoPackageStore::Mode::read).metadata();
-    const auto kept = metadata.find(kEditsKey);
-    if (kept == metadata.end()) return {};
-    const auto sha256 = metadata.find("mission_sha256");
-    if (sha256 == metadata.end() || sha256->second == mission_sha256) return {*kept};
-    spdlog::warn("{} was made from another log: the corrections by hand that it kept are lost",
-                 store_file.string());
-  } catch (const InputError&) {
-    // whoever carries the rooms over says so
-  }
-  return {};
 }
 
 }  // namespace roomatlas::apps

@@ -7,7 +7,6 @@
 #include "commands.hpp"
 #include "roomatlas/edit/edit.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
-#include "store_metadata.hpp"
 
 namespace roomatlas::apps {
 
@@ -22,8 +21,5 @@ inline constexpr const char* kEditsKey = "edits_json";
 
 /// Keeps statements for later assemblies, where there are any or were any.
 void keep_edits(const std::vector<Edit>& edits, GeoPackageStore& store);
-
-/// The metadata that a store keeps when the same log is mapped into its place: its statements.
-[[nodiscard]] Metadata edits_to_carry_over(const Path& store, const std::string& mission_sha256);
 
 }  // namespace roomatlas::apps

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
+#include <tuple>
 
 namespace roomatlas {
 namespace {
@@ -36,26 +38,41 @@ struct Run {
   int last = 0;
 };
 
-/// Weights of surfaces in bins across (rows) and along (columns) of one direction.
+/// What lies in one bin across (row) and along (column).
+struct Cell {
+  int row = 0;
+  int column = 0;
+  float weight = 0.0F;
+};
+
+struct ColumnWeight {
+  int column = 0;
+  double weight = 0.0;
+};
+
+/// Weights of surfaces in bins across (rows) and along (columns) of one direction. Kept are bins
+/// that hold something, so that work follows what was seen and not how far apart it lies.
 class RunSearch {
  public:
   RunSearch(const std::vector<SurfacePoint>& surfaces, double normal_rad, const RunOptions& options)
       : normal_rad_(normal_rad), options_(options) {
-    place(surfaces);
     half_rows_ = std::max(1, static_cast<int>(std::lround(options.half_band_m / kBinAcross_m)));
-    best_.resize(static_cast<std::size_t>(rows_));
-    for (int row = 0; row < rows_; ++row) best_[static_cast<std::size_t>(row)] = longest_at(row);
+    place(surfaces);
+    fill_cells();
+    best_.reserve(rows_.size());
+    for (const int row : rows_) best_.push_back(longest_at(row));
   }
 
   std::vector<WallFace> found() {
     std::vector<WallFace> faces;
-    while (const auto row = best_row()) {
-      const Run run = best_[static_cast<std::size_t>(*row)];
-      WallFace face = face_of(*row, run);
+    while (const auto place = best_place()) {
+      const int row = rows_[*place];
+      const Run run = best_[*place];
+      WallFace face = face_of(row, run);
       if (face.support_m() >= options_.min_support_m && looks_straight(face, run)) {
         faces.push_back(face);
       }
-      take_out(*row, run, face.offset_m);
+      take_out(row, run, face.offset_m);
     }
     return faces;
   }
@@ -65,62 +82,88 @@ class RunSearch {
     const Point2 normal = direction(normal_rad_);
     const Point2 along = direction(normal_rad_ + kPi / 2.0);
     double low_u = std::numeric_limits<double>::infinity();
-    double high_u = -low_u;
     double low_v = low_u;
-    double high_v = -low_u;
+    placed_.reserve(surfaces.size());
     for (const SurfacePoint& surface : surfaces) {
       const Placed placed{surface.at.dot(normal), surface.at.dot(along), surface.weight,
                           wrap_angle(surface.normal_rad - normal_rad_), 0};
       low_u = std::min(low_u, placed.across_m);
-      high_u = std::max(high_u, placed.across_m);
       low_v = std::min(low_v, placed.along_m);
-      high_v = std::max(high_v, placed.along_m);
       placed_.push_back(placed);
     }
     across0_m_ = low_u - 3.0 * kBinAcross_m;
     along0_m_ = low_v - options_.bin_along_m;
-    rows_ = static_cast<int>((high_u - across0_m_) / kBinAcross_m) + 4;
-    columns_ = static_cast<int>((high_v - along0_m_) / options_.bin_along_m) + 2;
-    weight_.assign(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_), 0.0F);
     for (Placed& one : placed_) {
       one.column = static_cast<int>((one.along_m - along0_m_) / options_.bin_along_m);
-      at(static_cast<int>((one.across_m - across0_m_) / kBinAcross_m), one.column) +=
-          static_cast<float>(one.weight);
     }
     // In the order of columns, so that those of a run are together.
     std::stable_sort(placed_.begin(), placed_.end(),
                      [](const Placed& a, const Placed& b) { return a.column < b.column; });
   }
 
-  [[nodiscard]] float& at(int row, int column) {
-    return weight_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                   static_cast<std::size_t>(column)];
+  [[nodiscard]] int row_of(double across_m) const {
+    return static_cast<int>((across_m - across0_m_) / kBinAcross_m);
   }
-  [[nodiscard]] double band_weight(int row, int column) {
-    double sum = 0.0;
-    for (int r = std::max(0, row - half_rows_); r <= std::min(rows_ - 1, row + half_rows_); ++r) {
-      sum += at(r, column);
+
+  /// Bins that hold something, by row and column, and the rows whose band reaches one of them.
+  void fill_cells() {
+    std::vector<Cell> single;
+    single.reserve(placed_.size());
+    for (const Placed& one : placed_) {
+      single.push_back({row_of(one.across_m), one.column, static_cast<float>(one.weight)});
     }
-    return sum;
+    std::stable_sort(single.begin(), single.end(), [](const Cell& a, const Cell& b) {
+      return std::tie(a.row, a.column) < std::tie(b.row, b.column);
+    });
+    for (const Cell& one : single) {
+      if (!cells_.empty() && cells_.back().row == one.row && cells_.back().column == one.column) {
+        cells_.back().weight += one.weight;
+        continue;
+      }
+      cells_.push_back(one);
+      const int from = std::max(one.row - half_rows_, rows_.empty() ? 0 : rows_.back() + 1);
+      for (int row = from; row <= one.row + half_rows_; ++row) rows_.push_back(row);
+    }
+  }
+
+  /// The cells of rows `from` to `to`.
+  [[nodiscard]] std::span<Cell> cells_between(int from, int to) {
+    const auto is_before = [](const Cell& cell, int row) { return cell.row < row; };
+    const auto first = std::lower_bound(cells_.begin(), cells_.end(), from, is_before);
+    const auto end = std::lower_bound(first, cells_.end(), to + 1, is_before);
+    return {first, end};
+  }
+
+  /// What a band holds in each of the columns `first` to `last` that hold something.
+  std::vector<ColumnWeight> band_at(int row, int first, int last) {
+    std::vector<ColumnWeight> single;
+    for (const Cell& cell : cells_between(row - half_rows_, row + half_rows_)) {
+      if (cell.column >= first && cell.column <= last) single.push_back({cell.column, cell.weight});
+    }
+    std::stable_sort(
+        single.begin(), single.end(),
+        [](const ColumnWeight& a, const ColumnWeight& b) { return a.column < b.column; });
+    std::vector<ColumnWeight> sums;
+    for (const ColumnWeight& one : single) {
+      if (!sums.empty() && sums.back().column == one.column) {
+        sums.back().weight += one.weight;
+      } else {
+        sums.push_back(one);
+      }
+    }
+    return sums;
   }
   /// Columns of a band in which there is enough.
   std::vector<int> columns_at(int row, int first, int last) {
-    std::vector<double> sums(static_cast<std::size_t>(last - first + 1), 0.0);
-    for (int r = std::max(0, row - half_rows_); r <= std::min(rows_ - 1, row + half_rows_); ++r) {
-      const float* const weights = &at(r, first);
-      for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += weights[i];
-    }
     std::vector<int> columns;
-    for (int column = first; column <= last; ++column) {
-      if (sums[static_cast<std::size_t>(column - first)] >= options_.min_hits) {
-        columns.push_back(column);
-      }
+    for (const ColumnWeight& sum : band_at(row, first, last)) {
+      if (sum.weight >= options_.min_hits) columns.push_back(sum.column);
     }
     return columns;
   }
 
   Run longest_at(int row) {
-    const std::vector<int> columns = columns_at(row, 0, columns_ - 1);
+    const std::vector<int> columns = columns_at(row, 0, std::numeric_limits<int>::max());
     Run longest;
     for (const auto& [first, last] :
          runs_of(columns, static_cast<int>(options_.max_gap_m / options_.bin_along_m))) {
@@ -130,23 +173,23 @@ class RunSearch {
     return longest;
   }
 
-  /// The row with the longest run; of equal ones that with most in it.
-  std::optional<int> best_row() {
+  /// The place of the row with the longest run; of equal ones that with most in it.
+  std::optional<std::size_t> best_place() {
     int longest = 0;
     for (const Run& run : best_) longest = std::max(longest, run.bins);
     if (longest * options_.bin_along_m < options_.min_support_m - 1e-9) return std::nullopt;
-    std::optional<int> best;
+    std::optional<std::size_t> best;
     double most = -1.0;
-    for (int row = 0; row < rows_; ++row) {
-      const Run& run = best_[static_cast<std::size_t>(row)];
+    for (std::size_t place = 0; place < rows_.size(); ++place) {
+      const Run& run = best_[place];
       if (run.bins != longest) continue;
       double weight = 0.0;
-      for (int column = run.first; column <= run.last; ++column) {
-        weight += band_weight(row, column);
+      for (const ColumnWeight& sum : band_at(rows_[place], run.first, run.last)) {
+        weight += sum.weight;
       }
       if (weight > most) {
         most = weight;
-        best = row;
+        best = place;
       }
     }
     return best;
@@ -230,19 +273,20 @@ class RunSearch {
   }
 
   void take_out(int row, const Run& run, double offset_m) {
-    const int middle = static_cast<int>((offset_m - across0_m_) / kBinAcross_m);
+    const int middle = row_of(offset_m);
     const int reach = 2 * half_rows_ + 1;
     const auto clear = [&](int from, int to) {
-      for (int r = std::max(0, from); r <= std::min(rows_ - 1, to); ++r) {
-        for (int column = run.first; column <= run.last; ++column) at(r, column) = 0.0F;
+      for (Cell& cell : cells_between(from, to)) {
+        if (cell.column >= run.first && cell.column <= run.last) cell.weight = 0.0F;
       }
     };
     clear(middle - reach, middle + reach);
     clear(row - half_rows_, row + half_rows_);
     const int from = std::min(row, middle) - reach - half_rows_ - 1;
     const int to = std::max(row, middle) + reach + half_rows_ + 1;
-    for (int r = std::max(0, from); r <= std::min(rows_ - 1, to); ++r) {
-      best_[static_cast<std::size_t>(r)] = longest_at(r);
+    const auto first = std::lower_bound(rows_.begin(), rows_.end(), from);
+    for (auto at = first; at != rows_.end() && *at <= to; ++at) {
+      best_[static_cast<std::size_t>(at - rows_.begin())] = longest_at(*at);
     }
   }
 
@@ -251,11 +295,10 @@ class RunSearch {
   std::vector<Placed> placed_;
   double across0_m_ = 0.0;
   double along0_m_ = 0.0;
-  int rows_ = 0;
-  int columns_ = 0;
   int half_rows_ = 1;
-  std::vector<float> weight_;
-  std::vector<Run> best_;  ///< of each row
+  std::vector<Cell> cells_;
+  std::vector<int> rows_;  ///< ascending
+  std::vector<Run> best_;  ///< of each of them
 };
 
 }  // namespace

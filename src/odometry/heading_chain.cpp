@@ -68,7 +68,7 @@ void carry(HeadingBelief& belief, const HeadingChain& chain, std::size_t node,
 double filter(const HeadingChain& chain, std::vector<HeadingBelief>* keep) {
   HeadingBelief scratch;
   HeadingBelief belief;
-  double log_evidence = 0.0;
+  double log_evidence = chain.log_scale;
   for (std::size_t k = 0; k < chain.evidence.size(); ++k) {
     if (k == 0 || chain.drift[k].empty()) {
       belief = uniform(chain.states);

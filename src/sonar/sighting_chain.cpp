@@ -56,6 +56,33 @@ void weigh(HeadingBelief& evidence, const WallSighting& wall,
   }
 }
 
+/// What all walls at a node say. Of hundreds the product is no number any more, so that logarithms
+/// of products of a few are summed.
+/// @param log_scale receives the logarithm of what the evidence was divided by
+HeadingBelief evidence_of(const std::vector<const WallSighting*>& walls,
+                          std::span<const double> directions_rad, const HeadingStates& states,
+                          const SightingChainOptions& options, double& log_scale) {
+  constexpr std::size_t kFew = 64;
+  constexpr double kLeast =
+      1e-100;  // of the likeliest: nodes that contradict each other leave some
+  HeadingBelief product(states.size(), 1.0);
+  HeadingBelief logs(walls.size() > kFew ? states.size() : 0, 0.0);
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    weigh(product, *walls[i], directions_rad, states, options);
+    if (logs.empty() || ((i + 1) % kFew != 0 && i + 1 < walls.size())) continue;
+    for (std::size_t s = 0; s < logs.size(); ++s) logs[s] += std::log(product[s]);
+    product.assign(states.size(), 1.0);
+  }
+  if (!logs.empty()) {
+    const double most = *std::max_element(logs.begin(), logs.end());
+    for (std::size_t s = 0; s < logs.size(); ++s) product[s] = std::exp(logs[s] - most);
+    log_scale += most;
+  }
+  const double least = kLeast * *std::max_element(product.begin(), product.end());
+  for (double& value : product) value = std::max(value, least);
+  return product;
+}
+
 }  // namespace
 
 HeadingChain sighting_chain(std::span<const HeadingNode> nodes,
@@ -67,10 +94,12 @@ HeadingChain sighting_chain(std::span<const HeadingNode> nodes,
   chain.switch_share = options.switch_share;
   chain.evidence.resize(nodes.size());
   chain.drift.resize(nodes.size());
-  for (const WallSighting& wall : sightings) {
-    HeadingBelief& at = chain.evidence[wall.node];
-    if (at.empty()) at.assign(chain.states.size(), 1.0);
-    weigh(at, wall, directions_rad, chain.states, options);
+  std::vector<std::vector<const WallSighting*>> walls_at(nodes.size());
+  for (const WallSighting& wall : sightings) walls_at[wall.node].push_back(&wall);
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    if (walls_at[k].empty()) continue;
+    chain.evidence[k] =
+        evidence_of(walls_at[k], directions_rad, chain.states, options, chain.log_scale);
   }
   for (std::size_t k = 1; k < nodes.size(); ++k) {
     chain.drift[k] = drift_between(nodes[k - 1], nodes[k], chain.states, options);

@@ -2,6 +2,7 @@
 #include "sonar_attempt.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -77,6 +78,7 @@ std::vector<double> by_reading(const HeadingProblem& problem, const std::vector<
 }
 
 void set_aside(Attempt attempt, std::vector<Attempt>& others) {
+  if (!std::isfinite(attempt.score_m)) return;  // its equations had no solution
   attempt.drawn = {};
   others.push_back(std::move(attempt));
 }

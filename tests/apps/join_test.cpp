@@ -3,6 +3,7 @@
 #include <SQLiteCpp/Database.h>
 #include <gmock/gmock.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -105,6 +106,48 @@ TEST_F(Join, BuildOfTwoLogsIsOneBuildingWhateverTheirOrder) {
   EXPECT_EQ(members[1].first_asr, members[0].last_asr + 1);
   EXPECT_GT(members[1].agreement, 0.9);
   EXPECT_EQ(store.ids().back(), members[1].last_asr);
+}
+
+TEST_F(Join, NamesAndCorrectionsOfTheBuildingStayWhenItIsBuiltAgain) {
+  const std::string place = (*folder_ / "kept").string();
+  const std::string store = place + "/building.gpkg";
+  const std::string build = "build " + one_ + " " + two_ + " -o " + place;
+  const auto names = [&](const std::string& file) {
+    std::vector<std::string> found;
+    for (const PlanRoom& room : GeoPackageStore(file, GeoPackageStore::Mode::read).plan().rooms) {
+      found.push_back(room.name);
+    }
+    return found;
+  };
+  std::ofstream(*folder_ / "kinds.json")
+      << R"({"format": "roomatlas-edits", "version": 1, "frame": "building", "edits": [{"edit": "set_room_kind", "room": {"id": 1}, "kind": "hall"}]})";
+  ASSERT_EQ(run(build + " --edits " + (*folder_ / "kinds.json").string()).exit_code, 0);
+  ASSERT_EQ(run("-q rename " + store + " 2 Kitchen").exit_code, 0);
+  const Outcome again = run(build);
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_THAT(names(store), ::testing::ElementsAre("1", "Kitchen"));
+  EXPECT_EQ(GeoPackageStore(store, GeoPackageStore::Mode::read).plan().rooms[0].kind,
+            RoomKind::hall);
+
+  // `join` onto a building of before does the same, and takes names that the base alone has.
+  const std::string stores = place + "/missions/one.gpkg " + place + "/missions/two.gpkg";
+  for (const char* mission : {"one", "two"}) {
+    const std::string single = place + "/missions/" + mission + ".gpkg";
+    ASSERT_EQ(run("-q rename " + single + " 1 Office").exit_code, 0);
+    ASSERT_EQ(run("-q rename " + single + " 2 Pantry").exit_code, 0);
+  }
+  ASSERT_EQ(run("-q join " + stores + " -o " + store).exit_code, 0);
+  EXPECT_THAT(names(store), ::testing::ElementsAre("Office", "Kitchen"));
+
+  // Another building's frame is another: what is lost is said.
+  const std::string other = log("stranger", "two_rooms", "--sensor laser --tour --seed 9");
+  ASSERT_EQ(run("-q build " + other + " -o " + place + "/other").exit_code, 0);
+  std::filesystem::copy_file(store, place + "/other/building.gpkg",
+                             std::filesystem::copy_options::overwrite_existing);
+  const Outcome lost = run("build " + other + " -o " + place + "/other");
+  ASSERT_EQ(lost.exit_code, 0) << lost.err;
+  EXPECT_THAT(lost.err, HasSubstr("the names of its rooms are lost: \"Office\", \"Kitchen\""));
+  EXPECT_THAT(lost.err, HasSubstr("corrections by hand that it kept are lost"));
 }
 
 TEST_F(Join, SaysOfEachMissionWhatItSawAndHowFarItIsOffTheTruth) {

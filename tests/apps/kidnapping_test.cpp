@@ -118,6 +118,18 @@ TEST_F(Carried, PartThatNothingHoldsStaysBeside) {
     ++beside;
   }
   EXPECT_EQ(beside, 1U);
+
+  // What people said of the building stays when it is built again.
+  const std::string store = (*folder_ / "apart/building.gpkg").string();
+  const auto first_room = [&] {
+    return GeoPackageStore(store, GeoPackageStore::Mode::read).plan().rooms.front();
+  };
+  const std::string id = std::to_string(first_room().id);
+  ASSERT_EQ(run("-q rename " + store + " " + id + " Kitchen").exit_code, 0);
+  const Outcome again = run("build " + (*folder_ / "far/mission.clf").string() + " -o " +
+                            (*folder_ / "apart").string());
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(first_room().name, "Kitchen");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -63,6 +64,34 @@ TEST(MissionHeading, HasTheEvidenceOfAllPathsSummed) {
   const BruteForce oracle(four_nodes(), some_walls(), few_states());
   EXPECT_NEAR(heading_evidence(four_nodes(), some_walls(), kOne, few_states()),
               std::log(oracle.evidence()), 1e-9);
+}
+
+TEST(MissionHeading, HearsThousandsOfWallsAtOnce) {
+  // Their product is beyond any number; its logarithm is a sum.
+  const SightingChainOptions options = few_states();
+  const HeadingDefinition one{{}, {{0, radians(20.0), 1.5}}, options};
+  const HeadingDefinition other{{}, {{0, radians(45.0), 0.7}}, options};
+  for (const auto& [ones, others] : std::vector<std::pair<int, int>>{{3000, 0}, {2000, 2500}}) {
+    std::vector<WallSighting> walls(static_cast<std::size_t>(ones), one.walls.front());
+    walls.insert(walls.end(), static_cast<std::size_t>(others), other.walls.front());
+    std::vector<double> logs;
+    for (int state = 0; state < options.states; ++state) {
+      logs.push_back(ones * std::log(one.seen(0, state)) + others * std::log(other.seen(0, state)));
+    }
+    const double most = *std::max_element(logs.begin(), logs.end());
+    double sum = 0.0;
+    for (const double log : logs) sum += std::exp(log - most) / options.states;
+    const double found = heading_evidence(std::vector<HeadingNode>{{0, 0}}, walls, kOne, options);
+    EXPECT_NEAR(found, most + std::log(sum), 1e-6) << ones;
+  }
+  // Two nodes that contradict each other have numbers for headings.
+  std::vector<WallSighting> walls(3000, {0, radians(10.0), 1.5});
+  walls.insert(walls.end(), 3000, {1, radians(50.0), 1.5});
+  const MissionHeading heading =
+      mission_heading(std::vector<HeadingNode>{{0, 0}, {0.01, 0}}, walls, kOne, options);
+  for (const double correction_rad : heading.correction_rad) {
+    EXPECT_TRUE(std::isfinite(correction_rad));
+  }
 }
 
 TEST(MissionHeading, HasTheMeanOfAllPathsAboutTheMode) {

@@ -48,8 +48,10 @@ struct HeadingChain {
   HeadingStates states;
   std::vector<HeadingBelief> evidence;  ///< likelihood of what was seen, by node and state, above
                                         ///< 0; empty where nothing was seen
-  std::vector<HeadingDrift> drift;      ///< into each node; empty: odometry does not lead there
-                                        ///< from the node before, and the chain begins anew
+  double log_scale = 0.0;  ///< natural logarithm of what all evidence was divided by, so that it is
+                           ///< neither too large nor too small for a number
+  std::vector<HeadingDrift> drift;  ///< into each node; empty: odometry does not lead there
+                                    ///< from the node before, and the chain begins anew
   double switch_share = 0.0;  ///< of the belief at each node that goes over to the building's other
                               ///< directions, [0, 1)
   MessageScaling scaling = MessageScaling::after_drift;

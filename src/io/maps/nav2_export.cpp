@@ -7,6 +7,7 @@
 #include "text/numbers.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace roomatlas {
 namespace {
@@ -16,6 +17,8 @@ using io::PlanRaster;
 std::string pgm_of(const io::CellGrid<std::uint8_t>& cells) {
   std::string pgm =
       "P5\n" + std::to_string(cells.width()) + " " + std::to_string(cells.height()) + "\n255\n";
+  pgm.reserve(pgm.size() +
+              static_cast<std::size_t>(cells.width()) * static_cast<std::size_t>(cells.height()));
   for (int y = cells.height() - 1; y >= 0; --y) {
     for (int x = 0; x < cells.width(); ++x) pgm += static_cast<char>(cells(x, y));
   }
@@ -36,8 +39,7 @@ std::string yaml_of(const PlanRaster& raster, const char* picture) {
 }
 
 /// Everything that is not known to be free is kept out of.
-PlanRaster keepout_of(const PlanRaster& map) {
-  PlanRaster mask = map;
+PlanRaster keepout_of(PlanRaster mask) {
   for (int y = 0; y < mask.cells.height(); ++y) {
     for (int x = 0; x < mask.cells.width(); ++x) {
       if (mask.cells(x, y) != PlanRaster::kFree) mask.cells(x, y) = PlanRaster::kOccupied;
@@ -50,13 +52,17 @@ PlanRaster keepout_of(const PlanRaster& map) {
 
 std::vector<std::string> write_nav2_map(const std::filesystem::path& folder, const FloorPlan& plan,
                                         const Nav2Options& options) {
-  const PlanRaster map = io::raster_of(plan, options.cell_m, options.margin_m);
+  PlanRaster map = io::raster_of(plan, options.cell_m, options.margin_m);
   write_file(folder / "map.pgm", pgm_of(map.cells));
   write_file(folder / "map.yaml", yaml_of(map, "map.pgm"));
-  write_file(folder / "keepout_mask.pgm", pgm_of(keepout_of(map).cells));
   write_file(folder / "keepout_mask.yaml", yaml_of(map, "keepout_mask.pgm"));
+  write_file(folder / "keepout_mask.pgm", pgm_of(keepout_of(std::move(map)).cells));
   write_file(folder / "rooms.yaml", rooms_yaml(plan));
   return {"map.pgm", "map.yaml", "keepout_mask.pgm", "keepout_mask.yaml", "rooms.yaml"};
+}
+
+bool fits_nav2_map(const FloorPlan& plan, const Nav2Options& options) {
+  return !io::is_too_large(plan, options.cell_m, options.margin_m);
 }
 
 }  // namespace roomatlas

@@ -26,6 +26,18 @@ Box2 box_of(const FloorPlan& plan) {
   return box;
 }
 
+/// The lower left corner, on a whole number of cells.
+Point2 origin_of(const Box2& box, double cell_m, double margin_m) {
+  const auto whole = [&](double value) { return std::floor(value / cell_m + 1e-6) * cell_m; };
+  return Point2(box.min - Point2::Constant(margin_m)).unaryExpr(whole);
+}
+
+/// Columns and rows; too many for an integer, perhaps.
+Point2 size_of(const Box2& box, double cell_m, double margin_m) {
+  const Point2 high = box.max + Point2::Constant(margin_m);
+  return ((high - origin_of(box, cell_m, margin_m)) / cell_m).array().ceil();
+}
+
 /// Paints on a raster.
 class Painter {
  public:
@@ -113,6 +125,13 @@ void for_each_cell_in(const Polygon& polygon, const PlanRaster& raster,
   }
 }
 
+bool is_too_large(const FloorPlan& plan, double cell_m, double margin_m) {
+  const Box2 box = box_of(plan);
+  if (box.empty()) return false;
+  const Point2 size = size_of(box, cell_m, margin_m);
+  return size.x() * size.y() > kMostCells;
+}
+
 PlanRaster raster_of(const FloorPlan& plan, double cell_m, double margin_m) {
   PlanRaster raster;
   raster.cell_m = cell_m;
@@ -121,13 +140,12 @@ PlanRaster raster_of(const FloorPlan& plan, double cell_m, double margin_m) {
     raster.cells = CellGrid<std::uint8_t>(1, 1, PlanRaster::kUnknown);
     return raster;
   }
-  const Point2 margin = Point2::Constant(margin_m);
-  const auto whole = [&](double value) { return std::floor(value / cell_m + 1e-6) * cell_m; };
-  raster.origin_m = Point2(box.min - margin).unaryExpr(whole);
-  const Point2 size = ((box.max + margin - raster.origin_m) / cell_m).array().ceil();
-  if (size.x() * size.y() > kMostCells) {
+  raster.origin_m = origin_of(box, cell_m, margin_m);
+  const Point2 size = size_of(box, cell_m, margin_m);
+  if (is_too_large(plan, cell_m, margin_m)) {
     throw InputError("the plan is too large for a map of cells: it would have " +
-                     std::to_string(size.x() * size.y()) + " cells; the most is 268435456");
+                     std::to_string(std::llround(size.x() * size.y())) +
+                     " cells; the most is 268435456");
   }
   raster.cells = CellGrid<std::uint8_t>(static_cast<int>(size.x()), static_cast<int>(size.y()),
                                         PlanRaster::kUnknown);

@@ -26,6 +26,9 @@ struct PlanRaster {
 void for_each_cell_in(const Polygon& polygon, const PlanRaster& raster,
                       const std::function<void(int x, int y)>& visit);
 
+/// True where `raster_of` would throw.
+[[nodiscard]] bool is_too_large(const FloorPlan& plan, double cell_m, double margin_m);
+
 /// @param margin_m of unknown space around; the origin lies on a whole number of cells
 /// Throws InputError for more than 2^28 cells.
 [[nodiscard]] PlanRaster raster_of(const FloorPlan& plan, double cell_m, double margin_m);

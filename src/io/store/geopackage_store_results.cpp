@@ -286,8 +286,9 @@ FloorPlan GeoPackageStore::plan() const {
 }
 
 std::vector<PlanRoom> GeoPackageStore::former_rooms() const {
-  if (has_assembly()) return plan().rooms;
-  return state_->reading([](Database& db) { return read_former_rooms(db); });
+  std::vector<PlanRoom> rooms = state_->reading([](Database& db) { return read_former_rooms(db); });
+  if (rooms.empty() && has_assembly()) return plan().rooms;
+  return rooms;
 }
 
 void GeoPackageStore::put_former_rooms(const std::vector<PlanRoom>& rooms) {

@@ -115,6 +115,17 @@ TEST(Nav2Map, MaskKeepsOutOfAllThatIsNotFree) {
   }
 }
 
+TEST(Nav2Map, OfAPlanThatIsTooLargeIsRefused) {
+  const TemporaryDirectory folder;
+  FloorPlan plan = thin_wall();
+  EXPECT_TRUE(fits_nav2_map(plan));
+  plan.rooms.push_back(plan.rooms.front());
+  for (Point2& point : plan.rooms.back().parts.front().outer) point += Point2(9000.0, 9000.0);
+  EXPECT_FALSE(fits_nav2_map(plan));
+  EXPECT_THROW(write_nav2_map(folder / ".", plan), InputError);
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "."));
+}
+
 TEST(Nav2Map, OfAnEmptyPlanIsOneUnknownCell) {
   const TemporaryDirectory folder;
   write_nav2_map(folder / ".", {});

@@ -24,4 +24,7 @@ struct Nav2Options {
 std::vector<std::string> write_nav2_map(const std::filesystem::path& folder, const FloorPlan& plan,
                                         const Nav2Options& options = {});
 
+/// False where the map would have more than 2^28 cells.
+[[nodiscard]] bool fits_nav2_map(const FloorPlan& plan, const Nav2Options& options = {});
+
 }  // namespace roomatlas
