@@ -44,7 +44,7 @@ double seen_share(const PlanRoom& room, const SeenCells& one, const SeenCells& o
                   const CellFrame& frame) {
   std::int64_t all = 0;
   std::int64_t again = 0;
-  for_each_cell(box_of(room, frame), [&](const Cell& cell) {
+  for_each_cell(one.seen.domain.within(box_of(room, frame)), [&](const Cell& cell) {
     if (!one.seen.at(cell) || !lies_in(room, frame.center_of(cell), 0.0)) return;
     ++all;
     if (other.seen.at(cell)) ++again;
@@ -98,7 +98,8 @@ std::vector<Polygon> not_seen_again(const Seen& before, const SeenCells& after,
                                     const CellFrame& frame, const ChangeOptions& options) {
   CellMask lost(before.cells.seen.domain);
   for (const PlanRoom& room : before.plan.rooms) {
-    for_each_cell(box_of(room, frame), [&](const Cell& cell) {
+    const CellDomain& seen = before.cells.seen.domain;
+    for_each_cell(seen.within(box_of(room, frame)), [&](const Cell& cell) {
       if (!before.cells.seen.at(cell) || after.seen.at(cell)) return;
       if (lies_in(room, frame.center_of(cell), 0.0)) lost.set(cell, true);
     });

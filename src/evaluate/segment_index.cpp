@@ -1,58 +1,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "segment_index.hpp"
 
+#define BOOST_ALLOW_DEPRECATED_HEADERS  // Boost.Geometry 1.74 includes one of its own
+
+#include <boost/geometry/algorithms/distance.hpp>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
+
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace roomatlas {
 namespace {
 
-constexpr double kBucketM = 1.0;  // larger holds more edges, smaller makes more buckets
+namespace index = boost::geometry::index;
+using IndexPoint = boost::geometry::model::d2::point_xy<double>;
+using IndexBox = boost::geometry::model::box<IndexPoint>;
+using Entry = std::pair<IndexBox, std::size_t>;
 
-std::int64_t index_of(double metres) {
-  return static_cast<std::int64_t>(std::floor(metres / kBucketM));
+IndexBox box_of(const Segment2& edge) {
+  const Point2 low = edge.a.cwiseMin(edge.b);
+  const Point2 high = edge.a.cwiseMax(edge.b);
+  return {{low.x(), low.y()}, {high.x(), high.y()}};
+}
+
+double distance_to(const IndexBox& box, const Point2& point) {
+  const Point2 low{box.min_corner().x(), box.min_corner().y()};
+  const Point2 high{box.max_corner().x(), box.max_corner().y()};
+  return (point - point.cwiseMax(low).cwiseMin(high)).norm();
 }
 
 }  // namespace
 
-SegmentIndex::SegmentIndex(const std::vector<Ring>& rings) {
+struct SegmentIndex::Tree {
+  index::rtree<Entry, index::quadratic<16>> boxes;
+};
+
+SegmentIndex::SegmentIndex(const std::vector<Ring>& rings) : tree_(std::make_unique<Tree>()) {
+  std::vector<Entry> entries;
   for (const Ring& ring : rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Segment2 edge{ring[i], ring[(i + 1) % ring.size()]};
-      const Point2 low = edge.a.cwiseMin(edge.b);
-      const Point2 high = edge.a.cwiseMax(edge.b);
-      if (segments_.empty()) min_ = max_ = {index_of(low.x()), index_of(low.y())};
-      for (std::int64_t x = index_of(low.x()); x <= index_of(high.x()); ++x) {
-        for (std::int64_t y = index_of(low.y()); y <= index_of(high.y()); ++y) {
-          buckets_[{x, y}].push_back(segments_.size());
-          min_ = {std::min(min_.first, x), std::min(min_.second, y)};
-          max_ = {std::max(max_.first, x), std::max(max_.second, y)};
-        }
-      }
-      segments_.push_back(edge);
+      segments_.push_back({ring[i], ring[(i + 1) % ring.size()]});
+      entries.emplace_back(box_of(segments_.back()), entries.size());
     }
   }
+  tree_->boxes = decltype(tree_->boxes)(entries);
 }
+
+SegmentIndex::~SegmentIndex() = default;
 
 double SegmentIndex::distance(const Point2& point) const {
   double nearest_m = std::numeric_limits<double>::infinity();
-  const std::int64_t cx = index_of(point.x());
-  const std::int64_t cy = index_of(point.y());
-  const std::int64_t last = std::max(
-      {cx - min_.first, max_.first - cx, cy - min_.second, max_.second - cy, std::int64_t{0}});
-  // Square rings of buckets, outwards; ring r lies at least (r - 1) buckets away.
-  for (std::int64_t r = 0; r <= last && static_cast<double>(r - 1) * kBucketM < nearest_m; ++r) {
-    for (std::int64_t x = cx - r; x <= cx + r; ++x) {
-      const bool on_side = x == cx - r || x == cx + r;
-      for (std::int64_t y = cy - r; y <= cy + r; y += on_side || r == 0 ? 1 : 2 * r) {
-        const auto found = buckets_.find({x, y});
-        if (found == buckets_.end()) continue;
-        for (const std::size_t i : found->second) {
-          nearest_m = std::min(nearest_m, roomatlas::distance(segments_[i], point));
-        }
-      }
-    }
+  const IndexPoint at(point.x(), point.y());
+  // Boxes from the nearest on; an edge may lie farther off than its box.
+  const auto query = index::nearest(at, static_cast<unsigned>(segments_.size()));
+  for (auto entry = tree_->boxes.qbegin(query); entry != tree_->boxes.qend(); ++entry) {
+    if (distance_to(entry->first, point) >= nearest_m) break;
+    nearest_m = std::min(nearest_m, roomatlas::distance(segments_[entry->second], point));
   }
   return nearest_m;
 }

@@ -183,6 +183,20 @@ TEST_F(DamagedStore, SaysTableRowFieldAndWhatIsExpected) {
               AllOf(HasSubstr("no such table: corrections"), HasSubstr("the store is damaged")));
 }
 
+TEST_F(DamagedStore, IsMadeAgainByAssembleWhereItSaysSo) {
+  for (const char* sql : {"UPDATE doors SET room_b = 999 WHERE id = 1", "DELETE FROM rooms",
+                          "DELETE FROM edges", "DELETE FROM corrections WHERE asr = 4"}) {
+    const std::string store = copy(sql);
+    const Outcome broken = run("-q export " + store + " -f geojson -o " + out());
+    if (broken.exit_code != 0) {
+      EXPECT_THAT(broken.err, HasSubstr("'roomatlas assemble' makes these rows again")) << sql;
+    }
+    const Outcome again = run("-q assemble " + store);
+    EXPECT_EQ(again.exit_code, 0) << sql << again.err;
+    EXPECT_EQ(run("-q export " + store + " -f geojson -o " + out()).exit_code, 0) << sql;
+  }
+}
+
 TEST_F(DamagedStore, NothingInAStrangersSchemaIsExecuted) {
   const std::string store =
       copy("CREATE TRIGGER harm AFTER UPDATE ON rooms BEGIN UPDATE rooms SET name = 'harmed'; END");

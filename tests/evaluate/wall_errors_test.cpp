@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+
+#include "../../src/evaluate/segment_index.hpp"
 
 #include "evaluate/four_rooms.hpp"
 
@@ -18,6 +21,34 @@ WallErrors wall_errors_of(const FloorPlan& plan, const FloorPlan& truth = four_r
                           const Pose2& truth_from_building = {}) {
   const PlanErrors errors = plan_errors(plan, truth, truth_from_building, {}, {});
   return wall_errors(plan, truth, truth_from_building, errors, {});
+}
+
+TEST(SegmentIndex, FindsTheNearestEdgeHoweverFarItIs) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> at(-30.0, 30.0);
+  std::vector<Ring> rings;
+  for (const double away_m : {0.0, 20000.0, 1e6}) {
+    for (int i = 0; i < 40; ++i) {
+      Ring ring;
+      for (int k = 0; k < 4; ++k) ring.push_back(Point2(away_m + at(random), at(random)));
+      rings.push_back(ring);
+    }
+  }
+  rings.push_back({{-1e5, -1e5}, {1e5, 0.5e5}, {-1e5, 1e5}});  // edges of 200 km
+  const SegmentIndex index(rings);
+  for (const double away_m : {0.0, 9999.0, 20000.0, 5e5}) {
+    for (int i = 0; i < 50; ++i) {
+      const Point2 point(away_m + at(random), at(random));
+      double nearest_m = 1e300;
+      for (const Ring& ring : rings) {
+        for (std::size_t k = 0; k < ring.size(); ++k) {
+          nearest_m = std::min(nearest_m, distance({ring[k], ring[(k + 1) % ring.size()]}, point));
+        }
+      }
+      EXPECT_NEAR(index.distance(point), nearest_m, 1e-9);
+    }
+  }
+  EXPECT_EQ(SegmentIndex({}).distance({1.0, 2.0}), std::numeric_limits<double>::infinity());
 }
 
 TEST(WallErrors, OfThePerfectPlanAreNone) {

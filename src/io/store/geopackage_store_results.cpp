@@ -286,9 +286,11 @@ FloorPlan GeoPackageStore::plan() const {
 }
 
 std::vector<PlanRoom> GeoPackageStore::former_rooms() const {
-  std::vector<PlanRoom> rooms = state_->reading([](Database& db) { return read_former_rooms(db); });
-  if (rooms.empty() && has_assembly()) return plan().rooms;
-  return rooms;
+  // Not the whole plan: doors or walls that are damaged are made again from the visits.
+  return state_->reading([](Database& db) {
+    const std::vector<PlanRoom> rooms = read_former_rooms(db);
+    return rooms.empty() ? all(db, "SELECT * FROM rooms ORDER BY id", room_of) : rooms;
+  });
 }
 
 void GeoPackageStore::put_former_rooms(const std::vector<PlanRoom>& rooms) {
