@@ -96,11 +96,33 @@ void bind(CLI::App& app, const Parameter& parameter) {
   if (parameter.stage == Stage::run) option->configurable(false);
 }
 
+/// CLI11 splits such a value into none, and then reads the first of them.
+bool is_only_commas(const std::string& value) {
+  return !value.empty() && value.find_first_not_of(',') == std::string::npos;
+}
+
+/// CLI11 looks for the end of such a list in the lines that follow, and takes them for its values.
+void require_whole_lists(const std::string& lines) {
+  std::istringstream in(lines);
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t sign = line.find('=');
+    if (sign == std::string::npos) continue;
+    const std::size_t comment = line.find('#', sign);
+    const std::string value = CLI::detail::trim_copy(line.substr(sign + 1, comment - sign - 1));
+    if (value.starts_with('[') && (value.size() < 2 || !value.ends_with(']'))) {
+      throw UsageError(CLI::detail::trim_copy(line.substr(0, sign)) +
+                       ": expected a value after =, found a list without an end, " + value);
+    }
+  }
+}
+
 /// Reads lines as the program would: into an app that has the parameters that they name.
 void parse(CLI::App& app, const std::string& lines) {
+  require_whole_lists(lines);
   std::istringstream in(lines);
   for (const CLI::ConfigItem& item : CLI::ConfigTOML().from_config(in)) {  // CLI11 reads the first
-    if (item.inputs.empty()) throw UsageError(item.name + ": expected a value after =");
+    const bool is_nothing = std::all_of(item.inputs.begin(), item.inputs.end(), is_only_commas);
+    if (is_nothing) throw UsageError(item.name + ": expected a value after =");
   }
   in = std::istringstream(lines);
   try {
@@ -225,11 +247,29 @@ FromConfiguration with_configuration(
 }
 
 std::vector<CLI::ConfigItem> ConfigurationFile::from_config(std::istream& input) const {
+  if (opening_) opening_->clear();
   std::string content(std::istreambuf_iterator<char>(input), {});
   if (content.starts_with(kByteOrderMark)) content.erase(0, kByteOrderMark.size());
   check(content, app_.get_config_ptr()->as<std::string>());
   std::istringstream checked(content);
   return CLI::ConfigTOML::from_config(checked);
+}
+
+void add_configuration_file(CLI::App& app) {
+  const auto opening = std::make_shared<ConfigurationFile::Watches>();
+  const auto watch = [opening](const std::string& file) -> std::string {
+    try {
+      opening->push_back(std::make_unique<PipeWatch>(file));
+      return {};
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  };
+  app.set_config("--config", "", "read parameters from this file (TOML)")
+      ->type_name("FILE")
+      ->check(CLI::Validator(watch, ""))
+      ->configurable(false);
+  app.config_formatter(std::make_shared<ConfigurationFile>(app, opening));
 }
 
 }  // namespace roomatlas::apps

@@ -4,6 +4,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "roomatlas/io/files/input_file.hpp"
 #include "settings.hpp"
 
 namespace roomatlas::apps {
@@ -19,13 +24,21 @@ void complete(Settings& settings, const CLI::App& app);
 /// UsageError with file, line, what is wrong and what to do.
 class ConfigurationFile : public CLI::ConfigTOML {
  public:
+  using Watches = std::vector<std::unique_ptr<PipeWatch>>;
+
   /// @param app asked for the file's name when it is read
-  explicit ConfigurationFile(const CLI::App& app) : app_(app) {}
+  /// @param opening let go once the file is open
+  explicit ConfigurationFile(const CLI::App& app, std::shared_ptr<Watches> opening = {})
+      : app_(app), opening_(std::move(opening)) {}
 
   [[nodiscard]] std::vector<CLI::ConfigItem> from_config(std::istream& input) const override;
 
  private:
   const CLI::App& app_;
+  std::shared_ptr<Watches> opening_;
 };
+
+/// The option --config, whose file is read before the parameters on the command line.
+void add_configuration_file(CLI::App& app);
 
 }  // namespace roomatlas::apps

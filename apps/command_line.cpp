@@ -306,10 +306,7 @@ int run_command_line(int argc, char** argv) {
   app.set_help_flag("-h,--help", "the most wanted options, on one page");
   app.set_help_all_flag("--help-all", "all options and parameters");
   app.set_version_flag("--version", ROOMATLAS_VERSION, "the release");
-  app.set_config("--config", "", "read parameters from this file (TOML)")
-      ->type_name("FILE")
-      ->configurable(false);
-  app.config_formatter(std::make_shared<ConfigurationFile>(app));
+  add_configuration_file(app);
   app.allow_config_extras(false);
   app.require_subcommand(1);
   app.add_flag("--json", settings.json, "one JSON object on stdout")->configurable(false);

@@ -188,9 +188,7 @@ void require_places(const ComparisonFiles& results, std::vector<Path> inputs,
                     const std::vector<Path>& truth_files, const TrajectoryFlags& flags) {
   for (const Path& truth : truth_files) inputs.push_back(named_truth(truth).file);
   inputs.insert(inputs.end(), {flags.stamps_from, flags.carry});
-  for (const Path& file : {results.csv, results.latex, results.archive}) {
-    if (!file.empty()) require_output_file(file, inputs);
-  }
+  require_output_files({results.csv, results.latex, results.archive}, inputs);
 }
 
 void report(const Settings& settings, const Comparison& comparison,

@@ -128,7 +128,7 @@ OptimizeResult solved(const Path& file, const PoseGraph& graph, const OptimizeOp
 
 void optimize(const Settings& settings, const OptimizeArguments& arguments) {
   require_output_file(arguments.out, {arguments.graph});
-  if (!arguments.covariance.empty()) require_output_file(arguments.covariance, {arguments.graph});
+  require_output_files({arguments.out, arguments.covariance}, {arguments.graph});
   const PoseGraphFile input = read_pose_graph(arguments.graph);
   OptimizeOptions options = arguments.options;
   options.covariance = !arguments.covariance.empty();

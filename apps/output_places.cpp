@@ -3,6 +3,7 @@
 
 #include <fstream>
 #include <initializer_list>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -75,6 +76,18 @@ void require_output_file(const fs::path& file, const std::vector<fs::path>& inpu
   require_no_input(file, inputs, {"", ".part"});
 }
 
+void require_output_files(const std::vector<fs::path>& files, const std::vector<fs::path>& inputs) {
+  std::set<fs::path> places;
+  for (const fs::path& file : files) {
+    if (file.empty()) continue;
+    require_output_file(file, inputs);
+    std::error_code unknown;
+    if (!places.insert(fs::weakly_canonical(file, unknown)).second) {
+      refuse(file, "is named for two outputs, of which one would be lost: give each its own name");
+    }
+  }
+}
+
 void require_output_store(const fs::path& file, const std::vector<fs::path>& inputs) {
   require_place_of_a_file(file);
   require_no_input(file, inputs, {"", ".tmp", ".new", ".new.tmp"});
@@ -101,6 +114,8 @@ PlaceLock lock_store(const fs::path& file) {
 }
 
 bool is_sqlite(const fs::path& file) {
+  std::error_code unreadable;
+  if (!fs::is_regular_file(file, unreadable)) return false;  // a pipe would lose its beginning
   constexpr std::string_view kMagic = "SQLite format 3";
   std::string head(kMagic.size(), '\0');
   std::ifstream(file, std::ios::binary)

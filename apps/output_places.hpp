@@ -19,6 +19,10 @@ void make_folder(const std::filesystem::path& folder);
 void require_output_file(const std::filesystem::path& file,
                          const std::vector<std::filesystem::path>& inputs);
 
+/// The same of several, of which no two may be one file. Those without a name are not written.
+void require_output_files(const std::vector<std::filesystem::path>& files,
+                          const std::vector<std::filesystem::path>& inputs);
+
 /// The same for a store, which replaces another store or an empty file alone.
 void require_output_store(const std::filesystem::path& file,
                           const std::vector<std::filesystem::path>& inputs);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "console.hpp"
+#include "roomatlas/io/files/input_file.hpp"
 #include "roomatlas/io/maps/label_plan.hpp"
 #include "roomatlas/io/plans/rooms_geojson.hpp"
 #include "roomatlas/io/plans/spans_file.hpp"
@@ -26,8 +27,7 @@ void require_content(const Path& file) {
 enum class JsonKind { plan, features, other, broken };
 
 JsonKind json_kind(const Path& file) {
-  std::ifstream in(file, std::ios::binary);
-  const auto json = nlohmann::json::parse(in, nullptr, false);
+  const auto json = nlohmann::json::parse(read_text_file(file), nullptr, false);
   if (json.is_discarded()) return JsonKind::broken;
   if (!json.is_object()) return JsonKind::other;
   const auto own = json.find("roomatlas");
@@ -60,6 +60,7 @@ std::string kind_of(const Path& file) {
 }
 
 void add_truth(const Path& file, const Settings& settings, Truth& truth) {
+  require_regular_file(file);
   require_content(file);
   const std::string extension = kind_of(file);
   if (extension == ".relations") {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // roomatlas-fleet: many missions, mapped and joined by the ranks of an MPI run.
 #include <fmt/format.h>
-#include <glog/logging.h>
-#include <malloc.h>
 #include <mpi.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -13,7 +11,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +23,7 @@
 #include "man_page.hpp"
 #include "printable.hpp"
 #include "roomatlas/core/issue.hpp"
+#include "set_up_process.hpp"
 
 namespace {
 
@@ -43,8 +41,7 @@ std::optional<int> read(int argc, char** argv, CommandLine& line) {
   CLI::App app("mission logs of a fleet -> one building, by the ranks of an MPI run",
                "roomatlas-fleet");
   app.set_version_flag("--version", ROOMATLAS_VERSION);
-  app.set_config("--config", "", "read parameters from this file (TOML)")->configurable(false);
-  app.config_formatter(std::make_shared<ConfigurationFile>(app));
+  add_configuration_file(app);
   app.allow_config_extras(false);
   app.add_flag("-q,--quiet", line.settings.quiet, "errors alone on stderr")->configurable(false);
   app.add_flag("-v,--verbose", line.settings.verbose, "more on stderr")->configurable(false);
@@ -129,10 +126,7 @@ int run_rank(CommandLine& line, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  constexpr int kLargeBytes = 1024 * 1024;
-  (void)mallopt(M_MMAP_THRESHOLD, kLargeBytes);  // as in `roomatlas`
-  FLAGS_minloglevel = google::GLOG_FATAL;
-  google::InitGoogleLogging(argv[0]);
+  set_up_process(argv[0]);
   CommandLine line;
   if (const auto answered = read(argc, argv, line)) return *answered;
   return line.mission.empty() ? run_rank(line, argc, argv) : run_mission(line);

@@ -25,6 +25,7 @@
 #include "roomatlas/simulate/tour.hpp"
 #include "roomatlas/simulate/world.hpp"
 #include "settings.hpp"
+#include "store_edits.hpp"
 #include "store_metadata.hpp"
 #include "truth_files.hpp"
 
@@ -83,9 +84,11 @@ void build(const Path& input, const Path& store_file, const Path& former, double
   const auto cells = from_map ? std::optional(read_map(input, resolution_m)) : std::nullopt;
   if (!from_map) (void)open_mission(input, settings.mission);  // fails before anything is written
   const std::string sha256 = sha256_of_file(input);
-  const std::vector<PlanRoom> carried = apps::rooms_to_carry_over(former, sha256);
+  const apps::Former kept = apps::former_in(former, sha256);
   GeoPackageStore store(store_file, GeoPackageStore::Mode::create);
-  if (!carried.empty()) store.put_former_rooms(carried);
+  if (!kept.rooms.empty()) store.put_former_rooms(kept.rooms);
+  store.put_metadata(kept.edits);
+  settings.assemble.edits = apps::stored_edits(store);
   if (from_map) {
     put_map(input, *cells, store, sha256, settings, progress);
   } else {

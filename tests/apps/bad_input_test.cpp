@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "program.hpp"
 
 namespace roomatlas::test {
 namespace {
+
+using ::testing::HasSubstr;
 
 /// Builds from a file of this content; the folder of results must not appear.
 Outcome build_from(const std::string& content) {
@@ -93,6 +97,44 @@ int exit_code_with(const std::string& arguments, const std::string& before = "")
 TEST(BadInput, IsAnErrorWhereNobodyCanHearOfIt) {
   EXPECT_EQ(exit_code_with("info /nonexistent 2>&-"), 3);
   EXPECT_EQ(exit_code_with("info /nonexistent 2>/dev/full"), 3);
+}
+
+TEST(BadInput, AnAnswerThatCannotBePrintedIsAnError) {
+  const Folder folder;
+  const std::string log = (folder / "two.clf").string();
+  std::ofstream(log) << "ODOM 0 0 0 0 0 0 1 host 1\nFLASER 3 1 1 1 0 0 0 0 0 0 1 host 1\n";
+  for (const std::string& command : {"--json info " + log, std::string("config --print"),
+                                     std::string("--version"), std::string("man")}) {
+    EXPECT_EQ(exit_code_with(command + " >/dev/full 2>/dev/null"), 3) << command;
+    EXPECT_EQ(exit_code_with(command + " >/dev/null 2>/dev/null"), 0) << command;
+    EXPECT_EQ(exit_code_with(command + " 2>/dev/null >&-"), 0) << command;
+  }
+}
+
+TEST(BadInput, DevicesAndPipesWithoutAnEndAreRefused) {
+  const Folder folder;
+  const std::string pipe = (folder / "pipe").string();
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::string world = std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/two_rooms.geojson";
+  const std::string out = " -o " + (folder / "out").string();
+  EXPECT_THAT(run("--config /dev/zero simulate " + world + out).err, HasSubstr("is a device"));
+  EXPECT_THAT(run("optimize /dev/zero" + out).err, HasSubstr("is a device"));
+  for (const std::string& command :
+       {"--config " + pipe + " simulate " + world + out, "optimize " + pipe + out,
+        "simulate " + world + " --drive " + pipe + out}) {
+    const Outcome outcome = run(command);
+    EXPECT_THAT(outcome.err, HasSubstr("is a pipe from which nothing came")) << command;
+  }
+  for (const std::string& command : {"evaluate " + pipe, "info " + pipe, "build " + pipe + out}) {
+    EXPECT_THAT(run(command).err, HasSubstr("not a regular file")) << command;
+  }
+
+  // A pipe with something in it is as good as a file.
+  const std::string graph =
+      R"(VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n)";
+  EXPECT_EQ(exit_code_with("-q optimize " + pipe + " -o " + (folder / "graph.g2o").string(),
+                           "printf '" + graph + "' > " + pipe + " & "),
+            0);
 }
 
 TEST(BadInput, AFileThatMayNotGrowIsAnErrorOfWriting) {

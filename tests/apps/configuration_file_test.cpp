@@ -35,6 +35,10 @@ TEST(ConfigurationFile, ThatIsWrongIsNamedWithLineAndReason) {
               HasSubstr("my.toml:3: cell is given twice"));
   EXPECT_THAT(complaint("odom-topic=[\"\n"),
               HasSubstr("my.toml:1: odom-topic: expected a value after ="));
+  EXPECT_THAT(complaint("max-piece=[160\ncell=0.1\n"),
+              HasSubstr("my.toml:1: max-piece: expected a value after =, found a list without"));
+  EXPECT_THAT(complaint("scan-topic=\",\n"),
+              HasSubstr("my.toml:1: scan-topic: expected a value after ="));
   EXPECT_THAT(complaint("json = true\n"), HasSubstr("no such parameter: json"));
   for (const char* line : {"=", "= 5", "x", "x="}) (void)complaint(line);
 }

@@ -2,7 +2,7 @@
 #include "bag_file.hpp"
 
 #include "roomatlas/core/issue.hpp"
-#include "text/line_reader.hpp"
+#include "roomatlas/io/files/input_file.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -3,8 +3,8 @@
 #include "bags/recorded_poses.hpp"
 #include "carmen_source.hpp"
 #include "small_logs.hpp"
-#include "text/line_reader.hpp"
 
+#include "roomatlas/io/files/input_file.hpp"
 #include "roomatlas/io/logs/open_mission.hpp"
 #include "roomatlas/mission/as_sonar.hpp"
 #include "roomatlas/mission/odometry_jumps.hpp"
@@ -16,7 +16,7 @@ namespace roomatlas {
 namespace {
 
 std::unique_ptr<MissionSource> open_log(const Path& file, const MissionOptions& options) {
-  io::require_regular_file(file);
+  require_regular_file(file);
   if (auto recording = io::open_recording(file, options)) return recording;
   if (const io::OpenLog open = io::find_small_log(file)) return open(file, options);
   return std::make_unique<io::CarmenSource>(file, options);

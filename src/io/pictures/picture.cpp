@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture.hpp"
-#include "text/line_reader.hpp"
 
 #include "roomatlas/core/issue.hpp"
+#include "roomatlas/io/files/input_file.hpp"
 
 #include <zlib.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 
 #include "edits_schema.hpp"
 #include "roomatlas/core/issue.hpp"
+#include "roomatlas/io/files/input_file.hpp"
 #include "roomatlas/io/plans/edits_file.hpp"
 #include "text/json.hpp"
 #include "text/json_field.hpp"
@@ -167,11 +167,7 @@ std::vector<Edit> edits_of(const std::string& text, const std::string& file) {
 }
 
 std::vector<Edit> read_edits(const Path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw InputError(file.string() + ": cannot be opened");
-  }
-  return edits_of({std::istreambuf_iterator<char>(stream), {}}, file.string());
+  return edits_of(read_text_file(file), file.string());
 }
 
 }  // namespace roomatlas

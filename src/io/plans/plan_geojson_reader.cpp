@@ -2,25 +2,19 @@
 #include "geojson_geometry.hpp"
 #include "plan_schema.hpp"
 #include "roomatlas/core/issue.hpp"
+#include "roomatlas/io/files/input_file.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
 #include "text/json.hpp"
 #include "text/parse_json.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 #include <utility>
 
 namespace roomatlas {
 namespace {
 
-Json parse(const Path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw InputError(file.string() + ": cannot be opened");
-  }
-  return io::parse_json({std::istreambuf_iterator<char>(stream), {}}, file.string());
-}
+Json parse(const Path& file) { return io::parse_json(read_text_file(file), file.string()); }
 
 std::string read_header(const JsonField& document) {
   const JsonField type = document.at("type");

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/io/plans/rooms_geojson.hpp"
+#include "roomatlas/io/files/input_file.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <set>
 
 #include "geojson_geometry.hpp"
@@ -321,8 +321,7 @@ FloorPlan read_rooms(const Json& json, const Path& file) {
 }  // namespace
 
 FloorPlan read_any_plan(const Path& file) {
-  std::ifstream in(file, std::ios::binary);
-  const std::string text(std::istreambuf_iterator<char>(in), {});
+  const std::string text = read_text_file(file);
   const bool is_deep = io::nests_too_deep(text);
   const Json json = is_deep ? Json(nullptr) : Json::parse(text, nullptr, false);
   if (!json.is_object() || json.value("type", Json()) != "FeatureCollection") {

@@ -5,6 +5,7 @@
 #include "text/binary_files.hpp"
 
 #include "roomatlas/core/issue.hpp"
+#include "roomatlas/io/files/input_file.hpp"
 
 #include <zlib.h>
 
@@ -58,6 +59,7 @@ gzFile open_or_throw(const std::filesystem::path& file, std::uintmax_t file_byte
   if (std::filesystem::is_directory(status)) {
     throw InputError(name + ": is a directory; name a file inside it");
   }
+  const PipeWatch watch(file);
   errno = 0;
   gzFile handle = gzopen(name.c_str(), "rb");
   if (handle == nullptr) {
@@ -68,17 +70,6 @@ gzFile open_or_throw(const std::filesystem::path& file, std::uintmax_t file_byte
 }
 
 }  // namespace
-
-void require_regular_file(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status) || std::filesystem::is_directory(status) ||
-      std::filesystem::is_regular_file(status)) {
-    return;
-  }
-  throw InputError(file.string() +
-                   ": is not a regular file, and is read more than once: save it to a file first");
-}
 
 LineReader::LineReader(const std::filesystem::path& file)
     : name_(file.string()),

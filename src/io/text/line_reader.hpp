@@ -11,10 +11,6 @@
 
 namespace roomatlas::io {
 
-/// Throws InputError for what gives its content once only, such as a pipe. Not for a missing file
-/// or a folder: a reader has better words for these.
-void require_regular_file(const std::filesystem::path& file);
-
 /// Reads a text file line by line, plain or gzip (told by content). Memory is constant. Lines end
 /// with "\n", "\r\n", or, in a file whose first block has no "\n", with "\r".
 class LineReader {

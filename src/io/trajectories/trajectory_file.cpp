@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/io/trajectories/trajectory_file.hpp"
+#include "roomatlas/io/files/input_file.hpp"
 
 #include "bags/recorded_poses.hpp"
 #include "logs/carmen_message.hpp"
@@ -89,7 +90,7 @@ std::optional<ClockReading> clocks_on(io::Tokens fields) {
 
 TrajectoryFile read_trajectory(const Path& file, const MissionOptions& options,
                                LogPoses log_poses) {
-  io::require_regular_file(file);
+  require_regular_file(file);
   if (io::is_recording(file)) return read_recording(file, options, log_poses);
   switch (kind_of(file)) {
     case Kind::tum:
