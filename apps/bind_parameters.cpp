@@ -247,7 +247,9 @@ FromConfiguration with_configuration(
 }
 
 std::vector<CLI::ConfigItem> ConfigurationFile::from_config(std::istream& input) const {
-  if (opening_) opening_->clear();
+  if (opening_) {
+    for (auto& watch : *opening_) watch.second.reset();
+  }
   std::string content(std::istreambuf_iterator<char>(input), {});
   if (content.starts_with(kByteOrderMark)) content.erase(0, kByteOrderMark.size());
   check(content, app_.get_config_ptr()->as<std::string>());
@@ -259,7 +261,7 @@ void add_configuration_file(CLI::App& app) {
   const auto opening = std::make_shared<ConfigurationFile::Watches>();
   const auto watch = [opening](const std::string& file) -> std::string {
     try {
-      opening->push_back(std::make_unique<PipeWatch>(file));
+      if (!opening->contains(file)) (*opening)[file] = std::make_unique<PipeWatch>(file);
       return {};
     } catch (const InputError& error) {
       return error.what();

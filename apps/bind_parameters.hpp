@@ -4,9 +4,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <map>
 #include <memory>
+#include <string>
 #include <utility>
-#include <vector>
 
 #include "roomatlas/io/files/input_file.hpp"
 #include "settings.hpp"
@@ -24,10 +25,10 @@ void complete(Settings& settings, const CLI::App& app);
 /// UsageError with file, line, what is wrong and what to do.
 class ConfigurationFile : public CLI::ConfigTOML {
  public:
-  using Watches = std::vector<std::unique_ptr<PipeWatch>>;
+  using Watches = std::map<std::string, std::unique_ptr<PipeWatch>>;
 
   /// @param app asked for the file's name when it is read
-  /// @param opening let go once the file is open
+  /// @param opening by their names, once; let go when the file is open
   explicit ConfigurationFile(const CLI::App& app, std::shared_ptr<Watches> opening = {})
       : app_(app), opening_(std::move(opening)) {}
 

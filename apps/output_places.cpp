@@ -82,7 +82,7 @@ void require_output_files(const std::vector<fs::path>& files, const std::vector<
     if (file.empty()) continue;
     require_output_file(file, inputs);
     std::error_code unknown;
-    if (!places.insert(fs::weakly_canonical(file, unknown)).second) {
+    if (!places.insert(fs::weakly_canonical(fs::absolute(file, unknown), unknown)).second) {
       refuse(file, "is named for two outputs, of which one would be lost: give each its own name");
     }
   }

@@ -111,6 +111,19 @@ TEST(BadInput, AnAnswerThatCannotBePrintedIsAnError) {
   }
 }
 
+TEST(BadInput, TwoOutputsNeedTwoNames) {
+  const Folder folder;
+  const std::string graph = (folder / "graph.g2o").string();
+  std::ofstream(graph) << "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\n"
+                          "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n";
+  const std::string out = (folder / "out.g2o").string();
+  const std::string same = (folder / "." / "out.g2o").string();
+  const Outcome outcome = run("optimize " + graph + " -o " + out + " --covariance " + same);
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("is named for two outputs"));
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
 TEST(BadInput, DevicesAndPipesWithoutAnEndAreRefused) {
   const Folder folder;
   const std::string pipe = (folder / "pipe").string();
@@ -134,6 +147,9 @@ TEST(BadInput, DevicesAndPipesWithoutAnEndAreRefused) {
       R"(VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n)";
   EXPECT_EQ(exit_code_with("-q optimize " + pipe + " -o " + (folder / "graph.g2o").string(),
                            "printf '" + graph + "' > " + pipe + " & "),
+            0);
+  EXPECT_EQ(exit_code_with("--config " + pipe + " config --print | grep -q '^cell=0.2'",
+                           "echo cell=0.2 > " + pipe + " & "),
             0);
 }
 
