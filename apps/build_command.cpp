@@ -203,6 +203,7 @@ void build_from_log(const Settings& settings, const BuildArguments& arguments) {
 
 void build(const Settings& settings, const BuildArguments& arguments) {
   (void)arguments.exported.reference();  // wrong options leave no folder behind
+  require_output_folder(arguments.out, arguments.inputs);
   if (arguments.inputs.size() == 1 && is_map(arguments.inputs.front())) {
     build_from_map(settings, arguments);
     return;

@@ -99,13 +99,10 @@ class Commands {
       apps::build(edited(), {a_.judged, a_.resolution_m, a_.out, a_.truth.files(),
                              a_.truth.trajectory, a_.exported, a_.is_strict});
     });
-    build
-        ->add_option("LOG|MAP", a_.judged,
-                     "mission log, plain or gzip; several of one building are joined; or a "
-                     "finished map: nav2 YAML, or PNG or PGM")
-        ->type_name("FILE")
-        ->required()
-        ->configurable(false);
+    positionals(
+        build, "LOG|MAP", a_.judged,
+        "mission log, plain or gzip; several of one building are joined; or a finished map: "
+        "nav2 YAML, or PNG or PGM");
     build->add_option("--resolution", a_.resolution_m, "m a pixel, of a map that is a picture")
         ->check(within(0.001, 10.0))
         ->type_name("M")
@@ -175,11 +172,8 @@ class Commands {
   void add_joins() {
     CLI::App* join = command("join", "stores of several missions -> one building",
                              [this] { apps::join(settings_, a_.judged, a_.out); });
-    join->add_option("STORE", a_.judged,
-                     "assembled stores of missions, or of what was joined already")
-        ->type_name("FILE")
-        ->required()
-        ->configurable(false);
+    positionals(join, "STORE", a_.judged,
+                "assembled stores of missions, or of what was joined already");
     output(join, a_.out, "store to write, such as building.gpkg");
 
     CLI::App* locate = command("locate", "where in a building the robot of a log was",
@@ -210,13 +204,10 @@ class Commands {
                   apps::evaluate(settings_, a_.judged, a_.truth.files(), a_.truth.trajectory,
                                  a_.comparison);
                 });
-    evaluate
-        ->add_option("RUN", a_.judged,
-                     "what to judge: an assembled store, a trajectory (TUM, g2o, poses) or a log; "
-                     "several are compared with the first")
-        ->type_name("FILE")
-        ->required()
-        ->configurable(false);
+    positionals(
+        evaluate, "RUN", a_.judged,
+        "what to judge: an assembled store, a trajectory (TUM, g2o, poses) or a log; several "
+        "are compared with the first");
     add_truth(evaluate, a_.truth);
     add_comparison_files(evaluate, a_.comparison);
 
@@ -256,7 +247,8 @@ class Commands {
         command("convert", "log -> another format: what would be mapped, and nothing else",
                 [this] { apps::convert(settings_, a_.log, a_.out); });
     positional(convert, "LOG", a_.log, "mission log, or recording of topics");
-    output(convert, a_.out, "file to write: .mcap, .bag, .db3 or .clf; or a folder for a rosbag2");
+    folder_or_file(output(convert, a_.out,
+                          "file to write: .mcap, .bag, .db3 or .clf; or a folder for a rosbag2"));
 
     add_optimize(command("optimize", "the solver alone, on a planar pose graph",
                          [this] { apps::optimize(settings_, a_.optimize); }),

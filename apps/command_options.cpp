@@ -10,9 +10,30 @@
 
 namespace roomatlas::apps {
 
+namespace {
+
+/// A folder's name may end in slashes; behind the last there would be no name.
+CLI::Validator without_slashes() {
+  const auto cut = [](std::string& place) {
+    while (place.size() > 1 && place.ends_with('/')) place.pop_back();
+    return std::string();
+  };
+  return {cut, ""};
+}
+
+}  // namespace
+
+CLI::Option* folder_or_file(CLI::Option* option) { return option->transform(without_slashes()); }
+
 CLI::Option* positional(CLI::App* command, const char* name, Path& value, const char* meaning) {
   CLI::Option* option = command->add_option(name, value, meaning);
-  return option->type_name("FILE")->required()->configurable(false);
+  return folder_or_file(option)->type_name("FILE")->required()->configurable(false);
+}
+
+CLI::Option* positionals(CLI::App* command, const char* name, std::vector<Path>& values,
+                         const char* meaning) {
+  CLI::Option* option = command->add_option(name, values, meaning);
+  return folder_or_file(option)->type_name("FILE")->required()->configurable(false);
 }
 
 CLI::Option* output(CLI::App* command, Path& value, const char* meaning) {
@@ -21,7 +42,7 @@ CLI::Option* output(CLI::App* command, Path& value, const char* meaning) {
 }
 
 CLI::Option* output_folder(CLI::App* command, Path& value, const char* meaning) {
-  return output(command, value, meaning)->type_name("FOLDER");
+  return folder_or_file(output(command, value, meaning))->type_name("FOLDER");
 }
 
 void add_export_options(CLI::App* command, ExportOptions& options) {

@@ -24,6 +24,10 @@ struct TruthArguments {
   }
 };
 
+/// Its value is one, with a slash at the end or without.
+CLI::Option* folder_or_file(CLI::Option* option);
+CLI::Option* positionals(CLI::App* command, const char* name, std::vector<Path>& values,
+                         const char* meaning);
 CLI::Option* positional(CLI::App* command, const char* name, Path& value, const char* meaning);
 CLI::Option* output(CLI::App* command, Path& value, const char* meaning);
 CLI::Option* output_folder(CLI::App* command, Path& value, const char* meaning);

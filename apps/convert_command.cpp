@@ -2,10 +2,13 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "new_store.hpp"
 #include "output_places.hpp"
 #include "roomatlas/core/counted.hpp"
 #include "roomatlas/io/logs/mission_writer.hpp"
@@ -76,11 +79,22 @@ void tell_what_is_lost(const MissionInfo& info, const Path& out) {
   }
 }
 
+bool is_new_folder(const Path& out) { return is_recording_name(out) && !out.has_extension(); }
+
+/// True for what a run left that was killed, and which the next one writes over.
+bool is_left_over(const std::filesystem::directory_entry& entry) {
+  return entry.path().filename().string().find(".part") != std::string::npos;
+}
+
 /// A folder of a rosbag2 is not mixed with what is there.
 void require_new_recording(const Path& out, const Path& log) {
-  if (!is_recording_name(out) || out.has_extension()) return require_output_file(out, {log});
+  if (!is_new_folder(out)) return require_output_file(out, {log});
   std::error_code missing;
-  if (!std::filesystem::exists(out, missing) || std::filesystem::is_empty(out, missing)) return;
+  if (!std::filesystem::exists(out, missing)) return;
+  if (std::filesystem::is_directory(out, missing)) {
+    const std::filesystem::directory_iterator entries(out, missing);
+    if (std::all_of(begin(entries), end(entries), is_left_over)) return;
+  }
   throw InputError(out.string() +
                    ": is there already: give a new folder's name with -o, or a file that ends in "
                    ".mcap, .bag, .db3 or .clf");
@@ -89,6 +103,9 @@ void require_new_recording(const Path& out, const Path& log) {
 }  // namespace
 
 void convert(const Settings& settings, const Path& log, const Path& out) {
+  // Beside the folder, which is not there yet.
+  const auto lock = is_new_folder(out) ? std::make_optional<PlaceLock>(place_beside(out))
+                                       : std::optional<PlaceLock>();
   require_new_recording(out, log);
   const auto mission = open_mission_to_map(log, settings.mission);
   ConvertedMission converted(*mission, out);

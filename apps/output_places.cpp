@@ -37,6 +37,10 @@ void require_place_of_a_file(const fs::path& file) {
   if (fs::is_directory(status)) {
     refuse(file, "is a directory, expected a file name: give -o FOLDER/FILE");
   }
+  constexpr std::size_t kLongest = 230;  // 255, less what is written beside it on the way
+  if (file.filename().string().size() > kLongest) {
+    refuse(file, "its name is too long: give one of at most 230 bytes");
+  }
   const fs::path folder = file.parent_path();
   if (!folder.empty() && !fs::is_directory(folder, error)) {
     refuse(file, "cannot be written: there is no folder " + folder.string() + ": make it first");
@@ -68,6 +72,18 @@ void make_folder(const fs::path& folder) {
   if (error) {
     refuse(folder, "cannot be made as a folder: " + error.message() +
                        "; give another one, where no file is in the way");
+  }
+}
+
+void require_output_folder(const fs::path& folder, const std::vector<fs::path>& inputs) {
+  std::error_code unknown;
+  const fs::path place = fs::weakly_canonical(fs::absolute(folder, unknown), unknown);
+  for (fs::path above = place; above.has_relative_path(); above = above.parent_path()) {
+    for (const fs::path& input : inputs) {
+      if (!fs::is_directory(input, unknown) || !are_the_same(above, input)) continue;
+      refuse(folder, "results do not go into the recording " + input.string() +
+                         ", which they would change: give another folder with -o");
+    }
   }
 }
 

@@ -14,6 +14,10 @@ namespace roomatlas::apps {
 /// Makes the folder, and those above it, where they are missing.
 void make_folder(const std::filesystem::path& folder);
 
+/// Refuses a folder that is an input, or lies in one: a recording is what its folder holds.
+void require_output_folder(const std::filesystem::path& folder,
+                           const std::vector<std::filesystem::path>& inputs);
+
 /// Refuses a folder, a device or another special file, and a file that is read by the same command
 /// or would be lost under the temporary names of the output. No name is refused too.
 void require_output_file(const std::filesystem::path& file,

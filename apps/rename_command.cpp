@@ -43,6 +43,10 @@ void check_name(const std::string& name) {
   if (name.find_first_not_of(' ') == std::string::npos || !is_printable || as_utf8(name) != name) {
     throw UsageError("a room's name must be one line of UTF-8 text that is not empty");
   }
+  if (name.size() > kLongestRoomName) {
+    throw UsageError(fmt::format("a room's name must have {} bytes at most: this one has {}",
+                                 kLongestRoomName, name.size()));
+  }
 }
 
 /// A name is said once in a plan, or nobody could tell the rooms apart.

@@ -9,7 +9,7 @@ std::vector<Edit> stored_edits(const GeoPackageStore& store) {
   const Metadata metadata = store.metadata();
   const auto kept = metadata.find(kEditsKey);
   if (kept == metadata.end()) return {};
-  return edits_of(kept->second, std::string("metadata ") + kEditsKey);
+  return edits_of(kept->second, store.file().string() + ": metadata " + kEditsKey);
 }
 
 std::vector<Edit> edits_for(const Settings& settings, const GeoPackageStore& store) {

@@ -27,6 +27,11 @@ std::set<RoomId> rooms_of(const MappedBuilding& building) {
 Why name_room(const Edit& edit, MappedBuilding& building) {
   const FoundRoom found = find_room(building, edit.rooms.at(0));
   if (!found.why.empty()) return found.why;
+  for (const RoomId room : rooms_of(building)) {
+    if (room != found.room && std::to_string(room) == edit.name) {
+      return "\"" + edit.name + "\" is the number of another room";
+    }
+  }
   std::erase_if(building.names, [&](const auto& entry) { return entry.second == edit.name; });
   building.names[found.room] = edit.name;
   return {};

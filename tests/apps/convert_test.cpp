@@ -47,6 +47,26 @@ TEST(Convert, ThereAndBackIsTheSameLog) {
   }
 }
 
+TEST(Convert, GoesOnWhereARunWasKilledThatMadeAFolder) {
+  const Folder folder;
+  const auto log = mission(folder);
+  std::filesystem::create_directory(folder / "bag");
+  folder.write("bag/bag_0.db3.part", "half of a recording");
+  const Outcome done = run("-q convert " + log.string() + " -o " + (folder / "bag/").string());
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "bag/bag_0.db3.part"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "bag/metadata.yaml"));
+
+  // Results do not go into the recording, which they would change; its name may end in a slash.
+  const Outcome inside =
+      run("-q build " + (folder / "bag/").string() + " -o " + (folder / "bag/out").string());
+  EXPECT_EQ(inside.exit_code, 3);
+  EXPECT_NE(inside.err.find("results do not go into the recording"), std::string::npos);
+  const std::string out = (folder / "out/").string();
+  (void)run("-q build " + (folder / "bag/").string() + " " + log.string() + " -o " + out);
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/missions/bag.gpkg"));
+}
+
 TEST(Convert, RefusesWhatWouldBeLostAndNamesThatSayNoFormat) {
   const Folder folder;
   const auto log = mission(folder);

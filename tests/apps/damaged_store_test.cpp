@@ -175,6 +175,12 @@ TEST_F(DamagedStore, SaysTableRowFieldAndWhatIsExpected) {
                     HasSubstr("map the log again")));
   EXPECT_THAT(error_of("UPDATE rooms SET geom = substr(geom, 1, 60) WHERE id = 2"),
               HasSubstr("table rooms, row 2, field geom: the data ends early"));
+  EXPECT_THAT(error_of("UPDATE rooms SET name = hex(zeroblob(500000)) WHERE id = 3"),
+              HasSubstr("field name: found a name of 1000000 bytes, expected at most 1000"));
+  const Outcome edits =
+      run("-q assemble " + copy("INSERT INTO metadata (key, value) VALUES ('edits_json', '[]')"));
+  EXPECT_EQ(edits.exit_code, 3);
+  EXPECT_THAT(edits.err, HasSubstr("damaged.gpkg: metadata edits_json: "));
   EXPECT_THAT(error_of("UPDATE exits SET neighbor = asr"), HasSubstr("neighbor is the exit's own"));
   EXPECT_THAT(error_of("DELETE FROM corrections WHERE asr = 4"),
               AllOf(HasSubstr("table corrections has no row for visit 4"),

@@ -16,6 +16,9 @@ enum class RoomKind { room, corridor, hall };
 
 [[nodiscard]] const char* to_string(RoomKind kind);
 
+/// Of a room's name in bytes; a longer one is no label.
+constexpr std::size_t kLongestRoomName = 200;
+
 /// One place of the building. All coordinates are building metres.
 struct PlanRoom {
   RoomId id = 0;

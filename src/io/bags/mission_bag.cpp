@@ -19,10 +19,10 @@ constexpr const char* kTruthFrame = "world";
 
 /// To the nearest nanosecond, which a double of today's time is coarser than: it comes back as it
 /// was.
-std::int64_t stamp_of(double time_s) {
+std::int64_t stamp_of(double time_s, const std::string& file) {
   constexpr double kMost_s = 2147483647.0;  // of 31 bits, in which ROS 2 counts
   if (!(time_s >= 0.0 && time_s < kMost_s)) {
-    throw InputError("a reading is at " + shown(time_s) +
+    throw InputError(file + ": a reading is at " + shown(time_s) +
                      " s, which a recording's stamp cannot hold: expected seconds since 1970, from "
                      "0 to 2147483647; a CARMEN log (.clf) takes any");
   }
@@ -77,12 +77,13 @@ std::string numbered(const std::string& name, int number) {
 
 }  // namespace
 
-MissionBag::MissionBag(std::unique_ptr<BagWriter> bag)
+MissionBag::MissionBag(std::unique_ptr<BagWriter> bag, std::string file)
     : bag_(std::move(bag)),
+      file_(std::move(file)),
       encoding_(bag_->takes(BagEncoding::cdr) ? BagEncoding::cdr : BagEncoding::ros1) {}
 
 void MissionBag::write(const OdometryStep& odometry) {
-  const std::int64_t stamp_ns = stamp_of(odometry.timestamp_s);
+  const std::int64_t stamp_ns = stamp_of(odometry.timestamp_s, file_);
   const PoseMessage pose = pose_at(stamp_ns, kOdometryFrame, kRobotFrame, odometry.odom_from_robot);
   Serializer message(encoding_);
   write_odometry(message, {pose, odometry.speed_m_per_s, odometry.turn_rate_rad_per_s});
@@ -94,7 +95,7 @@ void MissionBag::write(const OdometryStep& odometry) {
 
 void MissionBag::write(const RangeReading& reading) {
   require_a_range_a_beam(reading);
-  const std::int64_t stamp_ns = stamp_of(reading.timestamp_s);
+  const std::int64_t stamp_ns = stamp_of(reading.timestamp_s, file_);
   if (reading.sensor->kind == SensorKind::sonar) {
     return write_sonars(reading, meet(reading.sensor, stamp_ns), stamp_ns);
   }
@@ -105,7 +106,7 @@ void MissionBag::write(const RangeReading& reading) {
 }
 
 void MissionBag::write(const TruePose& truth) {
-  const std::int64_t stamp_ns = stamp_of(truth.timestamp_s);
+  const std::int64_t stamp_ns = stamp_of(truth.timestamp_s, file_);
   Serializer message(encoding_);
   write_pose(message, pose_at(stamp_ns, kTruthFrame, kRobotFrame, truth.world_from_robot));
   put("/ground_truth", "geometry_msgs/PoseStamped", stamp_ns, message);

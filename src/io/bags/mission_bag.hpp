@@ -22,7 +22,8 @@ namespace roomatlas::io {
 /// Nothing within range is written as +Inf, no measurement as NaN (REP 117).
 class MissionBag : public MissionWriter {
  public:
-  explicit MissionBag(std::unique_ptr<BagWriter> bag);
+  /// @param file of the recording, for errors
+  MissionBag(std::unique_ptr<BagWriter> bag, std::string file);
   using MissionWriter::write;
   /// Throws InputError for a time that a stamp cannot hold.
   void write(const OdometryStep& odometry) override;
@@ -46,6 +47,7 @@ class MissionBag : public MissionWriter {
            const Serializer& message);
 
   std::unique_ptr<BagWriter> bag_;
+  std::string file_;
   BagEncoding encoding_;
   std::map<std::string, std::size_t> topics_;
   std::map<const RangeSensor*, std::size_t> known_;       ///< into `met_`

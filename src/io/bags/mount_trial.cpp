@@ -101,7 +101,8 @@ void find_mount(TopicChoice& choice, const Survey& beginning, const OpenRecordin
            as_option(*choice.mount) + " (surely to " +
            in_short("%.3f m and ", mount->position_sigma_m) +
            in_short("%.1f degrees; motions are off by ", degrees(mount->heading_sigma_rad)) +
-           in_short("%.3f m). Give it with that option where it is known better", mount->off_m)});
+           in_short("%.3f", mount->off_m) +
+           " m). Give it with that option where it is known better"});
 }
 
 }  // namespace roomatlas::io

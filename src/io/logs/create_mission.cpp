@@ -18,7 +18,8 @@ bool is_carmen_name(const Path& file) {
 std::unique_ptr<MissionWriter> create_mission(const Path& file, const RangeSensor& sensor,
                                               const RobotFootprint& footprint) {
   if (is_carmen_name(file)) return std::make_unique<CarmenWriter>(file, sensor, footprint);
-  if (is_recording_name(file)) return std::make_unique<io::MissionBag>(io::create_bag(file));
+  if (is_recording_name(file))
+    return std::make_unique<io::MissionBag>(io::create_bag(file), file.string());
   throw InputError(file.string() +
                    ": no mission is written under such a name; expected one that ends in .mcap, "
                    ".bag, .db3 or .clf, or a folder's for a rosbag2");

@@ -68,6 +68,7 @@ std::string name_of(const JsonField& field) {
   if (name.find_first_not_of(' ') == std::string::npos || !is_printable) {
     field.fail("one line of text that is not empty");
   }
+  if (name.size() > kLongestRoomName) field.fail("at most 200 bytes of text");
   return name;
 }
 

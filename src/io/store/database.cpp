@@ -77,6 +77,13 @@ double Row::finite() {
                     ", expected a number of no more than 100 million");
 }
 
+std::string Row::name() {
+  std::string found = text();
+  if (found.size() <= kLongestName) return found;
+  throw DamagedData("found a name of " + std::to_string(found.size()) +
+                    " bytes, expected at most " + std::to_string(kLongestName));
+}
+
 std::string Row::text() { return next(SQLITE_TEXT, SQLITE_TEXT, "text").getString(); }
 
 ByteView Row::blob() {

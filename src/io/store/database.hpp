@@ -14,6 +14,9 @@
 
 namespace roomatlas {
 
+/// Of a name in bytes; longer ones are damage or harm.
+constexpr std::size_t kLongestName = 1000;
+
 /// The row that a query stands on, one column after another. A REAL that is NULL is a NaN,
 /// because SQLite keeps no NaN. SQLite keeps values of any type in any column: what is of another
 /// type than the format says throws DamagedData with what was found and what is expected.
@@ -28,6 +31,8 @@ class Row {
   /// A REAL that must be a number, of no more than kLargest.
   double finite();
   std::string text();
+  /// A text of no more than kLongestName bytes, which is drawn.
+  std::string name();
   /// Valid until the query takes its next step.
   ByteView blob();
   /// Of finite numbers, in metres and radians.

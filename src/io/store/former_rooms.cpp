@@ -14,7 +14,7 @@ constexpr const char* kTable = "former_rooms";
 PlanRoom former_room_of(Row& row) {
   PlanRoom room;
   room.id = row.integer();
-  room.name = row.text();
+  room.name = row.name();
   room.area_m2 = row.real();
   room.parts = polygons_of_wkb(row.blob());
   return room;

@@ -207,6 +207,8 @@ void GeoPackageStore::put_members(const std::vector<MemberMission>& members) {
   state_->transaction([&](Database& db) { write_members(db, members); });
 }
 
+const fs::path& GeoPackageStore::file() const { return state_->file; }
+
 StoredMission GeoPackageStore::mission() const {
   const std::map<std::string, std::string> values = metadata();
   const auto number = [&](const char* key, double otherwise) {
@@ -218,6 +220,11 @@ StoredMission GeoPackageStore::mission() const {
   };
   StoredMission mission;
   if (const auto file = values.find("mission_file"); file != values.end()) {
+    if (file->second.size() > kLongestName) {
+      throw InputError(state_->file.string() +
+                       ": table metadata, mission_file: is no file's name: it has " +
+                       std::to_string(file->second.size()) + " bytes; map the log again");
+    }
     mission.file = file->second;
   }
   RobotFootprint& robot = mission.footprint;

@@ -48,7 +48,7 @@ PlanRoom room_of(Row& row) {
   room.id = row.integer();
   room.parts = polygons_of_wkb(wkb_of_geopackage_blob(row.blob()));
   for (const Polygon& part : room.parts) require_metres(part);
-  room.name = row.text();
+  room.name = row.name();
   room.kind = value_of_stored_name(kRoomKinds, row.text());
   room.area_m2 = row.finite();
   room.label_point = row.point();
@@ -136,6 +136,9 @@ Closure closure_of(Row& row) {
   Closure closure;
   closure.from = row.integer();
   closure.to = row.integer();
+  if (closure.to == closure.from) {
+    throw DamagedData("found the visit that it is from, expected another");
+  }
   closure.match.first_from_second = row.pose();
   closure.match.agreeing = static_cast<int>(row.integer());
   closure.match.contradicting = static_cast<int>(row.integer());
@@ -146,7 +149,10 @@ Closure closure_of(Row& row) {
   if (!row.has_more()) return closure;  // made by an earlier release
   Eigen::Matrix3d& info = closure.match.information;
   for (int i = 0; i < 3; ++i) {
-    for (int j = i; j < 3; ++j) info(i, j) = info(j, i) = row.real();
+    for (int j = i; j < 3; ++j) {
+      info(i, j) = info(j, i) = row.real();
+      if (i == j && info(i, i) < 0.0) throw DamagedData("found a negative information");
+    }
   }
   if (!info.allFinite()) info.setZero();
   return closure;
@@ -274,7 +280,7 @@ FloorPlan GeoPackageStore::plan() const {
   return state_->reading([&](Database& db) {
     FloorPlan plan = shapes_of(db, "");
     const std::int64_t found =
-        db.for_each_row("SELECT title FROM assembly", [&](Row& row) { plan.title = row.text(); });
+        db.for_each_row("SELECT title FROM assembly", [&](Row& row) { plan.title = row.name(); });
     if (found == 0) throw_not_assembled(state_->file);
     plan.furniture = all(db, "SELECT * FROM furniture ORDER BY id", furniture_of);
     plan.issues = all(db,

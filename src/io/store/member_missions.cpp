@@ -25,7 +25,7 @@ void create_table(Database& db) {
 
 MemberMission member_of(Row& row) {
   MemberMission member;
-  member.name = row.text();
+  member.name = row.name();
   member.sensor = value_of_stored_name(kSensorKinds, row.text());
   member.first_asr = row.integer();
   member.last_asr = row.integer();

@@ -80,6 +80,11 @@ TEST(EditsFile, ErrorsNameFileStatementFieldAndWhatIsExpected) {
               HasSubstr("edits[0].from_from_to: expected an object"));
   EXPECT_THAT(error_of(R"({"format":"roomatlas-edits","version":2,"edits":[]})"),
               HasSubstr("version: expected version 1, found 2"));
+  EXPECT_THAT(error_of(R"({"format":"roomatlas-edits","version":1,"edits":[],"edits":[{}]})"),
+              HasSubstr("e.json: field \"edits\" stands twice in one object"));
+  EXPECT_THAT(error_of(with(R"({"edit":"name_room","room":{"id":1},"name":")" +
+                            std::string(1000000, 'a') + R"("})")),
+              HasSubstr("edits[0].name: expected at most 200 bytes"));
   EXPECT_THAT(error_of("{"), HasSubstr("e.json: not valid JSON"));
   EXPECT_THAT(error_of("[]"), HasSubstr("expected an object"));
 }

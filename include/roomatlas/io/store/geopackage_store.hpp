@@ -33,6 +33,8 @@ class GeoPackageStore : public CheckpointSink, public AssemblyStore {
   GeoPackageStore(const std::filesystem::path& file, Mode mode);
   ~GeoPackageStore() override;
 
+  [[nodiscard]] const std::filesystem::path& file() const;
+
   void put(const Asr& asr) override;
   void put(const TruePose& truth) override;
   void put(const Asr& asr, const std::string& checkpoint) override;
