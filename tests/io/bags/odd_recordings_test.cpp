@@ -75,7 +75,7 @@ TEST(OddRecording, FlippedBytesInMessagesAreNoMoreThanAnError) {
   std::vector<SimulatedStep> steps = mission_of(SensorKind::sonar);
   steps.resize(20);
   {
-    io::MissionBag bag(io::create_ros1_bag(folder / "m.bag", io::Packing::none));
+    io::MissionBag bag(io::create_ros1_bag(folder / "m.bag", io::Packing::none), "m.bag");
     for (const SimulatedStep& step : steps) static_cast<MissionWriter&>(bag).write(step);
     bag.finish();
   }
@@ -117,7 +117,7 @@ void write_many_topics(const Path& file, int topics, const std::vector<Simulated
    private:
     std::unique_ptr<io::BagWriter> bag_;
   };
-  io::MissionBag bag(std::make_unique<Crowded>(io::create_bag(file), topics));
+  io::MissionBag bag(std::make_unique<Crowded>(io::create_bag(file), topics), file.string());
   for (const SimulatedStep& step : steps) static_cast<MissionWriter&>(bag).write(step);
   bag.finish();
 }
