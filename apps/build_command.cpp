@@ -106,15 +106,14 @@ void require_trust(const Path& store_file) {
 /// The largest part of a mission whose parts nothing joins is the building. Names and statements
 /// that the building in the place has stay, or those of `--edits` hold.
 void put_alone(const Settings& settings, const Path& part, const Path& place) {
-  const Metadata metadata = GeoPackageStore(part, GeoPackageStore::Mode::read).metadata();
-  const Former former = former_in(place, building_of(metadata));
+  const GeoPackageStore base(part, GeoPackageStore::Mode::read);
+  const Former former = former_in(place, building_of(base.metadata()));
   const bool is_any_named = std::any_of(former.rooms.begin(), former.rooms.end(), is_named);
   put_copy_in_place(part, place, [&](const Path& copy) {
     if (!is_any_named && former.edits.empty() && settings.edits_file.empty()) return;
     {
       GeoPackageStore store(copy, GeoPackageStore::Mode::update);
-      store.put_former_rooms(with_names_of(former.rooms, store.plan().rooms));
-      store.put_metadata(former.edits);
+      put_said(former, base, store);
     }
     (void)assemble(settings, copy);
   });

@@ -5,12 +5,14 @@
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
+#include <set>
+
+#include "roomatlas/io/plans/edits_file.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/merge/carry_over.hpp"
 #include "store_edits.hpp"
 
 namespace roomatlas::apps {
-
 namespace {
 
 /// Of a building in another frame.
@@ -27,6 +29,19 @@ void tell_lost(const std::filesystem::path& store, const Former& former) {
     spdlog::warn("{} was made from another log: the corrections by hand that it kept are lost",
                  store.string());
   }
+}
+
+/// Rooms with their numbers; those that nobody named get the names of rooms of another plan in the
+/// same frame.
+std::vector<PlanRoom> with_names_of(std::vector<PlanRoom> rooms,
+                                    const std::vector<PlanRoom>& others) {
+  FloorPlan plan;
+  plan.rooms = std::move(rooms);
+  std::map<AsrId, RoomId> no_visits;
+  std::map<RoomId, RoomId> number_of;
+  for (const auto& [was, is] : carry_over(others, plan, no_visits).number) number_of[is] = was;
+  renumber(plan, number_of);
+  return plan.rooms;
 }
 
 }  // namespace
@@ -48,15 +63,17 @@ Former former_in(const std::filesystem::path& store_file, const std::string& bui
   return {};
 }
 
-std::vector<PlanRoom> with_names_of(std::vector<PlanRoom> rooms,
-                                    const std::vector<PlanRoom>& others) {
-  FloorPlan plan;
-  plan.rooms = std::move(rooms);
-  std::map<AsrId, RoomId> no_visits;
-  std::map<RoomId, RoomId> number_of;
-  for (const auto& [was, is] : carry_over(others, plan, no_visits).number) number_of[is] = was;
-  renumber(plan, number_of);
-  return plan.rooms;
+void put_said(const Former& former, const GeoPackageStore& base, GeoPackageStore& store) {
+  const std::vector<PlanRoom> of_base = base.plan().rooms;
+  store.put_former_rooms(former.rooms.empty() ? of_base : with_names_of(former.rooms, of_base));
+  store.put_metadata(former.edits);
+  const std::vector<Edit> said = former.edits.empty() ? std::vector<Edit>() : stored_edits(store);
+  std::set<std::string> known;
+  for (const Edit& edit : said) known.insert(edits_json({edit}));
+  std::vector<Edit> edits = stored_edits(base);
+  std::erase_if(edits, [&](const Edit& edit) { return known.contains(edits_json({edit})); });
+  edits.insert(edits.end(), said.begin(), said.end());
+  keep_edits(edits, store);
 }
 
 void require_known_version(const Settings& settings, const std::filesystem::path& store) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/plan/floor_plan.hpp"
 #include "settings.hpp"
 #include "store_metadata.hpp"
@@ -22,10 +23,10 @@ struct Former {
 /// @param building that replaces it, as `building_of` tells them apart
 [[nodiscard]] Former former_in(const std::filesystem::path& store, const std::string& building);
 
-/// Rooms with their numbers; those that nobody named get the names of rooms of another plan in the
-/// same frame.
-[[nodiscard]] std::vector<PlanRoom> with_names_of(std::vector<PlanRoom> rooms,
-                                                  const std::vector<PlanRoom>& others);
+/// Puts what people said into a store that is to be assembled, in the same frame: names and
+/// statements of the former building, and before them those of its base mission that it does not
+/// have. What is said later holds.
+void put_said(const Former& former, const GeoPackageStore& base, GeoPackageStore& store);
 
 /// @throws OtherVersion for a store that another release wrote, unless `settings.force`: what
 /// people

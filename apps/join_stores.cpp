@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <set>
 
 #include "console.hpp"
 #include "former_store.hpp"
@@ -16,7 +15,6 @@
 #include "plan_report.hpp"
 #include "roomatlas/asr/joined_source.hpp"
 #include "roomatlas/core/counted.hpp"
-#include "roomatlas/io/plans/edits_file.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "store_edits.hpp"
@@ -53,21 +51,6 @@ Metadata metadata_of(const JoinedBuilding& building, const Stores& stores,
   return joined;
 }
 
-/// Names and statements of the building that stands in the place, and before them those of the base
-/// that it does not have: both are in the base's frame, and what is said later holds.
-void put_former(const Former& former, const GeoPackageStore& base, GeoPackageStore& store) {
-  const std::vector<PlanRoom> of_base = base.plan().rooms;
-  store.put_former_rooms(former.rooms.empty() ? of_base : with_names_of(former.rooms, of_base));
-  store.put_metadata(former.edits);
-  const std::vector<Edit> said = stored_edits(store);
-  std::set<std::string> known;
-  for (const Edit& edit : said) known.insert(edits_json({edit}));
-  std::vector<Edit> edits = stored_edits(base);
-  std::erase_if(edits, [&](const Edit& edit) { return known.contains(edits_json({edit})); });
-  edits.insert(edits.end(), said.begin(), said.end());
-  keep_edits(edits, store);
-}
-
 std::size_t write_building(const Settings& settings, const JoinedBuilding& building,
                            const Stores& stores, const Path& place) {
   std::vector<const AsrSource*> sources;
@@ -83,7 +66,7 @@ std::size_t write_building(const Settings& settings, const JoinedBuilding& build
     for (const AsrId id : source.ids()) store.put(source.get(id, AsrDetail::readings));
     store.put_members(building.members);
     store.put_metadata(metadata_of(building, stores, settings));
-    put_former(former, base, store);
+    put_said(former, base, store);
     Settings used = settings;
     used.assemble.edits = edits_for(settings, store);
     const Assembly assembly =

@@ -12,6 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kCopy = ".copy";  // of a finished store, on its way to another place
+
 /// What SQLite keeps beside a file; it would be taken for the next store's.
 void remove_side_files(const fs::path& store) {
   for (const char* ending : {"-wal", "-shm", "-journal"}) {
@@ -85,7 +87,7 @@ void NewStore::give_up() const {
 void NewStore::remove() const { remove_store(file_); }
 
 void remove_leftovers(const fs::path& store) {
-  remove_store(store.string() + ".tmp");
+  for (const char* ending : {".tmp", kCopy}) remove_store(store.string() + ending);
   std::error_code missing;
   if (!fs::exists(store, missing)) return remove_side_files(store);
   if (!fs::exists(store.string() + "-wal", missing)) return;
@@ -97,7 +99,7 @@ void remove_leftovers(const fs::path& store) {
 
 void put_copy_in_place(const fs::path& finished, const fs::path& place,
                        const std::function<void(const fs::path& copy)>& change) {
-  const fs::path copy = place_beside(place);
+  const fs::path copy = place.string() + kCopy;  // not `.new`, which would be put in place as it is
   std::error_code error;
   fs::copy_file(finished, copy, fs::copy_options::overwrite_existing, error);
   if (error) {
@@ -105,7 +107,12 @@ void put_copy_in_place(const fs::path& finished, const fs::path& place,
     throw InputError(copy.string() + ": cannot be written: " + error.message() +
                      "; run the same command again where it can be");
   }
-  change(copy);
+  try {
+    change(copy);
+  } catch (...) {
+    remove_store(copy);
+    throw;
+  }
   replace(place, copy);
 }
 
