@@ -52,7 +52,8 @@ ScanAlignment RoomLocalizer::search_wide(const std::vector<ScanPoint>& points,
 /// Whether walls across the robot's way were seen, which tell how far it went.
 bool RoomLocalizer::is_length_seen(const ScanAlignment& aligned) const {
   const Point2 ahead = direction(aligned.map_from_points.theta_rad);
-  return ahead.dot(aligned.hessian.topLeftCorner<2, 2>() * ahead) > options_.min_across;
+  const double across = ahead.dot(aligned.hessian.topLeftCorner<2, 2>() * ahead);
+  return across > (has_few_ ? options_.min_across_of_few : options_.min_across);
 }
 
 void RoomLocalizer::clear() {

@@ -178,7 +178,7 @@ TEST_F(DamagedStore, SaysTableRowFieldAndWhatIsExpected) {
   EXPECT_THAT(error_of("UPDATE rooms SET name = hex(zeroblob(500000)) WHERE id = 3"),
               HasSubstr("field name: found a name of 1000000 bytes, expected at most 1000"));
   const Outcome edits =
-      run("-q assemble " + copy("INSERT INTO metadata (key, value) VALUES ('edits_json', '[]')"));
+      run("-q assemble " + copy("INSERT INTO metadata (key, value) VALUES ('edits_json', '{}')"));
   EXPECT_EQ(edits.exit_code, 3);
   EXPECT_THAT(edits.err, HasSubstr("damaged.gpkg: metadata edits_json: "));
   EXPECT_THAT(error_of("UPDATE exits SET neighbor = asr"), HasSubstr("neighbor is the exit's own"));

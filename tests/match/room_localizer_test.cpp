@@ -89,6 +89,20 @@ TEST(RoomLocalizer, LearnsTheHabitsOfOdometry) {
   EXPECT_NEAR(localizer.habits()->length_scale, 1.0 / 1.02, 0.008);
 }
 
+TEST(RoomLocalizer, LearnsLengthsFromFewBeamsToo) {
+  const auto readings = laps(4, 24);
+  RoomLocalizer localizer{LocalizeOptions{}};
+  (void)localized(readings, localizer);
+  ASSERT_TRUE(localizer.habits());
+  EXPECT_NEAR(localizer.habits()->length_scale, 1.0 / 1.02, 0.012);
+  LocalizeOptions as_of_many;
+  as_of_many.min_across_of_few = as_of_many.min_across;
+  RoomLocalizer deaf{as_of_many};
+  (void)localized(readings, deaf);
+  ASSERT_TRUE(deaf.habits());
+  EXPECT_NEAR(deaf.habits()->length_scale, 1.0, 1e-9);  // nothing was learnt of them
+}
+
 TEST(RoomLocalizer, FindsTheRobotAgainAfterAJumpOfOdometry) {
   const auto readings = laps(1);
   RoomLocalizer localizer{LocalizeOptions{}};
