@@ -2,6 +2,7 @@
 #include "store_edits.hpp"
 
 #include "roomatlas/io/plans/edits_file.hpp"
+#include "store_metadata.hpp"
 
 namespace roomatlas::apps {
 
