@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kCopy = ".copy";  // of a finished store, on its way to another place
+constexpr const char* kCopy = ".copy.tmp";  // of a finished store, on its way to another place
 
 /// What SQLite keeps beside a file; it would be taken for the next store's.
 void remove_side_files(const fs::path& store) {

@@ -90,12 +90,12 @@ TEST(TwoAtOnce, AFileThatIsBeingWrittenIsLeftAlone) {
 TEST(TwoAtOnce, TemporaryFilesOfAKilledRunAreRemovedByTheNext) {
   const Folder folder;
   const std::string store = assembled_store(folder);
-  for (const char* ending : {".tmp", ".tmp-journal", ".tmp-wal", ".copy"}) {
+  for (const char* ending : {".tmp", ".tmp-journal", ".tmp-wal", ".copy.tmp"}) {
     std::ofstream(store + ending) << "half";
   }
   ASSERT_EQ(run("-q rename " + store + " 1 Kitchen").exit_code, 0);
   for (const char* ending :
-       {".tmp", ".tmp-journal", ".tmp-wal", ".copy", ".lock", "-wal", "-shm"}) {
+       {".tmp", ".tmp-journal", ".tmp-wal", ".copy.tmp", ".lock", "-wal", "-shm"}) {
     EXPECT_FALSE(fs::exists(store + ending)) << ending;
   }
 }
