@@ -119,6 +119,13 @@ void put_alone(const Settings& settings, const Path& part, const Path& place) {
   });
 }
 
+void require_kept_readings(const Settings& settings, const Path& log) {
+  if (settings.map.record.keep_readings) return;
+  throw UsageError(log.string() +
+                   ": --no-keep-readings: several missions, or the parts of one that was cut at "
+                   "kidnappings, are joined by what their readings saw; leave the option away");
+}
+
 /// Each mission in OUT/missions, what holds together in OUT, and whatever does not beside it.
 void build_joined(const Settings& settings, const BuildArguments& arguments,
                   const std::vector<LogPart>& missions) {
@@ -210,6 +217,7 @@ void build(const Settings& settings, const BuildArguments& arguments) {
   if (arguments.inputs.size() > 1) require_missions(settings, arguments.inputs);
   const std::vector<LogPart> missions = parts_of(settings, arguments.inputs);
   if (missions.size() > 1) {
+    require_kept_readings(settings, arguments.inputs.front());
     build_joined(settings, arguments, missions);
   } else {
     const Path new_folder = topmost_missing(arguments.out);

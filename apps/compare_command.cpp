@@ -16,6 +16,7 @@
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/pipeline/mission_map.hpp"
 #include "store_metadata.hpp"
+#include "usable_store.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -23,25 +24,10 @@ namespace {
 constexpr SearchWindow kAroundGiven{1.0, radians(5.0)};  // of a pose that somebody measured
 
 /// Refuses a store that holds no mission that can be compared.
-AssembledMission mission_of(const GeoPackageStore& store, const Path& file) {
-  if (!store.has_assembly()) {
-    throw NotEnoughError(file.string() +
-                         ": not assembled yet: run `roomatlas assemble` on it first");
-  }
-  AssembledMission mission{&store, placement_of(store.correction()), store.plan(),
-                           store.mission().footprint};
-  const std::vector<AsrId> ids = store.ids();
-  if (ids.empty()) {
-    throw NotEnoughError(file.string() +
-                         ": holds a finished map and no readings, expected a mission: changes are "
-                         "told by what both missions' readings saw");
-  }
-  if (store.get(ids.front(), AsrDetail::readings).readings.empty()) {
-    throw NotEnoughError(file.string() +
-                         ": was stored without its readings; map the log again without "
-                         "--no-keep-readings");
-  }
-  return mission;
+AssembledMission mission_of(const GeoPackageStore& store) {
+  require_assembled(store);
+  require_readings(store, "changes are told by what both missions' readings saw");
+  return {&store, placement_of(store.correction()), store.plan(), store.mission().footprint};
 }
 
 /// Errors of a map look like changes.
@@ -129,8 +115,8 @@ void print_changes(const PlanChanges& found) {
 void compare(const Settings& settings, const CompareArguments& arguments) {
   const GeoPackageStore old_store(arguments.before, GeoPackageStore::Mode::read);
   const GeoPackageStore new_store(arguments.after, GeoPackageStore::Mode::read);
-  const AssembledMission before = mission_of(old_store, arguments.before);
-  const AssembledMission after = mission_of(new_store, arguments.after);
+  const AssembledMission before = mission_of(old_store);
+  const AssembledMission after = mission_of(new_store);
   warn_of_doubts(old_store, arguments.before);
   warn_of_doubts(new_store, arguments.after);
   make_folder(arguments.out);

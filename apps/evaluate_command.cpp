@@ -18,6 +18,7 @@
 #include "roomatlas/pipeline/evaluate_store.hpp"
 #include "stored_configuration.hpp"
 #include "truth_files.hpp"
+#include "usable_store.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -26,14 +27,9 @@ constexpr const char* kNoTruth =
     ": nothing to judge this trajectory by: give --truth FILE with relations or a trajectory";
 constexpr const char* kOwnTruth = "TRUEPOS in the store";
 
-void require_assembly(const GeoPackageStore& store, const Path& file) {
-  if (store.has_assembly()) return;
-  throw NotEnoughError(file.string() + ": not assembled yet: run `roomatlas assemble` on it first");
-}
-
-Evaluation evaluation_of(const GeoPackageStore& store, const Path& file, const Truth& truth,
+Evaluation evaluation_of(const GeoPackageStore& store, const Truth& truth,
                          const Preparation& prepare, int jobs) {
-  require_assembly(store, file);
+  require_assembled(store);
   return evaluate_store(store, truth, {prepare, prepare.relation_options(), prepare.carry()}, jobs);
 }
 
@@ -83,7 +79,7 @@ void add_other_answer(const Settings& settings, const Path& file, const std::str
 void add_store(const Settings& settings, const Path& file, const std::string& name,
                const Truth& truth, const Preparation& prepare, Judged& judged) {
   const GeoPackageStore store(file, GeoPackageStore::Mode::read);
-  Evaluation evaluation = evaluation_of(store, file, truth, prepare, settings.jobs);
+  Evaluation evaluation = evaluation_of(store, truth, prepare, settings.jobs);
   if (evaluation.missions) return add_missions(store, name, truth, prepare, evaluation, judged);
   PlacedMission placed = place(store, store.correction());
   const Trajectory true_poses = true_poses_of(store);
@@ -209,7 +205,7 @@ Evaluation evaluation_of(const Settings& settings, const Path& store_file,
                          const std::vector<Path>& truth_files, const TrajectoryFlags& flags) {
   const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
   const Truth truth = read_truth(truth_files, settings);
-  return evaluation_of(store, store_file, truth, Preparation(flags, settings), settings.jobs);
+  return evaluation_of(store, truth, Preparation(flags, settings), settings.jobs);
 }
 
 void evaluate(const Settings& settings, const std::vector<Path>& files,

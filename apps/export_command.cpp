@@ -31,6 +31,7 @@
 #include "roomatlas/loops/visit_graph.hpp"
 #include "roomatlas/merge/unexplored.hpp"
 #include "stored_configuration.hpp"
+#include "usable_store.hpp"
 #include "write_imdf.hpp"
 
 namespace roomatlas::apps {
@@ -86,10 +87,7 @@ std::vector<ExportedPath> paths_of(const GeoPackageStore& store, const Correctio
 
 Exported read(const Settings& settings, const Path& store_file, bool measured_walls) {
   const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
-  if (!store.has_assembly()) {
-    throw NotEnoughError(store_file.string() +
-                         ": not assembled yet: run `roomatlas assemble` on it first");
-  }
+  require_assembled(store);
   Exported exported{store.metadata(),
                     store.correction(),
                     measured_walls ? store.measured_plan() : store.plan(),

@@ -19,6 +19,7 @@
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "store_edits.hpp"
 #include "store_metadata.hpp"
+#include "usable_store.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -126,6 +127,8 @@ Path numbered(const Path& place, std::size_t number) {
 StoresToJoin::StoresToJoin(std::vector<Path> stores) : files_(std::move(stores)) {
   for (const Path& file : files_) {
     missions_.push_back(std::make_unique<GeoPackageStore>(file, GeoPackageStore::Mode::read));
+    require_assembled(*missions_.back());
+    require_readings(*missions_.back(), "missions are joined by what their readings saw");
   }
 }
 

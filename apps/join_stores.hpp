@@ -42,7 +42,7 @@ class StoresToJoin {
 /// Joins the missions of several assembled stores and writes a store for each building of two and
 /// more: the largest at `place`, others beside it as NAME.2.gpkg and so on. Says which mission was
 /// joined and why others were not. Missions that stand alone come last, the largest first.
-/// @throws InputError for a store that is not assembled
+/// @throws NotEnoughError for a store that is not assembled or has no readings
 [[nodiscard]] std::vector<WrittenBuilding> join_into(const Settings& settings,
                                                      const std::vector<Path>& stores,
                                                      const Path& place);

@@ -17,6 +17,7 @@
 #include "roomatlas/mission/borrowed_mission.hpp"
 #include "roomatlas/pipeline/locate_mission.hpp"
 #include "roomatlas/pipeline/map_mission.hpp"
+#include "usable_store.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -179,6 +180,8 @@ Trajectory sure_paths(const std::vector<LocatedPart>& parts) {
 
 void locate(const Settings& settings, const LocateArguments& arguments) {
   const GeoPackageStore building(arguments.building, GeoPackageStore::Mode::read);
+  require_assembled(building);
+  require_readings(building, "a robot is found by what the building's readings saw");
   std::vector<LocatedPart> parts;
   for (const MissionPart& part : parts_of_span(settings, arguments)) {
     parts.push_back(located_part(settings, arguments, building, part));

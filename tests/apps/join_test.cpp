@@ -292,8 +292,27 @@ TEST_F(Join, RefusesAStoreThatIsNotAssembled) {
   ASSERT_EQ(run("-q map " + one_ + " -o " + store).exit_code, 0);
   const Outcome done =
       run("join " + store + " " + store + " -o " + (*folder_ / "none.gpkg").string());
-  EXPECT_EQ(done.exit_code, 3);
-  EXPECT_THAT(done.err, HasSubstr("not assembled"));
+  EXPECT_EQ(done.exit_code, 4);
+  EXPECT_THAT(done.err, HasSubstr("mapped.gpkg: not assembled"));
+}
+
+TEST_F(Join, RefusesMissionsThatWereStoredWithoutReadings) {
+  const std::string store = (*folder_ / "bare.gpkg").string();
+  ASSERT_EQ(run("-q map --no-keep-readings " + one_ + " -o " + store).exit_code, 0);
+  ASSERT_EQ(run("-q assemble " + store).exit_code, 0);
+  for (const std::string& command :
+       {"join " + store + " " + store + " -o " + (*folder_ / "none.gpkg").string(),
+        "locate " + store + " " + one_}) {
+    const Outcome done = run(command);
+    EXPECT_EQ(done.exit_code, 4) << command;
+    EXPECT_THAT(done.err, HasSubstr("bare.gpkg: was stored without its readings")) << command;
+  }
+  const Path out = *folder_ / "several";
+  const Outcome several =
+      run("build --no-keep-readings " + one_ + " " + two_ + " -o " + out.string());
+  EXPECT_EQ(several.exit_code, 2);
+  EXPECT_THAT(several.err, HasSubstr("--no-keep-readings"));
+  EXPECT_FALSE(std::filesystem::exists(out));
 }
 
 }  // namespace

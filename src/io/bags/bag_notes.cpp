@@ -121,8 +121,7 @@ void BagSource::note_poses() {
                   "waited for in vain: the nearest pose, at most half a second off, is theirs");
   }
   warn_of(poses_->clock_set_back(), "stamps",
-          " times the clock of odometry or tf was set back by more than 10 s: what came before is "
-          "forgotten then");
+          " times the clock of odometry or tf was set back: what came before is forgotten then");
   warn_of(poses_->steps_without_gyro(), "gyro",
           " steps of odometry keep its own turn: the gyro tells nothing of their times");
   warn_of(without_stamp_, "stamps",

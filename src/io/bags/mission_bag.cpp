@@ -185,7 +185,8 @@ void MissionBag::put(const std::string& topic, const char* type, std::int64_t st
         bag_->add_topic({topic, type, encoding_, definition_of(type, encoding_), {}});
     known = topics_.emplace(topic, index).first;
   }
-  bag_->write(known->second, stamp_ns, message.bytes());
+  recorded_ns_ = std::max(recorded_ns_, stamp_ns);
+  bag_->write(known->second, recorded_ns_, message.bytes());
 }
 
 }  // namespace roomatlas::io

@@ -6,6 +6,8 @@
 
 #include "roomatlas/io/logs/mission_writer.hpp"
 
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -17,7 +19,8 @@ namespace roomatlas::io {
 /// A mission as a recording: /odom and tf odom -> base_link, /scan of all lasers, each with a frame
 /// of its own (lasers that are one reading: /scan, /scan_2 ...), one /sonar_N a sonar,
 /// /ground_truth, and the sensors' mounts in /tf_static before the first reading of each. A message
-/// is recorded at its stamp.
+/// is recorded at its stamp, or where the log's clock was set back at the latest stamp before:
+/// readers go by the times of recording, and would take the mission in another order.
 ///
 /// Nothing within range is written as +Inf, no measurement as NaN (REP 117).
 class MissionBag : public MissionWriter {
@@ -53,6 +56,7 @@ class MissionBag : public MissionWriter {
   std::map<const RangeSensor*, std::size_t> known_;       ///< into `met_`
   std::vector<std::shared_ptr<const RangeSensor>> kept_;  ///< so that no address comes twice
   std::vector<std::unique_ptr<Met>> met_;
+  std::int64_t recorded_ns_ = std::numeric_limits<std::int64_t>::min();  ///< the last message
   int lasers_ = 0;
   int rings_ = 0;
 };

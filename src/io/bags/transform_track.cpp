@@ -6,9 +6,22 @@
 
 namespace roomatlas::io {
 
+bool TransformTrack::is_set_back(std::int64_t stamp_ns, const Transform3& sample) const {
+  constexpr std::ptrdiff_t kFewest = 3;  // samples that came before it and are newer
+  if (samples_.empty()) return false;
+  const std::int64_t late_ns = samples_.back().stamp_ns - stamp_ns;
+  if (late_ns > kKept_ns) return true;
+  const auto next = std::lower_bound(
+      samples_.begin(), samples_.end(), stamp_ns,
+      [](const Sample& kept, std::int64_t stamp) { return kept.stamp_ns < stamp; });
+  if (late_ns <= kLate_ns || samples_.end() - next < kFewest) return false;
+  if (next->stamp_ns == stamp_ns) return !is_same(next->transform, sample);
+  return next == samples_.begin() || next->stamp_ns - std::prev(next)->stamp_ns < late_ns;
+}
+
 TransformTrack::Added TransformTrack::add(std::int64_t stamp_ns, const Transform3& sample) {
   Added added = Added::in_order;
-  if (!samples_.empty() && stamp_ns < samples_.back().stamp_ns - kKept_ns) {
+  if (is_set_back(stamp_ns, sample)) {
     samples_.clear();
     constant_ = true;
     added = Added::clock_set_back;

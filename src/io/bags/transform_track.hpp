@@ -18,11 +18,13 @@ struct TransformAt {
 
 /// One transform as it changes: its samples of the last seconds, by their stamps. Samples may come
 /// out of order. One that is older than all that is kept begins a new epoch: the clock was set
-/// back.
+/// back. So does one that is late by more than `kLate_ns` at a time of which others tell already,
+/// and tell otherwise: what one program publishes keeps its order.
 class TransformTrack {
  public:
   static constexpr std::int64_t kKept_ns = 10'000'000'000;  ///< as tf keeps them
-  static constexpr std::size_t kMost = 20'000;              ///< samples
+  static constexpr std::int64_t kLate_ns = 500'000'000;
+  static constexpr std::size_t kMost = 20'000;  ///< samples
 
   enum class Added { in_order, out_of_order, again, clock_set_back };
   Added add(std::int64_t stamp_ns, const Transform3& sample);
@@ -37,6 +39,8 @@ class TransformTrack {
     std::int64_t stamp_ns = 0;
     Transform3 transform;
   };
+  [[nodiscard]] bool is_set_back(std::int64_t stamp_ns, const Transform3& sample) const;
+
   std::deque<Sample> samples_;  ///< by stamp
   bool constant_ = true;
 };

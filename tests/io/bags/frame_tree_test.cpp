@@ -77,6 +77,30 @@ TEST(FrameTree, SamplesOutOfOrderAreSortedAndASetBackClockBeginsAnew) {
   EXPECT_EQ(track.at(12 * kSecond)->transform.translation.x(), 7.0);
 }
 
+TEST(FrameTree, AClockSetBackByLessThanATrackKeepsBeginsAnew) {
+  using Added = TransformTrack::Added;
+  const auto ten_times_a_second = [](int first, int last, double x_m, TransformTrack& track) {
+    for (int i = first; i < last; ++i) {
+      (void)track.add(i * kSecond / 10, upright({x_m + 0.1 * i, 0.0, 0.0}));
+    }
+  };
+  TransformTrack track;
+  ten_times_a_second(0, 100, 0.0, track);
+  // late by little, or told again, or where nothing else was told: only late
+  EXPECT_EQ(track.add(95 * kSecond / 10 + 1, upright({9.5, 0.0, 0.0})), Added::out_of_order);
+  EXPECT_EQ(track.add(50 * kSecond / 10, upright({5.0, 0.0, 0.0})), Added::again);
+  TransformTrack silent;
+  ten_times_a_second(0, 10, 0.0, silent);
+  ten_times_a_second(50, 60, 0.0, silent);
+  EXPECT_EQ(silent.add(20 * kSecond / 10, upright({2.0, 0.0, 0.0})), Added::out_of_order);
+  // between others, or at the very time of one
+  EXPECT_EQ(track.add(50 * kSecond / 10 + 1, upright({9.9, 0.0, 0.0})), Added::clock_set_back);
+  ten_times_a_second(51, 90, 4.0, track);
+  EXPECT_NEAR(track.at(70 * kSecond / 10)->transform.translation.x(), 11.0, 1e-12);
+  EXPECT_EQ(track.add(60 * kSecond / 10, upright({13.0, 0.0, 0.0})), Added::clock_set_back);
+  EXPECT_EQ(track.at(80 * kSecond / 10)->transform.translation.x(), 13.0);
+}
+
 TEST(FrameTree, ATrackIsBoundedAndKeepsWhatASilenceIsInterpolatedFrom) {
   TransformTrack track;
   for (int i = 0; i < 100'000; ++i) {

@@ -66,6 +66,26 @@ TEST(MissionBag, OfALaserReadsBackToTheSameBitsFromEveryContainer) {
   }
 }
 
+/// By less than a track keeps, so that both times overlap; and by more than the whole mission.
+TEST(MissionBag, OfALogWhoseClockIsSetBackKeepsItsOrderAndItsMounts) {
+  for (const double back_s : {0.7, 3.0, 300.0}) {
+    std::vector<SimulatedStep> steps = mission_of(SensorKind::laser);
+    for (std::size_t i = steps.size() / 2; i < steps.size(); ++i) {
+      steps[i].odometry.timestamp_s -= back_s;
+      steps[i].reading.timestamp_s -= back_s;
+      steps[i].truth.timestamp_s -= back_s;
+    }
+    for (const std::string name : kRecordings) {
+      SCOPED_TRACE(name + " by " + std::to_string(back_s));
+      const TemporaryFolder folder;
+      write(folder / name, steps);
+      const ReadLog log = read_log(folder / name);
+      expect_same(log, steps);
+      EXPECT_NE(text_of(log.info.issues).find("1 times the clock"), std::string::npos);
+    }
+  }
+}
+
 TEST(MissionBag, OfARingOfSonarsReadsBackToTheSameBitsFromEveryContainer) {
   const std::vector<SimulatedStep> steps = mission_of(SensorKind::sonar);
   for (const std::string name : kRecordings) {
