@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <set>
 
 #include "roomatlas/io/plans/edits_file.hpp"
@@ -61,6 +62,20 @@ Former former_in(const std::filesystem::path& store_file, const std::string& bui
     spdlog::warn("{}; names of rooms and corrections by hand that it had are lost", error.what());
   }
   return {};
+}
+
+std::string named_building_in(const std::filesystem::path& store_file) {
+  if (!std::filesystem::exists(store_file)) return {};
+  try {
+    const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
+    const Metadata metadata = store.metadata();
+    const std::vector<PlanRoom> rooms = store.former_rooms();
+    const bool is_said =
+        metadata.contains(kEditsKey) || std::any_of(rooms.begin(), rooms.end(), is_named);
+    return is_said ? building_of(metadata) : "";
+  } catch (const InputError&) {  // whoever replaces it says what is lost
+    return {};
+  }
 }
 
 void put_said(const Former& former, const GeoPackageStore& base, GeoPackageStore& store) {

@@ -23,6 +23,10 @@ struct Former {
 /// @param building that replaces it, as `building_of` tells them apart
 [[nodiscard]] Former former_in(const std::filesystem::path& store, const std::string& building);
 
+/// The building, see `building_of`, of a store in which people named or corrected something; empty
+/// where there is none, or it cannot be read.
+[[nodiscard]] std::string named_building_in(const std::filesystem::path& store);
+
 /// Puts what people said into a store that is to be assembled, in the same frame: names and
 /// statements of the former building, and before them those of its base mission that it does not
 /// have. What is said later holds.

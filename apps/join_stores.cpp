@@ -133,11 +133,20 @@ StoresToJoin::StoresToJoin(std::vector<Path> stores) : files_(std::move(stores))
 }
 
 std::vector<JoinedBuilding> StoresToJoin::joined(const Settings& settings, const Progress& progress,
-                                                 const Workers& workers) const {
+                                                 const Workers& workers,
+                                                 std::optional<std::size_t> base) const {
   std::vector<const AssemblyStore*> opened;
   opened.reserve(missions_.size());
   for (const auto& mission : missions_) opened.push_back(mission.get());
-  return join_stores(opened, settings, progress, workers);
+  return join_stores(opened, settings, progress, workers, base);
+}
+
+std::optional<std::size_t> StoresToJoin::base_at(const Path& place) const {
+  const std::string building = named_building_in(place);
+  for (std::size_t i = 0; i < missions_.size() && !building.empty(); ++i) {
+    if (building_of(missions_[i]->metadata()) == building) return i;
+  }
+  return std::nullopt;
 }
 
 std::vector<WrittenBuilding> StoresToJoin::write(const Settings& settings,
@@ -188,7 +197,9 @@ std::vector<WrittenBuilding> join_into(const Settings& settings, const std::vect
   require_output_store(place, stores);
   const StoresToJoin missions(stores);
   return missions.write(
-      settings, missions.joined(settings, console_progress(settings), settings.jobs), place);
+      settings,
+      missions.joined(settings, console_progress(settings), settings.jobs, missions.base_at(place)),
+      place);
 }
 
 void join(const Settings& settings, const std::vector<Path>& stores, const Path& out) {

@@ -27,8 +27,11 @@ class StoresToJoin {
 
   /// What holds together; see `join_stores`.
   [[nodiscard]] std::vector<JoinedBuilding> joined(const Settings& settings,
-                                                   const Progress& progress,
-                                                   const Workers& workers) const;
+                                                   const Progress& progress, const Workers& workers,
+                                                   std::optional<std::size_t> base = {}) const;
+  /// The mission whose frame a building at `place` has in which people named or corrected
+  /// something.
+  [[nodiscard]] std::optional<std::size_t> base_at(const Path& place) const;
   /// See `join_into`.
   [[nodiscard]] std::vector<WrittenBuilding> write(const Settings& settings,
                                                    std::vector<JoinedBuilding> buildings,

@@ -49,14 +49,21 @@ void check_name(const std::string& name) {
   }
 }
 
-/// A name is said once in a plan, or nobody could tell the rooms apart.
+/// A name is said once in a plan, and is no other room's number, or nobody could tell the rooms
+/// apart.
 void require_unused(const Path& store, const FloorPlan& plan, const PlanRoom& chosen,
                     const std::string& name) {
   for (const PlanRoom& room : plan.rooms) {
-    if (room.id == chosen.id || room.name != name) continue;
-    throw UsageError(fmt::format(
-        "{}: room {} is called \"{}\" already: choose another name, or rename that room first",
-        store.string(), room.id, name));
+    if (room.id == chosen.id) continue;
+    if (room.name == name) {
+      throw UsageError(fmt::format(
+          "{}: room {} is called \"{}\" already: choose another name, or rename that room first",
+          store.string(), room.id, name));
+    }
+    if (std::to_string(room.id) == name) {
+      throw UsageError(fmt::format("{}: {} is the number of the room \"{}\": choose another name",
+                                   store.string(), name, room.name));
+    }
   }
 }
 

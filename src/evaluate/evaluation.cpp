@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/evaluate/evaluation.hpp"
 
+#include "roomatlas/evaluate/time_ranges.hpp"
+
 namespace roomatlas {
 namespace {
 
@@ -27,6 +29,10 @@ Evaluation evaluate(const Trajectory& odometry, const Trajectory& corrected, con
   if (!truth.poses.empty()) {
     evaluation.true_poses = {true_pose_errors(odometry, truth.poses),
                              true_pose_errors(corrected, truth.poses)};
+    if (evaluation.true_poses->after.position_m.count == 0) {
+      evaluation.issues.push_back({Severity::warning, "", 0, "true poses",
+                                   explain_mismatch(times_of(corrected), times_of(truth.poses))});
+    }
   }
   if (!truth.spans.empty()) evaluation.spans = span_errors(plan, truth.spans);
   if (!truth.plan) return evaluation;

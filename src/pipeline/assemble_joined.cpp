@@ -25,6 +25,7 @@ struct Candidate {
   MissionMap map;         ///< given away once all are in order
   SensorKind sensor = SensorKind::laser;
   bool is_joined = false;  ///< of several missions already
+  bool is_known = false;   ///< people know the building in its frame
   std::size_t walls = 0;   ///< wall points: how much was seen
   AsrId offset = 0;        ///< what its visits' numbers are raised by
 };
@@ -79,7 +80,8 @@ bool is_before(const Candidate& a, const Candidate& b) {
                              : one.map.shapes[0].points[0].position;
     return std::tuple(!one.is_joined, one.sensor == SensorKind::sonar,
                       !one.map.other_answer.empty(),  // which of two is true the others say
-                      std::numeric_limits<std::size_t>::max() - one.walls, first.x(), first.y());
+                      !one.is_known, std::numeric_limits<std::size_t>::max() - one.walls, first.x(),
+                      first.y());
   };
   return key(a) < key(b);
 }
@@ -210,12 +212,13 @@ class BuildingMaker {
 
 std::vector<JoinedBuilding> join_stores(const std::vector<const AssemblyStore*>& stores,
                                         const Options& options, const Progress& progress,
-                                        const Workers& workers) {
+                                        const Workers& workers, std::optional<std::size_t> base) {
   std::vector<Candidate> candidates;
   candidates.reserve(stores.size());
   for (std::size_t i = 0; i < stores.size(); ++i) {
     report(progress, "load", static_cast<double>(i) / static_cast<double>(stores.size()));
     candidates.push_back(candidate_of(i, *stores[i], options));
+    candidates.back().is_known = base == i;
   }
   std::stable_sort(candidates.begin(), candidates.end(), is_before);
   AsrId offset = 0;

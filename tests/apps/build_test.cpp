@@ -90,6 +90,16 @@ TEST(Build, ALogThatIsCutShortIsMappedUpToTheCutWithAWarning) {
   EXPECT_TRUE(std::filesystem::exists(folder / "out" / "plan.svg"));
 }
 
+TEST(Build, ATruthOfAnotherClockIsToldAndNotJudgedBy) {
+  const Folder folder;
+  const auto truth = folder.write("truth.tum", "5 0 0 0 0 0 0 1\n6 1 0 0 0 0 0 1\n");
+  const Outcome built =
+      run("build " + mission() + " --truth " + truth.string() + " -o " + (folder / "out").string());
+  EXPECT_EQ(built.exit_code, 0) << built.err;
+  EXPECT_NE(built.err.find("no time of the truth [5.000, 6.000] s has a pose"), std::string::npos)
+      << built.err;
+}
+
 TEST(Build, AnOpenHallWithoutDoorsIsOneRoom) {
   const Folder folder;
   const auto world = folder.write("hall.geojson", R"({"type":"FeatureCollection",

@@ -108,6 +108,21 @@ TEST_F(Join, BuildOfTwoLogsIsOneBuildingWhateverTheirOrder) {
   EXPECT_EQ(store.ids().back(), members[1].last_asr);
 }
 
+TEST_F(Join, NamesStayWhenALargerMissionComes) {
+  const std::string place = (*folder_ / "grown").string();
+  const std::string store = place + "/building.gpkg";
+  ASSERT_EQ(run("build " + two_ + " -o " + place).exit_code, 0);
+  ASSERT_EQ(run("-q rename " + store + " 1 Kitchen").exit_code, 0);
+  const Outcome both = run("build " + two_ + " " + one_ + " -o " + place);
+  ASSERT_EQ(both.exit_code, 0) << both.err;
+  EXPECT_THAT(both.err, HasSubstr("two.clf is where the building's frame is from"));
+  EXPECT_EQ(GeoPackageStore(store, GeoPackageStore::Mode::read).plan().rooms[0].name, "Kitchen");
+  // of the two one is the base where nobody named anything
+  const std::string fresh = (*folder_ / "fresh").string();
+  EXPECT_THAT(run("build " + two_ + " " + one_ + " -o " + fresh).err,
+              HasSubstr("one.clf is where the building's frame is from"));
+}
+
 TEST_F(Join, NamesAndCorrectionsOfTheBuildingStayWhenItIsBuiltAgain) {
   const std::string place = (*folder_ / "kept").string();
   const std::string store = place + "/building.gpkg";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,14 +25,15 @@ struct JoinedBuilding {
 
 /// Looks for each mission in the others, see `join_missions`, in an order that hangs on the
 /// missions alone: first what was joined already, lasers before sonars, the larger before the
-/// smaller.
+/// smaller. Among its equals, the base that is asked for comes before larger ones.
 /// @param stores assembled, with readings; a store of several missions counts as one
 /// @param workers see `join_missions`
+/// @param base index of the store in whose frame people know the building, if any is
 /// @returns that of the most missions first
 /// @throws InputError for a store that is not assembled or has no readings
 [[nodiscard]] std::vector<JoinedBuilding> join_stores(
     const std::vector<const AssemblyStore*>& stores, const Options& options,
-    const Progress& progress, const Workers& workers);
+    const Progress& progress, const Workers& workers, std::optional<std::size_t> base = {});
 
 /// The floor plan of several missions of one building into a store that has their visits already,
 /// see `JoinedSource`: drafted from all readings of its lasers, or of its sonars where there are no

@@ -2,6 +2,7 @@
 #include "bags/mission_bag.hpp"
 
 #include "bags/ros1_md5.hpp"
+#include "io/bags/read_bag.hpp"
 #include "io/bags/small_mission.hpp"
 #include "io/mission_log.hpp"
 
@@ -81,7 +82,7 @@ TEST(MissionBag, OfALogWhoseClockIsSetBackKeepsItsOrderAndItsMounts) {
       write(folder / name, steps);
       const ReadLog log = read_log(folder / name);
       expect_same(log, steps);
-      EXPECT_NE(text_of(log.info.issues).find("1 times the clock"), std::string::npos);
+      EXPECT_NE(bags::text_of(log.info.issues).find("1 times the clock"), std::string::npos);
     }
   }
 }
