@@ -109,7 +109,7 @@ TEST_F(Join, BuildOfTwoLogsIsOneBuildingWhateverTheirOrder) {
 }
 
 TEST_F(Join, NamesStayWhenALargerMissionComes) {
-  const std::string place = (*folder_ / "grown").string();
+  const std::string place = (*folder_ / "larger").string();
   const std::string store = place + "/building.gpkg";
   ASSERT_EQ(run("build " + two_ + " -o " + place).exit_code, 0);
   ASSERT_EQ(run("-q rename " + store + " 1 Kitchen").exit_code, 0);
@@ -118,7 +118,7 @@ TEST_F(Join, NamesStayWhenALargerMissionComes) {
   EXPECT_THAT(both.err, HasSubstr("two.clf is where the building's frame is from"));
   EXPECT_EQ(GeoPackageStore(store, GeoPackageStore::Mode::read).plan().rooms[0].name, "Kitchen");
   // of the two one is the base where nobody named anything
-  const std::string fresh = (*folder_ / "fresh").string();
+  const std::string fresh = (*folder_ / "unnamed").string();
   EXPECT_THAT(run("build " + two_ + " " + one_ + " -o " + fresh).err,
               HasSubstr("one.clf is where the building's frame is from"));
 }
