@@ -49,7 +49,6 @@ void write_results(const Settings& settings, const Path& store, const BuildArgum
       export_all(settings, store, possible_formats(formats, store), arguments.exported, out);
   const Evaluation evaluation =
       evaluation_of(settings, store, arguments.truth, arguments.trajectory);
-  show(evaluation.issues);
   write_summary(store, evaluation, out);
   write_report(settings, store, evaluation, out / "report.html");
   files.insert(files.end(), {"summary.json", "report.html", "building.gpkg"});

@@ -100,6 +100,7 @@ void print_pair(const char* what, const char* unit, const Statistics& before,
 }
 
 void print(const RoomPosesBeforeAfter& poses) {
+  if (poses.after.rooms.empty()) return;  // no true pose at their times: there are no means
   say("poses of {}, mean: before, after\n", counted(poses.after.rooms.size(), "room"));
   print_pair("rotation", "deg", poses.before.rotation_deg, poses.after.rotation_deg);
   print_pair("translation", "m", poses.before.translation_m, poses.after.translation_m);

@@ -96,8 +96,10 @@ TEST(Build, ATruthOfAnotherClockIsToldAndNotJudgedBy) {
   const Outcome built =
       run("build " + mission() + " --truth " + truth.string() + " -o " + (folder / "out").string());
   EXPECT_EQ(built.exit_code, 0) << built.err;
-  EXPECT_NE(built.err.find("no time of the truth [5.000, 6.000] s has a pose"), std::string::npos)
-      << built.err;
+  const std::string warning = "no time of the truth [5.000, 6.000] s has a pose";
+  EXPECT_NE(built.err.find(warning), std::string::npos) << built.err;
+  EXPECT_EQ(built.err.find(warning), built.err.rfind(warning)) << built.err;  // once
+  EXPECT_EQ(built.out.find("nan"), std::string::npos) << built.out;
 }
 
 TEST(Build, AnOpenHallWithoutDoorsIsOneRoom) {
