@@ -83,7 +83,7 @@ void build_from_map(const Settings& settings, const BuildArguments& arguments) {
   const MapCells cells = read_map(arguments.inputs.front(), arguments.resolution_m);
   make_folder(arguments.out);
   const PlaceLock folder_lock(arguments.out);
-  const Path store = arguments.out / "building.gpkg";
+  const Path store = behind_link(arguments.out / "building.gpkg");
   const PlaceLock store_lock = lock_new_store(store, {arguments.inputs.front()});
   const std::size_t rooms = map_into_store(settings, arguments.inputs.front(), cells, store);
   write_results(settings, store, arguments,
@@ -143,7 +143,7 @@ void build_joined(const Settings& settings, const BuildArguments& arguments,
     stores.push_back(named[i]);
     if (mapped->gone_on) gone_on.push_back(*mapped->gone_on);
   }
-  const Path store = out / "building.gpkg";
+  const Path store = behind_link(out / "building.gpkg");
   const PlaceLock store_lock = lock_new_store(store, arguments.inputs);
   std::vector<WrittenBuilding> buildings = join_into(settings, stores, store);
   if (buildings.empty()) {
@@ -186,7 +186,7 @@ void build_from_log(const Settings& settings, const BuildArguments& arguments) {
   (void)open_mission(log, settings.mission);  // an unreadable log leaves no folder behind
   make_folder(out);
   const PlaceLock folder_lock(out);
-  const Path store = out / "building.gpkg";
+  const Path store = behind_link(out / "building.gpkg");
   const PlaceLock store_lock = lock_new_store(store, {log});
   std::vector<GoneOn> gone_on;
   if (!settings.force && is_mapped_already(settings, {log, {}}, store)) {

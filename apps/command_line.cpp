@@ -116,8 +116,9 @@ class Commands {
         ->configurable(false);
 
     CLI::App* map = command("map", "online stage: log -> rooms in a store", [this] {
-      const PlaceLock lock = lock_new_store(a_.out, {a_.log});
-      map_and_tell(forced(), a_.log, a_.out);
+      const Path store = behind_link(a_.out);
+      const PlaceLock lock = lock_new_store(store, {a_.log});
+      map_and_tell(forced(), a_.log, store);
     });
     positional(map, "LOG", a_.log, "mission log, plain or gzip");
     output(map, a_.out, "store to write, such as building.gpkg");
@@ -125,8 +126,9 @@ class Commands {
 
     CLI::App* assemble =
         command("assemble", "offline stage: graph, correction, floor plan", [this] {
-          const PlaceLock lock = lock_store(a_.store);
-          require_a_room(assemble_again(edited(), a_.store, a_.alternative, a_.missions), a_.store);
+          const Path store = behind_link(a_.store);
+          const PlaceLock lock = lock_store(store);
+          require_a_room(assemble_again(edited(), store, a_.alternative, a_.missions), store);
         });
     positional(assemble, "STORE", a_.store, "store to complete");
     assemble

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "former_store.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <set>
 
@@ -15,22 +11,6 @@
 
 namespace roomatlas::apps {
 namespace {
-
-/// Of a building in another frame.
-void tell_lost(const std::filesystem::path& store, const Former& former) {
-  std::vector<std::string> names;
-  for (const PlanRoom& room : former.rooms) {
-    if (is_named(room)) names.push_back('"' + room.name + '"');
-  }
-  if (!names.empty()) {
-    spdlog::warn("{} was made from another log: the names of its rooms are lost: {}",
-                 store.string(), fmt::join(names, ", "));
-  }
-  if (!former.edits.empty()) {
-    spdlog::warn("{} was made from another log: the corrections by hand that it kept are lost",
-                 store.string());
-  }
-}
 
 /// Rooms with their numbers; those that nobody named get the names of rooms of another plan in the
 /// same frame.
@@ -57,9 +37,7 @@ Former former_in(const std::filesystem::path& store_file, const std::string& bui
     if (edits != metadata.end()) former.edits.insert(*edits);
     const bool is_known = metadata.contains("building") || metadata.contains("mission_sha256");
     if (!is_known || building_of(metadata) == building) return former;
-    tell_lost(store_file, former);
-  } catch (const InputError& error) {
-    spdlog::warn("{}; names of rooms and corrections by hand that it had are lost", error.what());
+  } catch (const InputError&) {  // whoever replaces it keeps it beside
   }
   return {};
 }
@@ -97,9 +75,9 @@ void require_known_version(const Settings& settings, const std::filesystem::path
     const GeoPackageStore known(store, GeoPackageStore::Mode::read);
   } catch (const OtherVersion& error) {
     throw OtherVersion(std::string(error.what()) +
-                       ". With --force it is replaced, and names of rooms and corrections by hand "
-                       "that it has are lost; or give another name with -o");
-  } catch (const InputError&) {  // whoever carries names over tells of one that cannot be read
+                       ". With --force it is replaced and stays beside the new one, which has not "
+                       "its names of rooms and corrections by hand; or give another name with -o");
+  } catch (const InputError&) {  // whoever replaces it keeps one that cannot be read
   }
 }
 

@@ -18,8 +18,8 @@ struct Former {
   Metadata edits;               ///< the entry of the statements, where it has any
 };
 
-/// Nothing where there is no store. A store of another building has another frame: nothing is
-/// carried over, and warnings name what is lost.
+/// Nothing where there is no store, or one of another building, which has another frame: nothing is
+/// carried over then, see `replace_store`.
 /// @param building that replaces it, as `building_of` tells them apart
 [[nodiscard]] Former former_in(const std::filesystem::path& store, const std::string& building);
 
@@ -34,7 +34,7 @@ void put_said(const Former& former, const GeoPackageStore& base, GeoPackageStore
 
 /// @throws OtherVersion for a store that another release wrote, unless `settings.force`: what
 /// people
-///   put into it (names, corrections) would be lost
+///   put into it (names, corrections) is not carried over
 void require_known_version(const Settings& settings, const std::filesystem::path& store);
 
 }  // namespace roomatlas::apps

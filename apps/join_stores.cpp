@@ -202,7 +202,8 @@ std::vector<WrittenBuilding> join_into(const Settings& settings, const std::vect
       place);
 }
 
-void join(const Settings& settings, const std::vector<Path>& stores, const Path& out) {
+void join(const Settings& settings, const std::vector<Path>& stores, const Path& place) {
+  const Path out = behind_link(place);
   const PlaceLock lock = lock_new_store(out, stores);
   const std::vector<WrittenBuilding> buildings = join_into(settings, stores, out);
   require_any_joined(buildings);

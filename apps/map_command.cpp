@@ -9,6 +9,7 @@
 #include "console.hpp"
 #include "former_store.hpp"
 #include "going_on.hpp"
+#include "log_as_it_was.hpp"
 #include "log_report.hpp"
 #include "new_store.hpp"
 #include "open_log.hpp"
@@ -29,15 +30,19 @@ namespace {
 /// anything is written.
 class PeekedMission : public MissionSource {
  public:
-  explicit PeekedMission(MissionSource& mission) : mission_(mission), first_(mission.next()) {}
+  PeekedMission(MissionSource& mission, const LogAsItWas& log)
+      : mission_(mission), log_(log), first_(mission.next()) {}
   std::optional<MissionEvent> next() override {
-    return first_ ? std::exchange(first_, std::nullopt) : mission_.next();
+    auto event = first_ ? std::exchange(first_, std::nullopt) : mission_.next();
+    if (!event) log_.require_unchanged();
+    return event;
   }
   [[nodiscard]] const MissionInfo& info() const override { return mission_.info(); }
   [[nodiscard]] double progress() const override { return mission_.progress(); }
 
  private:
   MissionSource& mission_;
+  const LogAsItWas& log_;
   std::optional<MissionEvent> first_;
 };
 
@@ -91,6 +96,9 @@ Recorded record_in_place(const Settings& settings, MissionSource& mission,
   } catch (const NotEnoughError&) {
     store.remove();
     throw;
+  } catch (const ChangedLog&) {
+    store.remove();
+    throw;
   } catch (...) {
     store.give_up();
     throw;
@@ -128,12 +136,13 @@ Mapped map(const Settings& settings, const Path& log, const Path& store_file,
   require_output_store(store_file, {log});
   require_known_version(settings, store_file);
   settle_new_store(store_file);
+  const LogAsItWas as_it_was(log);
   const auto opened = open_log(log, settings.mission);
   const std::string sha256 = sha256_of_part(log, part);
   if (finish_mapped(settings, sha256, store_file)) return {};
   PartOfMission cut(*opened, part);
   const MissionSource* mission = opened.get();  // of the whole log: what it lacks is told of it
-  PeekedMission peeked(cut);
+  PeekedMission peeked(cut, as_it_was);
   struct NoSink : AsrSink {
     void put(const Asr&) override {}
     void put(const TruePose&) override {}

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <map>
 #include <set>
 
 #include "new_store.hpp"
@@ -26,6 +28,45 @@ bool finish_if_assembled(const Path& file) {
   }
   GeoPackageStore(file, GeoPackageStore::Mode::update).finish();
   return true;
+}
+
+/// NAME of "NAME.clf.gz".
+std::string name_of(const LogPart& mission) {
+  std::string name = mission.log.filename().string();
+  name = name.substr(0, name.find('.'));
+  return mission.part.is_whole() ? name : fmt::format("{}-part{}", name, mission.part.number);
+}
+
+Path numbered_store(const Path& first, int number) {
+  const std::string mark = number == 1 ? "" : fmt::format("-{}", number);
+  return first.string() + mark + ".gpkg";
+}
+
+/// What a store was mapped from; empty where there is none, or it cannot be read.
+std::string mission_in(const Path& store_file) {
+  if (!std::filesystem::exists(store_file)) return {};
+  try {
+    const Metadata metadata = GeoPackageStore(store_file, GeoPackageStore::Mode::read).metadata();
+    const auto sha256 = metadata.find("mission_sha256");
+    return sha256 == metadata.end() ? std::string() : sha256->second;
+  } catch (const InputError&) {  // is mapped anew
+    return {};
+  }
+}
+
+/// Missions of one name, each with the store that it had in whatever order they were given then.
+/// @param first path of their stores, without its number and ending
+void take_their_own(const std::vector<LogPart>& missions, const std::vector<std::size_t>& alike,
+                    const Path& first, std::vector<Path>& stores) {
+  for (int number = 1; number <= std::ssize(alike); ++number) {
+    const Path store = numbered_store(first, number);
+    const std::string held = mission_in(store);
+    if (held.empty()) continue;
+    const auto owner = std::find_if(alike.begin(), alike.end(), [&](std::size_t i) {
+      return stores[i].empty() && sha256_of_part(missions[i].log, missions[i].part) == held;
+    });
+    if (owner != alike.end()) stores[*owner] = store;
+  }
 }
 
 }  // namespace
@@ -65,17 +106,18 @@ std::optional<Mapped> map_and_assemble(const Settings& settings, const LogPart& 
 }
 
 std::vector<Path> stores_for(const std::vector<LogPart>& missions, const Path& folder) {
-  std::vector<Path> stores;
-  std::set<std::string> taken;
-  for (const LogPart& mission : missions) {
-    std::string name = mission.log.filename().string();
-    name = name.substr(0, name.find('.'));
-    if (!mission.part.is_whole()) name += fmt::format("-part{}", mission.part.number);
-    const std::string first = name;
-    for (int number = 2; !taken.insert(name).second; ++number) {
-      name = fmt::format("{}-{}", first, number);
-    }
-    stores.push_back(folder / (name + ".gpkg"));
+  std::vector<Path> stores(missions.size());
+  std::map<std::string, std::vector<std::size_t>> of_name;
+  for (std::size_t i = 0; i < missions.size(); ++i) of_name[name_of(missions[i])].push_back(i);
+  std::set<Path> taken;
+  for (const auto& [name, alike] : of_name) {
+    if (alike.size() > 1) take_their_own(missions, alike, folder / name, stores);
+    for (const std::size_t i : alike) taken.insert(stores[i]);
+  }
+  for (std::size_t i = 0; i < missions.size(); ++i) {
+    if (!stores[i].empty()) continue;
+    const Path first = folder / name_of(missions[i]);
+    for (int number = 1; !taken.insert(stores[i] = numbered_store(first, number)).second;) ++number;
   }
   return stores;
 }

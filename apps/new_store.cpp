@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "replaced_store.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 
 namespace roomatlas::apps {
@@ -14,25 +15,10 @@ namespace fs = std::filesystem;
 
 constexpr const char* kCopy = ".copy.tmp";  // of a finished store, on its way to another place
 
-/// What SQLite keeps beside a file; it would be taken for the next store's.
-void remove_side_files(const fs::path& store) {
-  for (const char* ending : {"-wal", "-shm", "-journal"}) {
-    std::error_code ignored;
-    fs::remove(store.string() + ending, ignored);
-  }
-}
-
 void remove_store(const fs::path& store) {
   std::error_code ignored;
   fs::remove(store, ignored);
   remove_side_files(store);
-}
-
-void replace(const fs::path& place, const fs::path& by) {
-  remove_side_files(place);
-  std::error_code error;
-  fs::rename(by, place, error);
-  if (error) throw InputError(place.string() + ": cannot be replaced: " + error.message());
 }
 
 /// How far a store of this version has come.
@@ -65,7 +51,7 @@ NewStore::NewStore(const fs::path& place)
 }
 
 void NewStore::put_in_place() const {
-  if (file_ != place_) return replace(place_, file_);
+  if (file_ != place_) return replace_store(place_, file_);
   remove_store(place_beside(place_));  // of an interrupted run, with which this one did not go on
 }
 
@@ -73,7 +59,7 @@ fs::path NewStore::keep_unfinished() const {
   if (file_ == place_) return place_;
   const auto former = made_so_far(place_);
   if (!former || former->is_mapped || former->is_assembled) return file_;
-  replace(place_, file_);
+  replace_store(place_, file_);
   return place_;
 }
 
@@ -89,12 +75,7 @@ void NewStore::remove() const { remove_store(file_); }
 void remove_leftovers(const fs::path& store) {
   for (const char* ending : {".tmp", kCopy}) remove_store(store.string() + ending);
   std::error_code missing;
-  if (!fs::exists(store, missing)) return remove_side_files(store);
-  if (!fs::exists(store.string() + "-wal", missing)) return;
-  try {
-    const GeoPackageStore recovered(store, GeoPackageStore::Mode::update);
-  } catch (const InputError&) {  // who reads it says what is wrong with it
-  }
+  if (!fs::exists(store, missing)) remove_side_files(store);
 }
 
 void put_copy_in_place(const fs::path& finished, const fs::path& place,
@@ -113,7 +94,7 @@ void put_copy_in_place(const fs::path& finished, const fs::path& place,
     remove_store(copy);
     throw;
   }
-  replace(place, copy);
+  replace_store(place, copy);
 }
 
 void settle_new_store(const fs::path& place) {
@@ -124,7 +105,7 @@ void settle_new_store(const fs::path& place) {
     return;
   }
   GeoPackageStore(made, GeoPackageStore::Mode::update).finish();
-  replace(place, made);
+  replace_store(place, made);
   spdlog::info("{}: a run before was stopped as it put its finished map here; this is done now",
                place.string());
 }

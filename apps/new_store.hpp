@@ -47,8 +47,7 @@ void put_copy_in_place(const std::filesystem::path& finished, const std::filesys
 /// one with which none can go on.
 void settle_new_store(const std::filesystem::path& place);
 
-/// Removes the temporary files of a run that was killed; what it had committed to the store is in
-/// the store's own file from then on. The store must not be in use.
+/// Removes the temporary files of a run that was killed. The store must not be in use.
 void remove_leftovers(const std::filesystem::path& store);
 
 }  // namespace roomatlas::apps

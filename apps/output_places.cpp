@@ -11,6 +11,7 @@
 #include "roomatlas/core/issue.hpp"
 #include "roomatlas/io/logs/open_mission.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
+#include "roomatlas/io/store/store_use.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -114,9 +115,17 @@ void require_output_store(const fs::path& file, const std::vector<fs::path>& inp
          "is there already and is no store, so it is not replaced: give another name with -o");
 }
 
+fs::path behind_link(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_symlink(file, error)) return file;
+  const fs::path real = fs::canonical(file, error);
+  return error ? file : real;
+}
+
 PlaceLock lock_new_store(const fs::path& file, const std::vector<fs::path>& inputs) {
   require_output_store(file, inputs);
   PlaceLock lock(file);
+  require_no_other_user(file);
   remove_leftovers(file);
   settle_new_store(file);
   return lock;
@@ -125,6 +134,7 @@ PlaceLock lock_new_store(const fs::path& file, const std::vector<fs::path>& inpu
 PlaceLock lock_store(const fs::path& file) {
   (void)GeoPackageStore(file, GeoPackageStore::Mode::read);  // says what is wrong with it
   PlaceLock lock(file);
+  require_no_other_user(file);
   remove_leftovers(file);
   return lock;
 }

@@ -96,6 +96,7 @@ void bind_tasks(py::module_& core) {
                build(input, store, former, resolution_m, parameters, jobs, progress);
              });
            });
+  core.def("replace_store", &replace_store);
   core.def("read_building", &read_building, py::call_guard<py::gil_scoped_release>());
   core.def("segment_file", [](const Path& map, double resolution_m, const std::string& parameters,
                               const py::object& callback) {

@@ -7,6 +7,7 @@
 #include "former_store.hpp"
 #include "open_log.hpp"
 #include "output_places.hpp"
+#include "replaced_store.hpp"
 #include "roomatlas/correct/place.hpp"
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/logs/mission_writer.hpp"
@@ -16,6 +17,7 @@
 #include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
+#include "roomatlas/io/store/store_use.hpp"
 #include "roomatlas/io/trajectories/tum.hpp"
 #include "roomatlas/pipeline/assemble_map.hpp"
 #include "roomatlas/pipeline/assemble_store.hpp"
@@ -96,6 +98,11 @@ void build(const Path& input, const Path& store_file, const Path& former, double
     (void)assemble_store(store, settings, settings.as_toml, progress);
   }
   store.finish();
+}
+
+void replace_store(const Path& place, const Path& by) {
+  require_no_other_user(place);
+  apps::replace_store(place, by);
 }
 
 Building read_building(const Path& store_file) {

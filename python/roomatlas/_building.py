@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import json
-import os
 import shutil
 import tempfile
 import weakref
@@ -133,7 +132,8 @@ def build(log: File, store: Optional[File] = None, *, resolution_m: float = 0.0,
 
     `log` is any that the program reads, told by its content. `store` is the GeoPackage to write;
     without one it is temporary and goes with the building. One that is there is replaced when all
-    went well; its rooms keep their numbers and names where it is of the same log. `resolution_m` is
+    went well; its rooms keep their numbers and names where it is of the same log, else it stays
+    beside as `NAME.former.gpkg`. `resolution_m` is
     of a bare picture, metres a pixel. `progress(stage, share)` is called up to 20 times a second.
     Other keyword arguments are the parameters of the command line (`roomatlas config --print`) with
     `_` for `-`: `plan="traced"`, `cell=0.05`. `jobs` threads work at once, 0: one a core; the
@@ -150,7 +150,7 @@ def build(log: File, store: Optional[File] = None, *, resolution_m: float = 0.0,
         _core.build(Path(log), made, place or made, resolution_m, as_toml(parameters), jobs,
                     progress)
         if place is not None:
-            os.replace(made, place)
+            _core.replace_store(place, made)
             shutil.rmtree(folder)
             return Building(place)
         building = Building(made)

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "roomatlas/core/issue.hpp"
 #include "roomatlas/io/files/files.hpp"
+#include "unpack_bounds.hpp"
 
 #include <openssl/evp.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -80,11 +83,43 @@ std::vector<Path> parts_of_recording(const Path& folder) {
   return parts;
 }
 
+struct CloseGzip {
+  void operator()(gzFile file) const { gzclose_r(file); }
+};
+
+/// Of what was packed; nothing where the file is plain, damaged, or grows to more than a text does.
+std::optional<std::string> sha256_of_packed(const Path& file) {
+  const std::unique_ptr<gzFile_s, CloseGzip> packed(gzopen(file.c_str(), "rb"));
+  if (!packed || gzdirect(packed.get()) != 0) return std::nullopt;
+  Digest digest;
+  std::vector<char> block(std::size_t{1} << 16);
+  std::uint64_t unpacked_bytes = 0;
+  while (true) {
+    const int got = gzread(packed.get(), block.data(), static_cast<unsigned>(block.size()));
+    if (got < 0) return std::nullopt;
+    if (got == 0) break;
+    digest.add({block.data(), static_cast<std::size_t>(got)});
+    unpacked_bytes += static_cast<std::uint64_t>(got);
+    const auto packed_bytes =
+        static_cast<std::uint64_t>(std::max<z_off_t>(0, gzoffset(packed.get())));
+    if (unpacked_bytes > io::most_unpacked_bytes(packed_bytes, io::kMostGrowth)) {
+      return std::nullopt;
+    }
+  }
+  int error = Z_OK;
+  (void)gzerror(packed.get(), &error);
+  return error == Z_OK ? std::optional(digest.taken()) : std::nullopt;  // else it is cut short
+}
+
 }  // namespace
 
 std::string sha256_of_file(const Path& file) {
+  const bool is_folder = std::filesystem::is_directory(file);
+  if (!is_folder) {
+    if (auto of_content = sha256_of_packed(file)) return *of_content;
+  }
   Digest digest;
-  if (std::filesystem::is_directory(file)) {
+  if (is_folder) {
     for (const Path& part : parts_of_recording(file)) {
       digest.add(part.filename().string() + '\0');
       digest.add(std::to_string(std::filesystem::file_size(part)) + '\0');

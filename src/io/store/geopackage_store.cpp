@@ -89,16 +89,21 @@ void stamp_date(Database& db) {
   db.run("UPDATE gpkg_contents SET last_change = ?", last_change_of(first_s));
 }
 
-/// Takes the database out of WAL mode and writes a fresh copy of its content.
-void write_compact_copy(Database& db, const fs::path& copy) {
-  fs::remove(copy);
-  db.forget_statements();
-  db.execute("PRAGMA wal_checkpoint(TRUNCATE)");
+/// Takes the database out of WAL mode, for which nobody else may have it open.
+void leave_wal_mode(Database& db) {
   std::string mode;
   db.for_each_row("PRAGMA journal_mode = DELETE", [&](Row& row) { mode = row.text(); });
   if (mode != "delete") {
     throw SQLite::Exception("another program has the file open: close it and try again");
   }
+}
+
+/// Takes the database out of WAL mode and writes a fresh copy of its content.
+void write_compact_copy(Database& db, const fs::path& copy) {
+  fs::remove(copy);
+  db.forget_statements();
+  db.execute("PRAGMA wal_checkpoint(TRUNCATE)");
+  leave_wal_mode(db);
   set_cookie(db, kBeforeVacuum);
   db.run("VACUUM INTO ?", copy.string());
 }
@@ -244,6 +249,8 @@ void GeoPackageStore::finish() {
     write_compact_copy(db, copy);
     state_->rows_of_closed_database = db.rows_fetched();
     state_->database.reset();
+    std::error_code error;  // of a file system without permissions
+    fs::permissions(copy, fs::status(state_->file, error).permissions(), error);
     sync_to_disk(copy);
     fs::rename(copy, state_->file);
     sync_to_disk(fs::absolute(state_->file).parent_path());

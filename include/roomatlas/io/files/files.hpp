@@ -10,8 +10,9 @@ namespace roomatlas {
 /// Writes to a temporary name beside `file` and renames it.
 void write_file(const Path& file, const std::string& content);
 
-/// SHA-256 of a file's bytes, in hexadecimal; of a recording's folder, of its files (metadata and
-/// storage, in the order of their names), each with name and size before it.
+/// SHA-256 of a file's bytes, in hexadecimal; of what was packed, where it is gzip and whole, so
+/// that a log is the same log before and after `gzip`; of a recording's folder, of its files
+/// (metadata and storage, in the order of their names), each with name and size before it.
 [[nodiscard]] std::string sha256_of_file(const Path& file);
 
 }  // namespace roomatlas

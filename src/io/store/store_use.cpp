@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/io/store/store_use.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
+
+#include "database.hpp"
+#include "geopackage_schema.hpp"
+#include "roomatlas/core/issue.hpp"
+
+namespace roomatlas {
+namespace {
+
+constexpr int kPrimaryCode = 0xff;  // of SQLite's extended error codes
+constexpr int kBusy = 5;
+constexpr int kLocked = 6;
+
+bool is_in_use(const SQLite::Exception& error) {
+  const int code = error.getErrorCode() & kPrimaryCode;
+  return code == kBusy || code == kLocked;
+}
+
+/// Tables that a store has not from its beginning, and those that SQLite and GeoPackage keep.
+bool is_known(const std::string& table) {
+  constexpr std::array<std::string_view, 3> kLater = {"checkpoint", "made_from", "missions"};
+  constexpr std::array<std::string_view, 3> kKept = {"sqlite_", "gpkg_", "rtree_"};
+  return std::find(kLater.begin(), kLater.end(), table) != kLater.end() ||
+         std::any_of(kKept.begin(), kKept.end(),
+                     [&](std::string_view begin) { return table.starts_with(begin); });
+}
+
+std::set<std::string> names_in(Database& db) {
+  std::set<std::string> names;
+  db.for_each_row("SELECT name FROM sqlite_master WHERE type IN ('table', 'view')",
+                  [&](Row& row) { names.insert(row.text()); });
+  return names;
+}
+
+std::multiset<std::string> styles_in(Database& db) {
+  std::multiset<std::string> styles;
+  db.for_each_row("SELECT f_table_name, styleName, styleQML FROM layer_styles", [&](Row& row) {
+    std::string style = row.text() + '\n';
+    style += row.text() + '\n';
+    styles.insert(style += row.text());
+  });
+  return styles;
+}
+
+}  // namespace
+
+void require_no_other_user(const std::filesystem::path& file) {
+  std::error_code missing;
+  if (!std::filesystem::is_regular_file(file, missing)) return;
+  if (std::filesystem::is_empty(file, missing)) return;
+  bool is_used = false;
+  try {
+    Database db(file, SQLite::OPEN_READWRITE);
+    db.for_each_row("PRAGMA journal_mode = DELETE",
+                    [&](Row& row) { is_used = row.text() == "wal"; });
+    SQLite::Transaction writing(db.connection(), SQLite::TransactionBehavior::IMMEDIATE);
+  } catch (const SQLite::Exception& error) {  // who reads it says what else is wrong with it
+    is_used = is_used || is_in_use(error);
+  } catch (const DamagedData&) {
+  }
+  if (!is_used) return;
+  throw InputError(file.string() +
+                   ": another program has it open, and nothing was touched: close it there (in "
+                   "QGIS, remove its layers) and try again");
+}
+
+std::vector<std::string> added_by_others(const std::filesystem::path& file) try {
+  std::error_code missing;
+  if (std::filesystem::is_empty(file, missing)) return {};
+  Database ours(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  create_schema(ours);
+  const std::set<std::string> known = names_in(ours);
+  Database db(file, SQLite::OPEN_READONLY);
+  std::vector<std::string> added;
+  const std::set<std::string> found = names_in(db);
+  std::copy_if(found.begin(), found.end(), std::back_inserter(added),
+               [&](const std::string& name) { return !known.contains(name) && !is_known(name); });
+  if (!found.contains("layer_styles")) return added;
+  const std::multiset<std::string> written = styles_in(ours);
+  const std::multiset<std::string> styles = styles_in(db);
+  if (!std::includes(written.begin(), written.end(), styles.begin(), styles.end())) {
+    added.emplace_back("layer_styles");
+  }
+  return added;
+} catch (const SQLite::Exception& error) {
+  throw InputError(file.string() + ": cannot be read: " + error.what());
+} catch (const DamagedData& damage) {
+  throw InputError(file.string() + ": cannot be read: " + damage.what());
+}
+
+}  // namespace roomatlas
