@@ -151,7 +151,7 @@ void build_joined(const Settings& settings, const BuildArguments& arguments,
                          ": no part of it between kidnappings is long enough to be mapped");
   }
   if (!is_any_joined(buildings)) {
-    if (arguments.inputs.size() > 1) require_any_joined(buildings);
+    if (arguments.inputs.size() > 1 && buildings.size() > 1) require_any_joined(buildings);
     put_alone(settings, buildings.front().store, store);
     buildings.front().store = store;
   }

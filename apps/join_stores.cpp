@@ -6,7 +6,10 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
+#include <numeric>
+#include <set>
 
 #include "console.hpp"
 #include "former_store.hpp"
@@ -40,12 +43,18 @@ Metadata metadata_of(const JoinedBuilding& building, const Stores& stores,
                      const Settings& settings) {
   Metadata metadata = stores[building.missions.front()]->metadata();
   double path_m = 0.0;
-  for (const std::size_t i : building.missions) path_m += path_length_of(stores[i]->metadata());
+  std::set<std::string> missions;
+  for (const std::size_t i : building.missions) {
+    const Metadata of_one = stores[i]->metadata();
+    path_m += path_length_of(of_one);
+    missions.merge(missions_of(of_one));
+  }
   Metadata joined = {{"tool_version", ROOMATLAS_VERSION},
                      {"configuration", settings.as_toml},
                      {"mission_file", title_of(building.members)},
                      {"mission_path_length_m", fmt::format("{}", path_m)},
-                     {"building", building_of(metadata)}};
+                     {"building", building_of(metadata)},
+                     {kMissionsKey, fmt::format("{}", fmt::join(missions, " "))}};
   for (const char* key : {"robot_length_m", "robot_width_m", "mission_first_timestamp_s"}) {
     if (metadata.contains(key)) joined[key] = metadata[key];
   }
@@ -130,6 +139,38 @@ StoresToJoin::StoresToJoin(std::vector<Path> stores) : files_(std::move(stores))
     require_assembled(*missions_.back());
     require_readings(*missions_.back(), "missions are joined by what their readings saw");
   }
+  leave_out_repeated();
+}
+
+/// A mission that is there twice would speak for itself. The larger building of two stays.
+void StoresToJoin::leave_out_repeated() {
+  std::vector<std::set<std::string>> held;
+  held.reserve(missions_.size());
+  for (const auto& mission : missions_) held.push_back(missions_of(mission->metadata()));
+  std::vector<std::size_t> order(held.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return held[a].size() > held[b].size(); });
+  std::map<std::string, std::size_t> holder;
+  for (const std::size_t i : order) {
+    std::vector<std::size_t> others;
+    for (const std::string& one : held[i]) {
+      const auto [known, is_new] = holder.emplace(one, i);
+      if (!is_new) others.push_back(known->second);
+    }
+    if (others.empty()) continue;
+    const Path& other = files_[others.front()];
+    if (others.size() < held[i].size()) {
+      throw UsageError(
+          fmt::format("{} and {} hold one mission both: join the stores of the missions, each once",
+                      other.string(), files_[i].string()));
+    }
+    spdlog::warn("{}: left out: {} holds the same mission", files_[i].string(), other.string());
+    missions_[i].reset();
+    files_[i].clear();
+  }
+  std::erase(missions_, nullptr);
+  std::erase(files_, Path());
 }
 
 std::vector<JoinedBuilding> StoresToJoin::joined(const Settings& settings, const Progress& progress,
@@ -185,7 +226,10 @@ bool is_any_joined(const std::vector<WrittenBuilding>& buildings) {
 }
 
 void require_any_joined(const std::vector<WrittenBuilding>& buildings) {
-  if (is_any_joined(buildings) || buildings.size() < 2) return;
+  if (is_any_joined(buildings)) return;
+  if (buildings.size() < 2) {
+    throw NotEnoughError("nothing is written: joined are two missions and more");
+  }
   throw NotEnoughError(
       "nothing holds any two of these missions together: they share no rooms, or what they share "
       "looks alike in several places. Each has its own plan; a mission that drives from the one's "
@@ -205,10 +249,7 @@ std::vector<WrittenBuilding> join_into(const Settings& settings, const std::vect
 void join(const Settings& settings, const std::vector<Path>& stores, const Path& place) {
   const Path out = behind_link(place);
   const PlaceLock lock = lock_new_store(out, stores);
-  const std::vector<WrittenBuilding> buildings = join_into(settings, stores, out);
-  require_any_joined(buildings);
-  if (is_any_joined(buildings)) return;
-  throw NotEnoughError(out.string() + ": not written: joined are two missions and more");
+  require_any_joined(join_into(settings, stores, out));
 }
 
 }  // namespace roomatlas::apps

@@ -20,7 +20,9 @@ struct WrittenBuilding {
 /// Assembled stores, open to be joined: matched by one process or by several, and written by one.
 class StoresToJoin {
  public:
+  /// Of stores of the same mission one stays, and a warning names the others.
   /// @throws InputError for a file that is no store
+  /// @throws UsageError for buildings that share some of their missions
   explicit StoresToJoin(std::vector<Path> stores);
   StoresToJoin(const StoresToJoin&) = delete;
   StoresToJoin& operator=(const StoresToJoin&) = delete;
@@ -38,6 +40,8 @@ class StoresToJoin {
                                                    const Path& place) const;
 
  private:
+  void leave_out_repeated();
+
   std::vector<Path> files_;
   std::vector<std::unique_ptr<GeoPackageStore>> missions_;
 };

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "store_edits.hpp"
 
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <set>
+
+#include "roomatlas/core/counted.hpp"
 #include "roomatlas/io/plans/edits_file.hpp"
 #include "store_metadata.hpp"
 
@@ -13,9 +19,28 @@ std::vector<Edit> stored_edits(const GeoPackageStore& store) {
   return edits_of(kept->second, store.file().string() + ": metadata " + kEditsKey);
 }
 
+namespace {
+
+/// `--edits` says all that holds from now on.
+void tell_taken_back(const Settings& settings, const std::vector<Edit>& kept,
+                     const std::vector<Edit>& now) {
+  std::set<std::string> said;
+  for (const Edit& edit : now) said.insert(edits_json({edit}));
+  const auto gone = std::count_if(kept.begin(), kept.end(), [&](const Edit& edit) {
+    return !said.contains(edits_json({edit}));
+  });
+  if (gone == 0) return;
+  spdlog::warn("{}: {} that the store kept {} not in it and {} taken back", settings.edits_file,
+               counted(gone, "correction"), gone == 1 ? "is" : "are", gone == 1 ? "is" : "are");
+}
+
+}  // namespace
+
 std::vector<Edit> edits_for(const Settings& settings, const GeoPackageStore& store) {
   if (settings.edits_file.empty()) return stored_edits(store);
-  return with_places(read_edits(settings.edits_file), store.former_rooms());
+  std::vector<Edit> edits = with_places(read_edits(settings.edits_file), store.former_rooms());
+  tell_taken_back(settings, stored_edits(store), edits);
+  return edits;
 }
 
 void keep_edits(const std::vector<Edit>& edits, GeoPackageStore& store) {

@@ -7,6 +7,8 @@
 #include <charconv>
 #include <ctime>
 #include <filesystem>
+#include <iterator>
+#include <sstream>
 
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/results/summary.hpp"
@@ -69,6 +71,14 @@ std::string building_of(const Metadata& metadata) {
     if (entry != metadata.end()) return entry->second;
   }
   return "";
+}
+
+std::set<std::string> missions_of(const Metadata& metadata) {
+  const auto joined = metadata.find(kMissionsKey);
+  const auto entry = joined == metadata.end() ? metadata.find("mission_sha256") : joined;
+  if (entry == metadata.end()) return {};
+  std::istringstream words(entry->second);
+  return {std::istream_iterator<std::string>(words), {}};
 }
 
 bool is_mapped_from(const Metadata& metadata, const std::string& mission_sha256,

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 
 #include "roomatlas/mission/mission.hpp"
@@ -10,6 +11,9 @@
 #include "settings.hpp"
 
 namespace roomatlas::apps {
+
+/// Of a joined building: the digests of its missions, separated by spaces.
+inline constexpr const char* kMissionsKey = "missions_sha256";
 
 using Metadata = std::map<std::string, std::string>;
 
@@ -25,6 +29,9 @@ using Metadata = std::map<std::string, std::string>;
 /// The mission's date as YYYY-MM-DD, from its first timestamp; empty where that is no Unix time of
 /// the years 1990 to 2100.
 [[nodiscard]] std::string date_of(const Metadata& metadata);
+
+/// The digests of the missions that a store holds: one, or those that a building was joined from.
+[[nodiscard]] std::set<std::string> missions_of(const Metadata& metadata);
 
 /// What tells the building from others, on which identifiers of its rooms hang: the identity of
 /// the mission whose frame is the building's. Kept when missions are joined to it.

@@ -2,6 +2,7 @@
 #include "roomatlas/edit/edit_building.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "editable.hpp"
@@ -35,6 +36,16 @@ Why name_room(const Edit& edit, MappedBuilding& building) {
   std::erase_if(building.names, [&](const auto& entry) { return entry.second == edit.name; });
   building.names[found.room] = edit.name;
   return {};
+}
+
+/// The room that lost its name to another by a statement.
+std::optional<RoomId> gives_name_up(const std::map<RoomId, std::string>& before, const Edit& edit,
+                                    const MappedBuilding& now) {
+  if (edit.kind != EditKind::name_room) return std::nullopt;
+  for (const auto& [room, name] : before) {
+    if (name == edit.name && !now.names.contains(room)) return room;
+  }
+  return std::nullopt;
 }
 
 Why set_room_kind(const Edit& edit, MappedBuilding& building) {
@@ -118,9 +129,13 @@ Issues edit_building(const std::vector<Edit>& edits, MappedBuilding& building) {
   Issues issues;
   for (std::size_t i = 0; i < edits.size(); ++i) {
     if (taken_back.contains(i)) continue;
+    const std::map<RoomId, std::string> before = building.names;
     const edit::Why why = edit::apply(edits[i], building);
     if (!why.empty()) {
       issues.push_back(edit_issue(i, edits[i], "no longer fits and is not applied: " + why));
+    } else if (const auto gave = edit::gives_name_up(before, edits[i], building)) {
+      issues.push_back(edit_issue(
+          i, edits[i], "the name was room " + std::to_string(*gave) + "'s, which has none now"));
     }
   }
   return issues;

@@ -9,6 +9,7 @@ namespace roomatlas::edit {
 namespace {
 
 constexpr double kStep_m = 0.05;
+constexpr double kWidestDoor_m = 4.0;
 constexpr double kThinWall_m = 0.10;  // drawn where rooms went over into each other
 constexpr double kOpenShare = 0.2;    // of such a wall that is floor: no wall is there yet
 
@@ -75,6 +76,13 @@ Why add_door(const Edit& edit, MappedBuilding& building) {
   const Point2 middle = (edit.line.a + edit.line.b) / 2.0;
   const auto known = door_near(building, middle);
   const double width_m = (edit.line.b - edit.line.a).norm();
+  if (width_m > kWidestDoor_m) return "a door is at most 4 m wide";
+  const Polygon opening = band(edit.line, kThickestWall_m / 2.0, kThickestWall_m / 2.0, 0.0);
+  for (const Door& other : building.doors) {
+    if (contains(opening, other.frame_from_pivot.position())) {
+      return "a door is there already, near " + place(other.frame_from_pivot.position());
+    }
+  }
   if (known != building.doors.end() &&
       (known->frame_from_pivot.position() - middle).norm() < std::min(width_m, known->width_m)) {
     return "a door is there already, near " + place(middle);

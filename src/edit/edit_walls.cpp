@@ -13,6 +13,7 @@ constexpr double kLeastShared = 0.5;             // of the told wall that a face
 constexpr double kSmallestRoom_m2 = 0.5;
 constexpr double kTouching_m = 0.01;  // what is added to a room begins so far inside of it
 constexpr double kSliver_m2 = 0.02;   // left at a corner that is not quite square to the told line
+constexpr double kDeepest_m = 2.0;    // furniture, from the floor before it to the wall behind it
 constexpr double kLongest_m = 5.0;    // that a wall is moved: farther is another wall
 
 /// The face of a room along a wall: the room, and how far to the wall's left the face lies.
@@ -121,6 +122,15 @@ RoomId room_about(const MappedBuilding& building, const Ring& outline) {
   return room;
 }
 
+/// Whether all of an outline is beside a room's floor, or on it.
+bool is_beside(const Ring& outline, const Shapes& floor) {
+  return std::all_of(outline.begin(), outline.end(), [&](const Point2& corner) {
+    return covers(floor, corner) || std::any_of(floor.begin(), floor.end(), [&](const auto& part) {
+             return distance_to_boundary(part.outer, corner) <= kDeepest_m;
+           });
+  });
+}
+
 }  // namespace
 
 Why move_wall(const Edit& edit, MappedBuilding& building) {
@@ -199,6 +209,14 @@ Why wall_to_furniture(const Edit& edit, MappedBuilding& building) {
   } else {
     room = room_about(building, edit.outline);
     if (room == 0) return "no room lies beside the outline";
+    if (!contains(Polygon{edit.outline, {}}, edit.at) &&
+        distance_to_boundary(edit.outline, edit.at) > kEditReach_m) {
+      return "its at_m is not in its outline_m";
+    }
+    if (!is_beside(edit.outline, shapes_of(building.outlines, room))) {
+      return "its outline_m goes more than 2 m beyond the floor of room " + std::to_string(room) +
+             ", and furniture is no deeper";
+    }
     piece.kind = FurnitureKind::against_wall;
   }
   Shapes floors;

@@ -146,10 +146,11 @@ CarriedOver carry_over(const std::vector<PlanRoom>& former, FloorPlan& plan,
   }
   for (const PlanRoom& room : former) {
     if (found.contains(room.id) || !is_named(room) || given.contains(room.name)) continue;
+    carried.absent.push_back(room);
     carried.lost.push_back({Severity::warning, "", 0, "room " + std::to_string(room.id),
                             "\"" + room.name +
-                                "\" was not found again, and its name is lost: give it to the "
-                                "room that it is now with `roomatlas rename`"});
+                                "\" was not found again: its name is kept until it is, or give it "
+                                "to the room that it is now with `roomatlas rename`"});
   }
   plan.issues.insert(plan.issues.end(), carried.lost.begin(), carried.lost.end());
   return carried;

@@ -15,7 +15,8 @@ namespace roomatlas {
 void put_with_former_rooms(AssemblyStore& store, const std::string& configuration,
                            Assembly& assembly) {
   assembly.plan.title = store.mission().file;
-  const CarriedOver carried = carry_over(store.former_rooms(), assembly.plan, assembly.room_of_asr);
+  CarriedOver carried = carry_over(store.former_rooms(), assembly.plan, assembly.room_of_asr);
+  assembly.absent_rooms = std::move(carried.absent);
   if (assembly.measured_plan) renumber(*assembly.measured_plan, carried.number);
   if (assembly.judgement) assembly.judgement = judged_anew(*assembly.judgement, assembly);
   store.put(assembly, configuration);

@@ -2,7 +2,10 @@
 // Corrections by hand, as a user makes them: kept, replayed, and said where they no longer fit.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "edited_store.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
 
 namespace roomatlas::test {
 namespace {
@@ -63,6 +66,43 @@ TEST_F(Edits, RenameWritesTheSameStatement) {
   ASSERT_EQ(run("-q assemble " + other + " --edits " + edits).exit_code, 0);
   std::filesystem::rename(other, store());
   EXPECT_EQ(plan(), renamed);
+}
+
+TEST_F(Edits, OfAnotherFileTakeThoseOfBeforeBackWhichIsSaid) {
+  const std::string kind = R"({"edit":"set_room_kind","room":{"id":1},"kind":"hall"})";
+  const std::string name = R"({"edit":"name_room","room":{"id":1},"name":"Kitchen"})";
+  const std::string both = edits_file(folder_, kind + "," + name);
+  ASSERT_EQ(run("-q assemble " + store() + " --edits " + both).exit_code, 0);
+  EXPECT_THAT(run("assemble " + store() + " --edits " + both).err, Not(HasSubstr("taken back")));
+  const std::string one = edits_file(folder_, name);
+  EXPECT_THAT(run("assemble " + store() + " --edits " + one).err,
+              HasSubstr("edits.json: 1 correction that the store kept is not in it and is taken"));
+}
+
+TEST_F(Edits, NamesThatNoStatementGivesComeBackWithTheirRoom) {
+  const auto rooms = [&] {
+    return GeoPackageStore(store(), GeoPackageStore::Mode::read).plan().rooms;
+  };
+  ASSERT_EQ(run("-q rename " + store() + " 1 Kitchen").exit_code, 0);
+  ASSERT_EQ(run("-q rename " + store() + " 2 Pantry").exit_code, 0);
+  const std::string none = edits_file(folder_, "");
+  ASSERT_EQ(run("-q assemble " + store() + " --edits " + none).exit_code, 0);
+  const std::vector<PlanRoom> before = rooms();
+  ASSERT_EQ(before.size(), 2U);
+  const auto [small, large] = std::minmax(before[0].area_m2, before[1].area_m2);
+  const Outcome without =
+      run("assemble " + store() + " --min-room " + std::to_string((small + large) / 2.0));
+  EXPECT_EQ(without.exit_code, 0);
+  EXPECT_THAT(without.err, HasSubstr("was not found again: its name is kept until it is"));
+  ASSERT_EQ(rooms().size(), 1U);
+  const std::string there = std::to_string(rooms()[0].id);
+  ASSERT_EQ(run("-q rename " + store() + " " + there + " Office").exit_code, 0);
+  ASSERT_EQ(run("-q assemble " + store() + " --min-room 0.5").exit_code, 0);
+  ASSERT_EQ(rooms().size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const bool was_there = std::to_string(before[i].id) == there;
+    EXPECT_EQ(rooms()[i].name, was_there ? "Office" : before[i].name);
+  }
 }
 
 }  // namespace

@@ -7,8 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "random_store.hpp"
-#include "roomatlas/io/store/geopackage_store.hpp"
+#include "joined_missions.hpp"
 #include "roomatlas/io/trajectories/tum.hpp"
 
 namespace roomatlas::test {
@@ -16,34 +15,6 @@ namespace {
 
 using Json = nlohmann::json;
 using ::testing::HasSubstr;
-
-class Join : public ::testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    folder_ = new Folder;
-    one_ = log("one", "two_rooms", "--sensor laser --tour --seed 1");
-    two_ = log("two", "two_rooms", "--sensor laser --tour --seed 2 --odometry-bias 2");
-  }
-  static void TearDownTestSuite() {
-    delete folder_;
-    folder_ = nullptr;
-  }
-
-  static std::string log(const std::string& name, const std::string& world,
-                         const std::string& flags) {
-    const std::string file =
-        std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/" + world + ".geojson";
-    const std::string place = (*folder_ / name).string();
-    const Outcome made = run("-q simulate " + file + " " + flags + " -o " + place);
-    EXPECT_EQ(made.exit_code, 0) << made.err;
-    std::filesystem::rename(place + "/mission.clf", place + "/" + name + ".clf");
-    return place + "/" + name + ".clf";
-  }
-
-  static inline Folder* folder_ = nullptr;
-  static inline std::string one_;
-  static inline std::string two_;
-};
 
 TEST_F(Join, EachLogHasAStoreOfItsOwnHoweverTheyAreNamed) {
   const std::filesystem::path out = *folder_ / "named";
@@ -59,17 +30,6 @@ TEST_F(Join, EachLogHasAStoreOfItsOwnHoweverTheyAreNamed) {
     stores.insert(entry.path().filename());
   }
   EXPECT_EQ(stores, (std::set<std::string>{"one.gpkg", "one-2.gpkg", "one-2-2.gpkg"}));
-}
-
-TEST_F(Join, OfOneMissionAloneIsNotEnough) {
-  const std::string store = (*folder_ / "single.gpkg").string();
-  ASSERT_EQ(run("-q map " + one_ + " -o " + store).exit_code, 0);
-  ASSERT_EQ(run("-q assemble " + store).exit_code, 0);
-  const std::string joined = (*folder_ / "joined_single.gpkg").string();
-  const Outcome outcome = run("-q join " + store + " -o " + joined);
-  EXPECT_EQ(outcome.exit_code, 4);
-  EXPECT_THAT(outcome.err, HasSubstr("joined are two missions and more"));
-  EXPECT_FALSE(std::filesystem::exists(joined));
 }
 
 TEST_F(Join, BuildOfTwoLogsIsOneBuildingWhateverTheirOrder) {
@@ -301,34 +261,6 @@ TEST_F(Join, RefusesAnOtherAnswerThatIsNotOfTheVisits) {
       EXPECT_THAT(done.err, HasSubstr("other_answer_json")) << damaged;
     }
   }
-}
-
-TEST_F(Join, RefusesAStoreThatIsNotAssembled) {
-  const std::string store = (*folder_ / "mapped.gpkg").string();
-  ASSERT_EQ(run("-q map " + one_ + " -o " + store).exit_code, 0);
-  const Outcome done =
-      run("join " + store + " " + store + " -o " + (*folder_ / "none.gpkg").string());
-  EXPECT_EQ(done.exit_code, 4);
-  EXPECT_THAT(done.err, HasSubstr("mapped.gpkg: not assembled"));
-}
-
-TEST_F(Join, RefusesMissionsThatWereStoredWithoutReadings) {
-  const std::string store = (*folder_ / "bare.gpkg").string();
-  ASSERT_EQ(run("-q map --no-keep-readings " + one_ + " -o " + store).exit_code, 0);
-  ASSERT_EQ(run("-q assemble " + store).exit_code, 0);
-  for (const std::string& command :
-       {"join " + store + " " + store + " -o " + (*folder_ / "none.gpkg").string(),
-        "locate " + store + " " + one_}) {
-    const Outcome done = run(command);
-    EXPECT_EQ(done.exit_code, 4) << command;
-    EXPECT_THAT(done.err, HasSubstr("bare.gpkg: was stored without its readings")) << command;
-  }
-  const Path out = *folder_ / "several";
-  const Outcome several =
-      run("build --no-keep-readings " + one_ + " " + two_ + " -o " + out.string());
-  EXPECT_EQ(several.exit_code, 2);
-  EXPECT_THAT(several.err, HasSubstr("--no-keep-readings"));
-  EXPECT_FALSE(std::filesystem::exists(out));
 }
 
 }  // namespace

@@ -224,6 +224,47 @@ TEST(EditBuilding, FurnitureBecomesWallAndWallFurniture) {
   EXPECT_NEAR(area(building.furniture[0].outline), 1.0, 1e-6);
 }
 
+TEST(EditBuilding, WallBecomesFurnitureAsDeepAsFurnitureIsAndNoDeeper) {
+  const auto told = [](const Polygon& outline, const Point2& at) {
+    MappedBuilding building = two_rooms();
+    Edit edit = edit_of(EditKind::wall_to_furniture);
+    edit.outline = outline.outer;
+    edit.at = at;
+    const Issues issues = edit_building({edit}, building);
+    return std::make_pair(issues.empty() ? "" : issues[0].message, area_of(building, 1));
+  };
+  EXPECT_NEAR(told(box(1, 3, 2, 3.6), {1.5, 3.3}).second, 12.6, 1e-6);  // a wardrobe at the wall
+  const auto [deep, same_m2] = told(box(-50, -50, 50, 50), {0, 0});
+  EXPECT_THAT(deep, HasSubstr("more than 2 m beyond the floor of room"));
+  EXPECT_NEAR(same_m2, 12.0, 1e-6);
+  EXPECT_THAT(told(box(1, 3, 2, 3.6), {8, 1}).first, HasSubstr("at_m is not in its outline_m"));
+}
+
+TEST(EditBuilding, ADoorIsNoWiderThanAGateAndLiesOverNoOther) {
+  MappedBuilding building = two_rooms();
+  building.outlines = {{1, 1, box(0, 0, 4, 30)}, {2, 2, box(4.2, 0, 10.2, 30)}};
+  Edit add = edit_of(EditKind::add_door);
+  add.line = {{4.1, 10}, {4.1, 16}};
+  EXPECT_THAT(edit_building({add}, building).at(0).message, HasSubstr("at most 4 m wide"));
+  add.line = {{4.1, 1.2}, {4.1, 4.8}};  // its middle is far from the door of before
+  EXPECT_THAT(edit_building({add}, building).at(0).message, HasSubstr("a door is there already"));
+  EXPECT_EQ(building.doors.size(), 1U);
+}
+
+TEST(EditBuilding, ARoomThatLosesItsNameToAnotherIsTold) {
+  MappedBuilding building = two_rooms();
+  Edit first = edit_of(EditKind::name_room);
+  first.name = "Lab";
+  first.rooms = {room_at(1, 1)};
+  Edit second = first;
+  second.rooms = {room_at(5, 1)};
+  const Issues issues = edit_building({first, second}, building);
+  ASSERT_EQ(issues.size(), 1U);
+  EXPECT_THAT(issues[0].message, HasSubstr("the name was room 1's"));
+  EXPECT_EQ(building.names, (std::map<RoomId, std::string>{{2, "Lab"}}));
+  EXPECT_THAT(edit_building({second}, building), IsEmpty());  // said again
+}
+
 TEST(EditBuilding, RoomsToldByNumberGetThePlaceThatTheyHave) {
   PlanRoom room;
   room.id = 5;

@@ -54,8 +54,11 @@ TEST(CarryOver, NamesANamedRoomThatIsNotFoundAgain) {
   FloorPlan plan;
   plan.rooms = {room(1, "1", 0, 4)};
   std::map<AsrId, RoomId> room_of_asr;
-  const Issues lost = carry_over(former, plan, room_of_asr).lost;
+  const CarriedOver carried = carry_over(former, plan, room_of_asr);
+  const Issues& lost = carried.lost;
   ASSERT_EQ(lost.size(), 1U);
+  ASSERT_EQ(carried.absent.size(), 1U);
+  EXPECT_EQ(carried.absent[0].name, "Kitchen");
   EXPECT_THAT(lost[0].message, HasSubstr("Kitchen"));
   EXPECT_EQ(plan.issues.size(), 1U);
   EXPECT_EQ(plan.rooms[0].id, 3) << "the number of a room that is gone is not given to another";

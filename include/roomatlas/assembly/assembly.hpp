@@ -40,6 +40,7 @@ struct Assembly {
   Placement other_answer;  ///< of the visits, in the answer that this is not; empty where there is
                            ///< none, and of sonars, whose visits it bends
   FloorPlan plan;
+  std::vector<PlanRoom> absent_rooms;  ///< named ones of former assemblies that `plan` has not
   std::optional<FloorPlan> measured_plan;  ///< as measured, where the walls of `plan` are regular
 };
 

@@ -14,7 +14,8 @@ namespace roomatlas {
 /// What became of the rooms.
 struct CarriedOver {
   std::map<RoomId, RoomId> number;  ///< of each room of the plan: now, by what it was
-  Issues lost;                      ///< a warning for each named room that was not found again
+  std::vector<PlanRoom> absent;     ///< named rooms that were not found again, as they were
+  Issues lost;                      ///< a warning for each of them
 };
 
 /// Gives rooms other numbers; doors and edges follow, and rooms are then in the order of their

@@ -28,7 +28,8 @@ void create_former_rooms(Database& db) {
       "parts_wkb BLOB NOT NULL)");
   db.run(
       "INSERT INTO gpkg_contents (table_name, data_type, identifier, description, last_change) "
-      "VALUES (?, 'attributes', ?, 'Rooms of the store that was replaced, until assembly', ?)",
+      "VALUES (?, 'attributes', ?, 'Rooms whose numbers and names the next assembly carries over', "
+      "?)",
       kTable, kTable, last_change_of(std::nullopt));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table `former_rooms`: the rooms of the store that this one replaces, until an assembly has
-// carried their numbers and names over.
+// carried their numbers and names over; and all rooms, where named ones are absent from the plan.
 #pragma once
 
 #include <vector>

@@ -214,6 +214,14 @@ std::map<std::string, std::string> metadata_of(const Assembly& assembly,
   return values;
 }
 
+/// The next assembly has them from the plan, but for those that the plan has not.
+std::vector<PlanRoom> rooms_to_remember(const Assembly& assembly) {
+  std::vector<PlanRoom> rooms = assembly.absent_rooms;
+  if (rooms.empty()) return rooms;
+  rooms.insert(rooms.end(), assembly.plan.rooms.begin(), assembly.plan.rooms.end());
+  return rooms;
+}
+
 }  // namespace
 
 void GeoPackageStore::put(const Assembly& assembly, const std::string& configuration) {
@@ -223,7 +231,7 @@ void GeoPackageStore::put(const Assembly& assembly, const std::string& configura
     write_results(db, assembly);
     if (assembly.measured_plan) write_shapes(db, kMeasured, *assembly.measured_plan);
     write_closures(db, assembly.closures);
-    write_former_rooms(db, {});
+    write_former_rooms(db, rooms_to_remember(assembly));
     forget_checkpoint(db);
   });
 }

@@ -17,6 +17,9 @@ void rename_room(const std::filesystem::path& store, RoomId id, const std::strin
     if (db.connection().getChanges() == 0) {
       throw InputError(store.string() + ": has no room " + std::to_string(id));
     }
+    if (db.connection().tableExists("former_rooms")) {  // has all rooms, where one is absent
+      db.run("UPDATE former_rooms SET name = ? WHERE id = ?", name, id);
+    }
     db.run("DELETE FROM metadata WHERE key = 'edits_json'");
     if (!edits.empty()) db.run("INSERT INTO metadata (key, value) VALUES ('edits_json', ?)", edits);
     transaction.commit();

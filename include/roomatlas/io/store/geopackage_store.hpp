@@ -82,6 +82,8 @@ class GeoPackageStore : public CheckpointSink, public AssemblyStore {
   /// The matches of rooms that were tried. Information is zero in a store of an earlier release.
   [[nodiscard]] std::vector<Closure> closures() const override;
 
+  /// What the next assembly carries numbers and names over from: the plan's rooms and named ones
+  /// that the plan has not; or those that were put, until an assembly.
   [[nodiscard]] std::vector<PlanRoom> former_rooms() const override;
   /// Rooms of a store that this one replaces, until an assembly has carried over their numbers and
   /// names; areas and polygons are kept with them.
