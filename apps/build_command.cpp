@@ -9,6 +9,7 @@
 #include "building_report.hpp"
 #include "commands.hpp"
 #include "console.hpp"
+#include "earlier_results.hpp"
 #include "evaluation_report.hpp"
 #include "former_store.hpp"
 #include "join_stores.hpp"
@@ -26,6 +27,7 @@
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/merge/carry_over.hpp"
 #include "store_metadata.hpp"
+#include "truth_files.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -41,9 +43,11 @@ void write_summary(const Path& store_file, const std::optional<Evaluation>& eval
 /// What remains once a store is assembled: drawings, summary, report.
 /// @param formats of the exports
 /// @param gone_on where the missions were mapped on from
-void write_results(const Settings& settings, const Path& store, const BuildArguments& arguments,
-                   const std::vector<std::string>& formats,
-                   const std::vector<GoneOn>& gone_on = {}) {
+/// @returns the names of the files
+std::vector<std::string> write_results(const Settings& settings, const Path& store,
+                                       const BuildArguments& arguments,
+                                       const std::vector<std::string>& formats,
+                                       const std::vector<GoneOn>& gone_on = {}) {
   const Path& out = arguments.out;
   std::vector<std::string> files =
       export_all(settings, store, possible_formats(formats, store), arguments.exported, out);
@@ -54,6 +58,7 @@ void write_results(const Settings& settings, const Path& store, const BuildArgum
   files.insert(files.end(), {"summary.json", "report.html", "building.gpkg"});
   report_building(settings, GeoPackageStore(store, GeoPackageStore::Mode::read),
                   {evaluation, !arguments.truth.empty(), out, files, gone_on});
+  return files;
 }
 
 /// The highest folder on the way to `folder` that does not exist yet; empty where all do.
@@ -86,8 +91,9 @@ void build_from_map(const Settings& settings, const BuildArguments& arguments) {
   const Path store = behind_link(arguments.out / "building.gpkg");
   const PlaceLock store_lock = lock_new_store(store, {arguments.inputs.front()});
   const std::size_t rooms = map_into_store(settings, arguments.inputs.front(), cells, store);
-  write_results(settings, store, arguments,
-                {"svg", "pdf", "png", "geojson", "graphml", "csv", "nav2"});
+  tell_earlier_results(arguments.out,
+                       write_results(settings, store, arguments,
+                                     {"svg", "pdf", "png", "geojson", "graphml", "csv", "nav2"}));
   if (rooms > 0) return;
   throw NotEnoughError(arguments.inputs.front().string() +
                        ": no room was found in this map; all files are written nevertheless. Rooms "
@@ -162,9 +168,11 @@ void build_joined(const Settings& settings, const BuildArguments& arguments,
       drawn.truth.clear();
       make_folder(drawn.out);
     }
-    write_results(settings, written.store, drawn,
-                  {"svg", "pdf", "png", "geojson", "tum", "dot", "graphml", "csv", "nav2"},
-                  gone_on);
+    std::vector<std::string> files = write_results(
+        settings, written.store, drawn,
+        {"svg", "pdf", "png", "geojson", "tum", "dot", "graphml", "csv", "nav2"}, gone_on);
+    files.insert(files.end(), {"missions", "beside"});
+    tell_earlier_results(drawn.out, files);
     require_a_room(written.rooms, written.store);
   }
   if (arguments.strict) require_trust(store);
@@ -198,9 +206,10 @@ void build_from_log(const Settings& settings, const BuildArguments& arguments) {
     if (mapped.gone_on) gone_on.push_back(*mapped.gone_on);
   }
   const std::size_t rooms = assemble(settings, store);
-  write_results(settings, store, arguments,
-                {"svg", "pdf", "png", "geojson", "tum", "dot", "graphml", "g2o", "csv", "nav2"},
-                gone_on);
+  tell_earlier_results(out, write_results(settings, store, arguments,
+                                          {"svg", "pdf", "png", "geojson", "tum", "dot", "graphml",
+                                           "g2o", "csv", "nav2"},
+                                          gone_on));
   require_a_room(rooms, store);
   if (arguments.strict) require_trust(store);
 }
@@ -208,7 +217,8 @@ void build_from_log(const Settings& settings, const BuildArguments& arguments) {
 }  // namespace
 
 void build(const Settings& settings, const BuildArguments& arguments) {
-  (void)arguments.exported.reference();  // wrong options leave no folder behind
+  (void)arguments.exported.north_deg();  // wrong options leave no folder behind
+  require_truth_files(arguments.truth);
   require_output_folder(arguments.out, arguments.inputs);
   if (arguments.inputs.size() == 1 && is_map(arguments.inputs.front())) {
     build_from_map(settings, arguments);

@@ -195,6 +195,28 @@ void report_building(const Settings& settings, const GeoPackageStore& store, con
   print_files(made);
 }
 
+void tell_assembled(const Settings& settings, const std::filesystem::path& store_file) {
+  const Evaluation evaluation = evaluation_of(settings, store_file, {}, {});
+  const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
+  print_json(store, store.plan(), store.judgement(), {evaluation, false, {}, {}, {}});
+}
+
+void tell_joined(const std::vector<WrittenBuilding>& written) {
+  Json json = {{"buildings", Json::array()}, {"alone", Json::array()}};
+  for (const WrittenBuilding& one : written) {
+    Json missions = Json::array();
+    for (const MemberMission& member : one.building.members) missions.push_back(member.name);
+    json[missions.size() > 1 ? "buildings" : "alone"].push_back(
+        {{"store", one.store.string()}, {"rooms", one.rooms}, {"missions", missions}});
+  }
+  print_json(json);
+}
+
+void tell_renamed(const std::filesystem::path& store, const PlanRoom& was,
+                  const std::string& name) {
+  print_json(Json{{"store", store.string()}, {"room", was.id}, {"was", was.name}, {"name", name}});
+}
+
 void tell_mapped(const Mapped& mapped, const std::filesystem::path& store) {
   print_json(Json{{"store", store.string()},
                   {"gone_on", mapped.gone_on ? json_of(*mapped.gone_on) : Json(nullptr)}});

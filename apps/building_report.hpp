@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "join_stores.hpp"
 #include "roomatlas/evaluate/evaluation.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "settings.hpp"
@@ -24,6 +25,15 @@ struct MadeOf {
 /// The end of `build`: rooms with areas and kinds, doors, accuracy, whether it can be trusted and
 /// which file to open first; as text for people, or as one JSON object. On stdout.
 void report_building(const Settings& settings, const GeoPackageStore& store, const MadeOf& made);
+
+/// What an assembled store holds, as one JSON object on stdout: that of `build` without files.
+void tell_assembled(const Settings& settings, const std::filesystem::path& store);
+
+/// Buildings that `join` wrote, and missions that stand alone, as one JSON object on stdout.
+void tell_joined(const std::vector<WrittenBuilding>& written);
+
+/// A room's new name, as one JSON object on stdout.
+void tell_renamed(const std::filesystem::path& store, const PlanRoom& was, const std::string& name);
 
 /// What `map` made, as one JSON object on stdout.
 void tell_mapped(const Mapped& mapped, const std::filesystem::path& store);

@@ -128,7 +128,9 @@ class Commands {
         command("assemble", "offline stage: graph, correction, floor plan", [this] {
           const Path store = behind_link(a_.store);
           const PlaceLock lock = lock_store(store);
-          require_a_room(assemble_again(edited(), store, a_.alternative, a_.missions), store);
+          const std::size_t rooms = assemble_again(edited(), store, a_.alternative, a_.missions);
+          if (settings_.json) tell_assembled(settings_, store);
+          require_a_room(rooms, store);
         });
     positional(assemble, "STORE", a_.store, "store to complete");
     assemble
@@ -256,8 +258,12 @@ class Commands {
                          [this] { apps::optimize(settings_, a_.optimize); }),
                  a_.optimize);
 
-    CLI::App* config = command("config", "the parameters as a configuration file (TOML)",
-                               [this] { fmt::print("{}", app_.config_to_str(true, true)); });
+    CLI::App* config = command("config", "the parameters as a configuration file (TOML)", [this] {
+      if (settings_.json) {
+        throw UsageError("config prints TOML: leave --json away");
+      }
+      fmt::print("{}", app_.config_to_str(true, true));
+    });
     config->add_flag("--print", a_.print_config, "print every parameter with default and meaning")
         ->configurable(false);
     add_for_scripts();

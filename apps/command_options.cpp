@@ -224,9 +224,11 @@ void add_locate(CLI::App* command, LocateArguments& a) {
   positional(command, "LOG", a.log, "mission log; a few metres of path are enough");
   command
       ->add_option("--from", a.from_s, "s, as in the log: where the span begins that is looked for")
+      ->check(finite())
       ->type_name("S")
       ->configurable(false);
   command->add_option("--to", a.to_s, "s, as in the log: where it ends")
+      ->check(finite())
       ->type_name("S")
       ->configurable(false);
   command

@@ -56,7 +56,9 @@ int exit_code_of(const std::function<int()>& work) {
     tell(printable_lines(error.what()));
     return kInterrupted;
   } catch (const std::filesystem::filesystem_error& error) {
-    return fail(error, kInput);
+    return fail(InputError(error.path1().string() + ": cannot be read or written: " +
+                           error.code().message() + "; check the path, its links and permissions"),
+                kInput);
   } catch (const std::system_error& error) {  // of standard output, or of a thread
     if (std::ferror(stdout) == 0) return fail(error, kInput);
     return fail(not_printed(error.code().message()), kInput);

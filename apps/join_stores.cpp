@@ -11,6 +11,7 @@
 #include <numeric>
 #include <set>
 
+#include "building_report.hpp"
 #include "console.hpp"
 #include "former_store.hpp"
 #include "new_store.hpp"
@@ -249,7 +250,9 @@ std::vector<WrittenBuilding> join_into(const Settings& settings, const std::vect
 void join(const Settings& settings, const std::vector<Path>& stores, const Path& place) {
   const Path out = behind_link(place);
   const PlaceLock lock = lock_new_store(out, stores);
-  require_any_joined(join_into(settings, stores, out));
+  const std::vector<WrittenBuilding> written = join_into(settings, stores, out);
+  require_any_joined(written);
+  if (settings.json) tell_joined(written);
 }
 
 }  // namespace roomatlas::apps

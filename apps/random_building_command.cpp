@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <spdlog/spdlog.h>
 
+#include "building_report.hpp"
 #include "commands.hpp"
 #include "console.hpp"
+#include "new_store.hpp"
 #include "output_places.hpp"
 #include "roomatlas/core/counted.hpp"
 #include "roomatlas/io/files/files.hpp"
@@ -40,7 +42,7 @@ class WatchedSink : public AsrSink {
   }
   void at_room(RoomId room) {
     if (!progress_("simulate", static_cast<double>(room) / static_cast<double>(rooms_))) {
-      throw Interrupted("interrupted while simulating: the store has the rooms so far");
+      throw Interrupted("interrupted while simulating: no store was written");
     }
   }
 
@@ -64,6 +66,29 @@ MissionInfo info_of(const RandomBuildingOptions& options, const RandomBuildingSu
   return info;
 }
 
+struct Made {
+  RandomBuildingSummary summary;
+  Trajectory true_poses;
+};
+
+Made write_store(const Settings& settings, const RandomBuildingOptions& options, std::int64_t rooms,
+                 const Path& place) {
+  const NewStore made(place);
+  try {
+    GeoPackageStore store(made.file(), GeoPackageStore::Mode::create);
+    WatchedSink sink(store, settings, rooms);
+    const RandomBuildingSummary summary =
+        random_building(options, sink, [&](const TrueVisit& visit) { sink.at_room(visit.room); });
+    store.put_metadata(metadata_of(info_of(options, summary), "", settings));
+    store.finish();
+    made.put_in_place();
+    return {summary, std::move(sink.true_poses)};
+  } catch (...) {
+    made.give_up();
+    throw;
+  }
+}
+
 }  // namespace
 
 void simulate_rooms(const Settings& settings, std::int64_t rooms, const Path& out) {
@@ -71,15 +96,12 @@ void simulate_rooms(const Settings& settings, std::int64_t rooms, const Path& ou
   if (rooms < 1) throw UsageError("--random-rooms: expected 1 or more");
   make_folder(out);
   const PlaceLock lock(out);
-  require_output_store(out / "building.gpkg", {});
-  GeoPackageStore store(out / "building.gpkg", GeoPackageStore::Mode::create);
-  WatchedSink sink(store, settings, rooms);
-  const RandomBuildingSummary summary =
-      random_building(options, sink, [&](const TrueVisit& visit) { sink.at_room(visit.room); });
-  store.put_metadata(metadata_of(info_of(options, summary), "", settings));
-  store.finish();
+  const Path place = behind_link(out / "building.gpkg");
+  const PlaceLock store_lock = lock_new_store(place, {});
+  const Made made = write_store(settings, options, rooms, place);
+  const RandomBuildingSummary& summary = made.summary;
   if (rooms <= kTruthRooms) {
-    write_tum(out / "truth.tum", sink.true_poses);
+    write_tum(out / "truth.tum", made.true_poses);
     write_file(out / "truth.geojson", to_geojson(random_building_plan(options)));
   } else {
     spdlog::info("no truth.tum and no truth.geojson above {} rooms; true poses are in the store",
@@ -88,6 +110,10 @@ void simulate_rooms(const Settings& settings, std::int64_t rooms, const Path& ou
   spdlog::info("{}, {}, {:.0f} m driven -> {} in {}", counted(summary.rooms, "room"),
                counted(summary.doors, "door"), summary.path_length_m, counted(summary.asrs, "ASR"),
                (out / "building.gpkg").string());
+  if (!settings.json) return;
+  std::vector<std::string> files = {"building.gpkg"};
+  if (rooms <= kTruthRooms) files.insert(files.end(), {"truth.tum", "truth.geojson"});
+  tell_files(settings, out, files);
 }
 
 }  // namespace roomatlas::apps

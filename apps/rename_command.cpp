@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "building_report.hpp"
 #include "commands.hpp"
 #include "output_places.hpp"
 #include "roomatlas/io/plans/edits_file.hpp"
@@ -87,7 +88,8 @@ std::string with_name(std::vector<Edit> edits, const PlanRoom& room, const std::
 
 }  // namespace
 
-void rename(const Settings&, const Path& named, const std::string& room, const std::string& name) {
+void rename(const Settings& settings, const Path& named, const std::string& room,
+            const std::string& name) {
   const Path store_file = behind_link(named);
   check_name(name);
   const PlaceLock lock = lock_store(store_file);
@@ -99,6 +101,7 @@ void rename(const Settings&, const Path& named, const std::string& room, const s
   require_unused(store_file, plan, chosen, name);
   rename_room(store_file, chosen.id, name, with_name(edits, chosen, name));
   GeoPackageStore(store_file, GeoPackageStore::Mode::update).finish();
+  if (settings.json) tell_renamed(store_file, chosen, name);
   spdlog::info("room {}: \"{}\" is now \"{}\"; `roomatlas export` draws it so", chosen.id,
                chosen.name, name);
 }

@@ -21,11 +21,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a file that was replaced before anything was mapped into it, there is none.
+/// Of a file into which nothing was mapped there is none; of one that was made up nobody knows.
 bool is_of_another_building(const GeoPackageStore& former, const GeoPackageStore& now) {
   const Metadata metadata = former.metadata();
   const bool is_known = metadata.contains("building") || metadata.contains("mission_sha256");
-  return is_known && building_of(metadata) != building_of(now.metadata());
+  const std::string building = building_of(metadata);
+  return is_known && (building.empty() || building != building_of(now.metadata()));
 }
 
 /// What people said of the building in it.

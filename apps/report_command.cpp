@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <spdlog/spdlog.h>
 
+#include "building_report.hpp"
 #include "commands.hpp"
+#include "console.hpp"
 #include "evaluation_report.hpp"
 #include "output_places.hpp"
 #include "roomatlas/correct/place.hpp"
@@ -64,7 +66,10 @@ void report(const Settings& settings, const Path& store, const std::vector<Path>
   for (const Path& one : truth) inputs.push_back(named_truth(one).file);
   inputs.insert(inputs.end(), {store, flags.stamps_from, flags.carry});
   require_output_file(out, inputs);
-  write_report(settings, store, evaluation_of(settings, store, truth, flags), out);
+  const Evaluation evaluation = evaluation_of(settings, store, truth, flags);
+  show(evaluation.issues);
+  write_report(settings, store, evaluation, out);
+  if (settings.json) tell_files(settings, out.parent_path(), {out.filename().string()});
   spdlog::info("the report is {}: open it in a browser", out.string());
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "building_report.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "output_places.hpp"
@@ -228,6 +229,10 @@ void simulate(const Settings& settings, const SimulateArguments& arguments) {
     drive_carried(world, settings, arguments, std::move(task), write);
   }
   files.finish(world);
+  const bool has_told = !arguments.tour && arguments.drive.empty();  // how it explored
+  if (settings.json && !has_told) {
+    tell_files(settings, arguments.out, {log, "truth.tum", "truth.geojson"});
+  }
 }
 
 }  // namespace roomatlas::apps

@@ -120,6 +120,15 @@ Truth read_truth(const std::vector<Path>& files, const Settings& settings) {
   return truth;
 }
 
+void require_truth_files(const std::vector<Path>& files) {
+  for (const Path& argument : files) {
+    const Path file = named_truth(argument).file;
+    std::error_code unreadable;
+    if (std::filesystem::exists(file, unreadable)) continue;
+    throw InputError(file.string() + ": there is no such file: check the path after --truth");
+  }
+}
+
 std::string names_of(const std::vector<Path>& files) {
   std::string names;
   for (const Path& argument : files) {

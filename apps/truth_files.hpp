@@ -28,6 +28,9 @@ struct NamedTruth {
 [[nodiscard]] Truth read_truth(const std::vector<std::filesystem::path>& files,
                                const Settings& settings);
 
+/// @throws InputError for one that is not there, so that this is said before anything is mapped
+void require_truth_files(const std::vector<std::filesystem::path>& files);
+
 /// A file's ending, without .gz: ".pgm" of "labels.pgm.gz".
 [[nodiscard]] std::string kind_of(const std::filesystem::path& file);
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "roomatlas/core/counted.hpp"
 #include "roomatlas/mission/plausible.hpp"
 
 namespace roomatlas {
@@ -29,7 +30,7 @@ class WithoutJumps : public MissionSource {
     info_.issues.insert(
         info_.issues.begin(),
         {Severity::warning, info_.file, 0, "odometry",
-         "jumps " + std::to_string(jumps_) + " times, the first time by " +
+         "jumps " + counted(jumps_, "time") + ", the first time by " +
              std::to_string(std::llround(first_m_)) + " m at " + std::to_string(first_s_) +
              " s: no robot drives so fast; the jumps are taken for standing"});
     return info_;

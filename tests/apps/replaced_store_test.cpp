@@ -168,5 +168,21 @@ TEST_F(ReplacedStore, ALogThatGrowsWhileItIsMappedIsRefused) {
   EXPECT_FALSE(fs::exists(place + ".gpkg"));
 }
 
+TEST_F(ReplacedStore, FilesOfAnEarlierRunAreNamed) {
+  const std::string place = building();
+  const Outcome earth = run("build " + one_ + " --georef 48,7,10 -o " + place);
+  EXPECT_THAT(earth.err, Not(HasSubstr("of an earlier run")));
+  const Outcome plain = run("build " + one_ + " -o " + place);
+  EXPECT_THAT(plain.err, HasSubstr("of an earlier run, and not written now: plan.geojson\n"));
+}
+
+TEST_F(ReplacedStore, ATruthThatIsNotThereIsSaidBeforeAnythingIsMapped) {
+  const fs::path place = *folder_ / "no_truth";
+  const Outcome built = run("build " + one_ + " --truth nowhere.tum -o " + place.string());
+  EXPECT_EQ(built.exit_code, 3);
+  EXPECT_THAT(built.err, HasSubstr("nowhere.tum: there is no such file"));
+  EXPECT_FALSE(fs::exists(place));
+}
+
 }  // namespace
 }  // namespace roomatlas::test

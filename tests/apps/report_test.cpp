@@ -76,5 +76,15 @@ TEST(Report, PrintsOnAFewPagesWithEveryRoom) {
   EXPECT_GT(tinted, static_cast<std::ptrdiff_t>(grey.size() / 10));
 }
 
+TEST(Report, ATruthOfAnotherClockIsTold) {
+  const Folder folder;
+  const std::string store = assembled_store(folder);
+  const auto truth = folder.write("truth.tum", "5 0 0 0 0 0 0 1\n6 1 0 0 0 0 0 1\n");
+  const Outcome made =
+      run("report " + store + " --truth " + truth.string() + " -o " + (folder / "r.html").string());
+  EXPECT_EQ(made.exit_code, 0);
+  EXPECT_THAT(made.err, HasSubstr("no time of the truth [5.000, 6.000] s has a pose"));
+}
+
 }  // namespace
 }  // namespace roomatlas::test

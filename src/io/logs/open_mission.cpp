@@ -7,6 +7,7 @@
 #include "roomatlas/io/files/input_file.hpp"
 #include "roomatlas/io/logs/open_mission.hpp"
 #include "roomatlas/mission/as_sonar.hpp"
+#include "roomatlas/mission/clock_watch.hpp"
 #include "roomatlas/mission/odometry_jumps.hpp"
 #include "roomatlas/mission/one_sensor_kind.hpp"
 
@@ -42,7 +43,7 @@ bool is_recording(const Path& file) {
 
 std::unique_ptr<MissionSource> open_mission_to_map(const Path& file,
                                                    const MissionOptions& options) {
-  return without_odometry_jumps(one_sensor_kind(open_mission(file, options)));
+  return with_clock_watched(without_odometry_jumps(one_sensor_kind(open_mission(file, options))));
 }
 
 }  // namespace roomatlas

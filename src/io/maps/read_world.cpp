@@ -47,6 +47,10 @@ io::OccupancyScale scale_of(const Path& file, const WorldFileOptions& options) {
 }  // namespace
 
 FloorPlan read_world(const Path& file, const WorldFileOptions& options) {
+  if (options.resolution_m > 0.0 && !io::is_picture_file(file)) {
+    throw UsageError(file.string() +
+                     ": a resolution is given for pictures, and this is none: leave it away");
+  }
   FloorPlan world;
   if (has_extension(file, {".yaml", ".yml"})) {
     const io::Nav2Map map = io::read_nav2_map(file);
