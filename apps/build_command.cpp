@@ -217,7 +217,7 @@ void build_from_log(const Settings& settings, const BuildArguments& arguments) {
 }  // namespace
 
 void build(const Settings& settings, const BuildArguments& arguments) {
-  (void)arguments.exported.north_deg();  // wrong options leave no folder behind
+  (void)arguments.exported.reference();  // wrong options leave no folder behind
   require_truth_files(arguments.truth);
   require_output_folder(arguments.out, arguments.inputs);
   if (arguments.inputs.size() == 1 && is_map(arguments.inputs.front())) {

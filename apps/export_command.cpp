@@ -332,7 +332,7 @@ Names export_all(const Settings& settings, const Path& store_file, const Names& 
 void export_and_tell(const Settings& settings, const Path& store, const Names& formats,
                      const ExportOptions& options, const Path& out) {
   check_formats(formats);
-  (void)options.north_deg();  // wrong options leave no folder behind
+  (void)options.reference();  // wrong options leave no folder behind
   make_folder(out);
   const PlaceLock lock(out);
   const bool is_asked = formats != export_formats();

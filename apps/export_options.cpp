@@ -53,14 +53,9 @@ PostalAddress ExportOptions::postal_address() const {
 }
 
 std::optional<double> ExportOptions::north_deg() const {
-  const auto on_earth = reference();
-  if (north && on_earth && std::remainder(*north + on_earth->heading_deg, 360.0) != 0.0) {
-    throw UsageError(fmt::format(
-        "--north {} and the heading {} of --georef say two things of north: give --georef alone",
-        *north, on_earth->heading_deg));
-  }
-  if (on_earth) return -on_earth->heading_deg;
-  return north;
+  if (north) return north;
+  if (const auto on_earth = reference()) return -on_earth->heading_deg;
+  return std::nullopt;
 }
 
 }  // namespace roomatlas::apps

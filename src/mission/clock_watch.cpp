@@ -11,7 +11,7 @@ namespace roomatlas {
 namespace {
 
 constexpr double kStepBack_s = 1.0;  // less is the order in which sensors were written
-constexpr double kFarApart_s = 20.0;
+constexpr double kFarApart_s = 60.0;
 
 std::string seconds(double value_s) {
   char text[64];

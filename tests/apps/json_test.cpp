@@ -60,12 +60,6 @@ TEST(OptionsThatSayNothing, AreRefused) {
   EXPECT_EQ(picture.exit_code, 2);
   EXPECT_THAT(picture.err, HasSubstr("a resolution is given for pictures"));
   const std::string store = assembled_store(folder);
-  const Outcome north = run("export " + store + " --north 10 --georef 48,7,20 -o " + out);
-  EXPECT_EQ(north.exit_code, 2);
-  EXPECT_THAT(north.err, HasSubstr("say two things of north"));
-  EXPECT_FALSE(std::filesystem::exists(out));
-  EXPECT_EQ(run("-q export " + store + " --north 340 --georef 48,7,20 -f svg -o " + out).exit_code,
-            0);
   EXPECT_EQ(run("locate " + store + " " + kTwoRooms + " --from nan").exit_code, 2);
   const Outcome config = run("--json config --print");
   EXPECT_EQ(config.exit_code, 2);

@@ -8,7 +8,7 @@
 namespace roomatlas {
 
 /// The same mission, whose info warns of a clock that no mission has: one that goes back by more
-/// than a second from one reading to the next, or by which they are 20 s apart in the mean, as
+/// than a second from one reading to the next, or by which they are a minute apart in the mean, as
 /// times in milliseconds are. Readings are taken in the order of the log; times tell which true
 /// pose, and which line of another file, is a reading's.
 [[nodiscard]] std::unique_ptr<MissionSource> with_clock_watched(

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <set>
 #include <string_view>
+#include <thread>
 
 #include "database.hpp"
 #include "geopackage_schema.hpp"
@@ -16,6 +18,9 @@ namespace {
 constexpr int kPrimaryCode = 0xff;  // of SQLite's extended error codes
 constexpr int kBusy = 5;
 constexpr int kLocked = 6;
+
+constexpr int kAttempts = 20;  // somebody may have it open for a moment, to look
+constexpr std::chrono::milliseconds kBetweenAttempts{100};
 
 bool is_in_use(const SQLite::Exception& error) {
   const int code = error.getErrorCode() & kPrimaryCode;
@@ -48,12 +53,8 @@ std::multiset<std::string> styles_in(Database& db) {
   return styles;
 }
 
-}  // namespace
-
-void require_no_other_user(const std::filesystem::path& file) {
-  std::error_code missing;
-  if (!std::filesystem::is_regular_file(file, missing)) return;
-  if (std::filesystem::is_empty(file, missing)) return;
+/// Also while another only reads it in WAL mode.
+bool has_other_user(const std::filesystem::path& file) {
   bool is_used = false;
   try {
     Database db(file, SQLite::OPEN_READWRITE);
@@ -64,7 +65,19 @@ void require_no_other_user(const std::filesystem::path& file) {
     is_used = is_used || is_in_use(error);
   } catch (const DamagedData&) {
   }
-  if (!is_used) return;
+  return is_used;
+}
+
+}  // namespace
+
+void require_no_other_user(const std::filesystem::path& file) {
+  std::error_code missing;
+  if (!std::filesystem::is_regular_file(file, missing)) return;
+  if (std::filesystem::is_empty(file, missing)) return;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    if (!has_other_user(file)) return;
+    std::this_thread::sleep_for(kBetweenAttempts);
+  }
   throw InputError(file.string() +
                    ": another program has it open, and nothing was touched: close it there (in "
                    "QGIS, remove its layers) and try again");
