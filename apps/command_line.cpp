@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "bind_parameters.hpp"
+#include "building_report.hpp"
 #include "command_options.hpp"
 #include "command_tree.hpp"
 #include "commands.hpp"

@@ -30,8 +30,10 @@ void set_up_process(const char* program) {
   keep_standard_streams();
   (void)std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of writing
   constexpr int kLargeBytes = 1024 * 1024;
-  (void)mallopt(M_MMAP_THRESHOLD, kLargeBytes);  // grids go back to the system once they are freed
-  FLAGS_minloglevel = google::GLOG_FATAL;        // Ceres logs even when asked to be silent
+  (void)mallopt(M_MMAP_THRESHOLD, kLargeBytes);  // grids go back to the system once they are freed,
+  (void)mallopt(M_TRIM_THRESHOLD, 64 * kLargeBytes);  // and what is small does not with each room
+  (void)mallopt(M_TOP_PAD, 4 * kLargeBytes);
+  FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres logs even when asked to be silent
   google::InitGoogleLogging(program);
 }
 

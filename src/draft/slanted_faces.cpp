@@ -118,26 +118,29 @@ class Grower {
   /// One round: what lies on the line around `middle`, and the line through that.
   bool grow(WallFace& face, const Point2& middle) const {
     const double reach_m = kGapSteps * kSeenStep_m;
-    const Segment2 segment{face.at(face.low_m() - reach_m), face.at(face.high_m() + reach_m)};
+    const Interval within{face.low_m() - reach_m, face.high_m() + reach_m};
+    const Segment2 segment{face.at(within.low_m), face.at(within.high_m)};
+    const Point2 normal = face.normal();
+    const Point2 along = face.along();
     std::vector<SurfacePoint> on;
     std::vector<int> steps;
     for_each_around(segment, kSlantedBand_m, [&](std::size_t i) {
       const SurfacePoint& one = surfaces_[i];
-      const double along_m = one.at.dot(face.along());
-      if (std::abs(one.at.dot(face.normal()) - face.offset_m) > kSlantedBand_m) return;
+      const double along_m = one.at.dot(along);
+      if (std::abs(one.at.dot(normal) - face.offset_m) > kSlantedBand_m) return;
       if (std::abs(wrap_angle(one.normal_rad - face.normal_rad)) > kTurn_rad) return;
-      if (along_m < face.low_m() - reach_m || along_m > face.high_m() + reach_m) return;
+      if (along_m < within.low_m || along_m > within.high_m) return;
       on.push_back(one);
       steps.push_back(static_cast<int>(std::floor(along_m / kSeenStep_m)));
     });
     std::sort(steps.begin(), steps.end());
-    const int at = static_cast<int>(std::floor(middle.dot(face.along()) / kSeenStep_m));
+    const int at = static_cast<int>(std::floor(middle.dot(along) / kSeenStep_m));
     for (const auto& [first, last] : runs_of(steps, kGapSteps)) {
       if (steps[last] < at - kGapSteps || steps[first] > at + kGapSteps) continue;
       const double low_m = steps[first] * kSeenStep_m;
       const double high_m = (steps[last] + 1) * kSeenStep_m;
       std::erase_if(on, [&](const SurfacePoint& one) {
-        const double along_m = one.at.dot(face.along());
+        const double along_m = one.at.dot(along);
         return along_m < low_m || along_m > high_m;
       });
       if (on.size() < 3) return false;
@@ -150,10 +153,11 @@ class Grower {
 
   static std::vector<Interval> stretches_of(const std::vector<SurfacePoint>& on,
                                             const WallFace& face) {
+    const Point2 along = face.along();
     std::vector<int> steps;
     steps.reserve(on.size());
     for (const SurfacePoint& one : on) {
-      steps.push_back(static_cast<int>(std::floor(one.at.dot(face.along()) / kSeenStep_m)));
+      steps.push_back(static_cast<int>(std::floor(one.at.dot(along) / kSeenStep_m)));
     }
     std::sort(steps.begin(), steps.end());
     std::vector<Interval> seen;
@@ -165,13 +169,15 @@ class Grower {
 
   void take(const WallFace& face) {
     const Segment2 segment{face.at(face.low_m()), face.at(face.high_m())};
+    const Interval within{face.low_m() - kSeenStep_m, face.high_m() + kSeenStep_m};
+    const Point2 normal = face.normal();
+    const Point2 along = face.along();
     std::vector<std::size_t> taken;
     for_each_around(segment, kTaken_m, [&](std::size_t i) {
       const SurfacePoint& one = surfaces_[i];
-      const double along_m = one.at.dot(face.along());
-      const bool is_on = std::abs(one.at.dot(face.normal()) - face.offset_m) <= kTaken_m &&
-                         along_m > face.low_m() - kSeenStep_m &&
-                         along_m < face.high_m() + kSeenStep_m &&
+      const double along_m = one.at.dot(along);
+      const bool is_on = std::abs(one.at.dot(normal) - face.offset_m) <= kTaken_m &&
+                         along_m > within.low_m && along_m < within.high_m &&
                          std::abs(wrap_angle(one.normal_rad - face.normal_rad)) <= kTakenTurn_rad;
       if (is_on) taken.push_back(i);
     });
