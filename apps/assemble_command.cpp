@@ -98,7 +98,7 @@ std::size_t assemble(const Settings& settings, const Path& store_file) {
   const Assembly assembly = assembled(settings, store_file);
   show(assembly.plan.issues);
   if (assembly.sonars) report(*assembly.sonars);
-  if (assembly.judgement) report(*assembly.judgement);
+  if (assembly.judgement && !assembly.plan.rooms.empty()) report(*assembly.judgement);
   report(assembly.answers, store_file);
   show(assembly.seen_last, store_file);
   if (!assembly.correction.converged) {

@@ -54,12 +54,12 @@ class SignalWatch {
   struct sigaction terminate_before_ = {};
 };
 
-/// The message without anything that a terminal obeys.
+/// The message, a line, without anything that a terminal obeys.
 class PrintablePayload : public spdlog::custom_flag_formatter {
  public:
   void format(const spdlog::details::log_msg& message, const std::tm&,
               spdlog::memory_buf_t& to) override {
-    const std::string text = printable_lines({message.payload.data(), message.payload.size()});
+    const std::string text = printable({message.payload.data(), message.payload.size()});
     to.append(text.data(), text.data() + text.size());
   }
   [[nodiscard]] std::unique_ptr<custom_flag_formatter> clone() const override {

@@ -201,5 +201,17 @@ TEST(Strangers, ViewsOfARecordingAreNotExecuted) {
   EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
 }
 
+TEST(Strangers, ALineEndInTheNameOfALogMakesNoLineOfItsOwn) {
+  const Folder folder;
+  const std::string made = (folder / "m").string();
+  ASSERT_EQ(run("-q simulate " + kTwoRooms + " --sensor laser -o " + made).exit_code, 0);
+  const std::filesystem::path log = folder / "a\nwarning: b.clf";
+  std::filesystem::rename(made + "/mission.clf", log);
+  const Outcome mapped = run("map '" + log.string() + "' -o " + (folder / "b.gpkg").string());
+  EXPECT_EQ(mapped.exit_code, 0) << mapped.err;
+  EXPECT_THAT(mapped.err, HasSubstr("a\\x0awarning: b.clf: "));
+  EXPECT_THAT(mapped.err, ::testing::Not(HasSubstr("\nwarning: b")));
+}
+
 }  // namespace
 }  // namespace roomatlas::test

@@ -76,7 +76,7 @@ class Painter {
     for (int step = 0; step <= steps; ++step) {
       const Point2 at = line.a + along * (static_cast<double>(step) / steps);
       const int x = cell(at.x(), 0);
-      const int y = cell(at.y(), 1);
+      const int y = cell(at.y(), 1) - raster_.first_row;
       if (raster_.cells.has(x, y)) raster_.cells(x, y) = value;
     }
   }
@@ -110,9 +110,10 @@ void for_each_cell_in(const Polygon& polygon, const PlanRaster& raster,
   const auto column = [&](double x_m) {
     return static_cast<int>(std::ceil((x_m - raster.origin_m.x()) / raster.cell_m - 0.5));
   };
-  const int last_row = std::min(raster.cells.height() - 1, row(box.max.y()));
+  const int end_row = raster.first_row + raster.cells.height();
+  const int last_row = std::min(end_row - 1, row(box.max.y()));
   std::vector<double> crossings;
-  for (int y = std::max(0, row(box.min.y())); y <= last_row; ++y) {
+  for (int y = std::max(raster.first_row, row(box.min.y())); y <= last_row; ++y) {
     const double at_m = raster.origin_m.y() + (y + 0.5) * raster.cell_m;
     crossings.clear();
     add_crossings(polygon.outer, at_m, crossings);
@@ -120,7 +121,9 @@ void for_each_cell_in(const Polygon& polygon, const PlanRaster& raster,
     std::sort(crossings.begin(), crossings.end());
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
       const int end = std::min(raster.cells.width(), column(crossings[i + 1]));
-      for (int x = std::max(0, column(crossings[i])); x < end; ++x) visit(x, y);
+      for (int x = std::max(0, column(crossings[i])); x < end; ++x) {
+        visit(x, y - raster.first_row);
+      }
     }
   }
 }
@@ -132,23 +135,26 @@ bool is_too_large(const FloorPlan& plan, double cell_m, double margin_m) {
   return size.x() * size.y() > kMostCells;
 }
 
-PlanRaster raster_of(const FloorPlan& plan, double cell_m, double margin_m) {
-  PlanRaster raster;
-  raster.cell_m = cell_m;
+RasterFrame frame_of(const FloorPlan& plan, double cell_m, double margin_m) {
+  RasterFrame frame;
+  frame.cell_m = cell_m;
   const Box2 box = box_of(plan);
-  if (box.empty()) {
-    raster.cells = CellGrid<std::uint8_t>(1, 1, PlanRaster::kUnknown);
-    return raster;
-  }
-  raster.origin_m = origin_of(box, cell_m, margin_m);
+  if (box.empty()) return frame;
+  frame.origin_m = origin_of(box, cell_m, margin_m);
   const Point2 size = size_of(box, cell_m, margin_m);
   if (is_too_large(plan, cell_m, margin_m)) {
     throw InputError("the plan is too large for a map of cells: it would have " +
                      std::to_string(std::llround(size.x() * size.y())) +
                      " cells; the most is 268435456");
   }
-  raster.cells = CellGrid<std::uint8_t>(static_cast<int>(size.x()), static_cast<int>(size.y()),
-                                        PlanRaster::kUnknown);
+  frame.width = static_cast<int>(size.x());
+  frame.height = static_cast<int>(size.y());
+  return frame;
+}
+
+PlanRaster rows_of(const FloorPlan& plan, const RasterFrame& frame, int first_row, int rows) {
+  PlanRaster raster{frame.origin_m, frame.cell_m, first_row,
+                    CellGrid<std::uint8_t>(frame.width, rows, PlanRaster::kUnknown)};
   Painter painter(raster);
   for (const PlanRoom& room : plan.rooms) {
     for (const Polygon& part : room.parts) painter.fill(part, PlanRaster::kFree);
@@ -167,6 +173,11 @@ PlanRaster raster_of(const FloorPlan& plan, double cell_m, double margin_m) {
     painter.trace(piece.outer, PlanRaster::kOccupied);
   }
   return raster;
+}
+
+PlanRaster raster_of(const FloorPlan& plan, double cell_m, double margin_m) {
+  const RasterFrame frame = frame_of(plan, cell_m, margin_m);
+  return rows_of(plan, frame, 0, frame.height);
 }
 
 }  // namespace roomatlas::io

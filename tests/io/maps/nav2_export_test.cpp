@@ -115,6 +115,24 @@ TEST(Nav2Map, MaskKeepsOutOfAllThatIsNotFree) {
   }
 }
 
+TEST(Nav2Map, HasTheSameBytesHoweverManyRowsAreInMemory) {
+  FloorPlan plan = thin_wall();
+  plan.furniture = {{{{{1, 0.4}, {2, 0.6}, {1.6, 1.5}}, {}}, FurnitureKind::free_standing}};
+  plan.walls.push_back({{{-3, -2}, {9, 5}, {9, 5.01}, {-3, -1.99}}, {}});
+  const TemporaryDirectory whole;
+  write_nav2_map(whole / ".", plan);
+  for (const int cells : {1, 1000, 7777}) {
+    const TemporaryDirectory folder;
+    write_nav2_map(folder / ".", plan, {0.05, 0.5, cells});
+    for (const char* name : {"map.pgm", "keepout_mask.pgm"}) {
+      const Pgm expected = pgm_of(whole / name);
+      const Pgm found = pgm_of(folder / name);
+      EXPECT_EQ(found.width, expected.width);
+      EXPECT_TRUE(found.pixels == expected.pixels) << name << " " << cells;
+    }
+  }
+}
+
 TEST(Nav2Map, OfAPlanThatIsTooLargeIsRefused) {
   const TemporaryDirectory folder;
   FloorPlan plan = thin_wall();

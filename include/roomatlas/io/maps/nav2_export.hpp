@@ -10,8 +10,9 @@
 namespace roomatlas {
 
 struct Nav2Options {
-  double cell_m = 0.05;   ///< larger closes narrow doors
-  double margin_m = 0.5;  ///< unknown space around the plan
+  double cell_m = 0.05;         ///< larger closes narrow doors
+  double margin_m = 0.5;        ///< unknown space around the plan
+  int cells_at_once = 1 << 24;  ///< in memory: whole rows, one at least; the files are the same
 };
 
 /// Writes a plan as maps for nav2's map server, metres in the building's frame: `map.pgm` and
