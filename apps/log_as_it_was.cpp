@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "roomatlas/io/files/files.hpp"
+
 namespace roomatlas::apps {
 
 namespace fs = std::filesystem;
@@ -12,12 +14,9 @@ LogAsItWas::LogAsItWas(fs::path log) : log_(std::move(log)), then_(states()) {}
 std::map<fs::path, LogAsItWas::State> LogAsItWas::states() const {
   std::map<fs::path, State> found;
   std::error_code error;
-  const auto add = [&](const fs::path& file) {
-    if (!fs::is_regular_file(file, error)) return;
+  for (const fs::path& file : files_of_log(log_)) {
     found[file] = {fs::file_size(file, error), fs::last_write_time(file, error)};
-  };
-  add(log_);
-  for (const auto& entry : fs::directory_iterator(log_, error)) add(entry.path());
+  }
   return found;
 }
 

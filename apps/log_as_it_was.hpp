@@ -14,7 +14,7 @@ struct ChangedLog : InputError {
   using InputError::InputError;
 };
 
-/// Size and time of change of a log, or of each file of a recording's folder, at one moment.
+/// Size and time of change of a log, see `files_of_log`, at one moment.
 class LogAsItWas {
  public:
   explicit LogAsItWas(std::filesystem::path log);

@@ -168,6 +168,18 @@ TEST_F(ReplacedStore, ALogThatGrowsWhileItIsMappedIsRefused) {
   EXPECT_FALSE(fs::exists(place + ".gpkg"));
 }
 
+TEST_F(ReplacedStore, WhatElseIsPutIntoTheFolderOfARecordingMattersNothing) {
+  const std::string recording = (*folder_ / "recording").string();
+  const std::string store = (*folder_ / "of_recording.gpkg").string();
+  ASSERT_EQ(run("-q convert " + one_ + " -o " + recording).exit_code, 0);
+  ASSERT_TRUE(fs::is_directory(recording));
+  Child mapping("map " + recording + " -o " + store);
+  ASSERT_TRUE(mapping.has_said("map ...")) << mapping.err();
+  std::ofstream(recording + "/notes.txt") << "of somebody else";
+  EXPECT_EQ(mapping.wait(), 0);
+  EXPECT_EQ(mapping.exit_code(), 0) << mapping.err();
+}
+
 TEST_F(ReplacedStore, FilesOfAnEarlierRunAreNamed) {
   const std::string place = building();
   const Outcome earth = run("build " + one_ + " --georef 48,7,10 -o " + place);

@@ -66,23 +66,6 @@ class Digest {
   std::unique_ptr<EVP_MD_CTX, FreeDigest> context_{EVP_MD_CTX_new()};
 };
 
-/// The files that a recording's folder is made of, by name: what else lies there, such as the plan
-/// that was made of it, does not count.
-std::vector<Path> parts_of_recording(const Path& folder) {
-  std::vector<Path> parts;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string ending = entry.path().extension().string();
-    const bool is_part = ending == ".yaml" || ending == ".db3" || ending == ".mcap" ||
-                         ending == ".zstd" || ending == ".bag";
-    if (is_part && entry.is_regular_file()) parts.push_back(entry.path());
-  }
-  if (parts.empty()) {
-    throw InputError(folder.string() + ": is a directory and no recording; name a file inside it");
-  }
-  std::sort(parts.begin(), parts.end());
-  return parts;
-}
-
 struct CloseGzip {
   void operator()(gzFile file) const { gzclose_r(file); }
 };
@@ -113,6 +96,22 @@ std::optional<std::string> sha256_of_packed(const Path& file) {
 
 }  // namespace
 
+std::vector<Path> files_of_log(const Path& log) {
+  if (!std::filesystem::is_directory(log)) return {log};
+  std::vector<Path> parts;
+  for (const auto& entry : std::filesystem::directory_iterator(log)) {
+    const std::string ending = entry.path().extension().string();
+    const bool is_part = ending == ".yaml" || ending == ".db3" || ending == ".mcap" ||
+                         ending == ".zstd" || ending == ".bag";
+    if (is_part && entry.is_regular_file()) parts.push_back(entry.path());
+  }
+  if (parts.empty()) {
+    throw InputError(log.string() + ": is a directory and no recording; name a file inside it");
+  }
+  std::sort(parts.begin(), parts.end());
+  return parts;
+}
+
 std::string sha256_of_file(const Path& file) {
   const bool is_folder = std::filesystem::is_directory(file);
   if (!is_folder) {
@@ -120,7 +119,7 @@ std::string sha256_of_file(const Path& file) {
   }
   Digest digest;
   if (is_folder) {
-    for (const Path& part : parts_of_recording(file)) {
+    for (const Path& part : files_of_log(file)) {
       digest.add(part.filename().string() + '\0');
       digest.add(std::to_string(std::filesystem::file_size(part)) + '\0');
       digest.add_content(part);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "roomatlas/io/files/path.hpp"
 
@@ -9,6 +10,11 @@ namespace roomatlas {
 
 /// Writes to a temporary name beside `file` and renames it.
 void write_file(const Path& file, const std::string& content);
+
+/// A log itself, or the files that a recording's folder is made of, by name: what else lies there,
+/// such as the plan that was made of it, does not count. Throws InputError for a folder without
+/// any.
+[[nodiscard]] std::vector<Path> files_of_log(const Path& log);
 
 /// SHA-256 of a file's bytes, in hexadecimal; of what was packed, where it is gzip and whole, so
 /// that a log is the same log before and after `gzip`; of a recording's folder, of its files
