@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 
 #include "comparison_report.hpp"
@@ -147,6 +149,7 @@ void write_archives(const Comparison& comparison, const Path& file) {
       archive.replace_filename(file.stem().string() + "-" + name + file.extension().string());
     }
     write_file(archive, evo_archive(result));
+    if (results.size() > 1) spdlog::info("{} is {}", name, archive.string());
   }
 }
 
