@@ -71,6 +71,19 @@ TEST_F(ReplacedStore, OneThatAnotherProgramHasOpenIsNotTouched) {
   EXPECT_EQ(qgis.execAndGet("SELECT name FROM rooms WHERE id = 1").getString(), "1");
 }
 
+TEST_F(ReplacedStore, OneThatAnotherProgramWritesToIsNotTouched) {
+  const std::string store = building() + "/building.gpkg";
+  SQLite::Database other(store, SQLite::OPEN_READWRITE);
+  other.exec("BEGIN IMMEDIATE");
+  other.exec(kNotes);
+  const Outcome outcome = run("-q rename " + store + " 1 Kitchen");
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("another program has it open"));
+  other.exec("COMMIT");
+  EXPECT_EQ(run("-q rename " + store + " 1 Kitchen").exit_code, 0);
+  EXPECT_EQ(other.execAndGet("SELECT count(*) FROM my_notes").getInt(), 1);
+}
+
 TEST_F(ReplacedStore, StaysBesideWithTheTablesOfOthers) {
   const std::string place = building();
   SQLite::Database(place + "/building.gpkg", SQLite::OPEN_READWRITE).exec(kNotes);

@@ -58,6 +58,7 @@ bool has_other_user(const std::filesystem::path& file) {
   bool is_used = false;
   try {
     Database db(file, SQLite::OPEN_READWRITE);
+    db.connection().setBusyTimeout(0);  // the attempts are spread over time already
     db.for_each_row("PRAGMA journal_mode = DELETE",
                     [&](Row& row) { is_used = row.text() == "wal"; });
     SQLite::Transaction writing(db.connection(), SQLite::TransactionBehavior::IMMEDIATE);
