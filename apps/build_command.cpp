@@ -88,7 +88,7 @@ void build_from_map(const Settings& settings, const BuildArguments& arguments) {
   const MapCells cells = read_map(arguments.inputs.front(), arguments.resolution_m);
   make_folder(arguments.out);
   const PlaceLock folder_lock(arguments.out);
-  const Path store = behind_link(arguments.out / "building.gpkg");
+  const Path store = arguments.out / "building.gpkg";
   const PlaceLock store_lock = lock_new_store(store, {arguments.inputs.front()});
   const std::size_t rooms = map_into_store(settings, arguments.inputs.front(), cells, store);
   tell_earlier_results(arguments.out,
@@ -132,6 +132,21 @@ void require_kept_readings(const Settings& settings, const Path& log) {
                    "kidnappings, are joined by what their readings saw; leave the option away");
 }
 
+/// Where the plan of another building than that of the folder is drawn, in that folder.
+Path folder_beside(const Path& store) { return Path("beside") / store.stem(); }
+
+/// What is in the folder of results besides those of the building at `place`.
+std::vector<std::string> names_of_others(const std::vector<WrittenBuilding>& buildings,
+                                         const Path& place) {
+  std::vector<std::string> names = {"missions"};
+  for (const WrittenBuilding& other : buildings) {
+    if (other.store == place) continue;
+    names.push_back(folder_beside(other.store).string());
+    names.push_back(other.store.filename().string());
+  }
+  return names;
+}
+
 /// Each mission in OUT/missions, what holds together in OUT, and whatever does not beside it.
 void build_joined(const Settings& settings, const BuildArguments& arguments,
                   const std::vector<LogPart>& missions) {
@@ -149,7 +164,7 @@ void build_joined(const Settings& settings, const BuildArguments& arguments,
     stores.push_back(named[i]);
     if (mapped->gone_on) gone_on.push_back(*mapped->gone_on);
   }
-  const Path store = behind_link(out / "building.gpkg");
+  const Path store = out / "building.gpkg";
   const PlaceLock store_lock = lock_new_store(store, arguments.inputs);
   std::vector<WrittenBuilding> buildings = join_into(settings, stores, store);
   if (buildings.empty()) {
@@ -161,17 +176,18 @@ void build_joined(const Settings& settings, const BuildArguments& arguments,
     put_alone(settings, buildings.front().store, store);
     buildings.front().store = store;
   }
+  const std::vector<std::string> others = names_of_others(buildings, store);
   for (const WrittenBuilding& written : buildings) {
     BuildArguments drawn = arguments;
     if (written.store != store) {
-      drawn.out = out / "beside" / written.store.stem();
+      drawn.out = out / folder_beside(written.store);
       drawn.truth.clear();
       make_folder(drawn.out);
     }
     std::vector<std::string> files = write_results(
         settings, written.store, drawn,
         {"svg", "pdf", "png", "geojson", "tum", "dot", "graphml", "csv", "nav2"}, gone_on);
-    files.insert(files.end(), {"missions", "beside"});
+    files.insert(files.end(), others.begin(), others.end());
     tell_earlier_results(drawn.out, files);
     require_a_room(written.rooms, written.store);
   }
@@ -194,7 +210,7 @@ void build_from_log(const Settings& settings, const BuildArguments& arguments) {
   (void)open_mission(log, settings.mission);  // an unreadable log leaves no folder behind
   make_folder(out);
   const PlaceLock folder_lock(out);
-  const Path store = behind_link(out / "building.gpkg");
+  const Path store = out / "building.gpkg";
   const PlaceLock store_lock = lock_new_store(store, {log});
   std::vector<GoneOn> gone_on;
   if (!settings.force && is_mapped_already(settings, {log, {}}, store)) {

@@ -117,9 +117,8 @@ class Commands {
         ->configurable(false);
 
     CLI::App* map = command("map", "online stage: log -> rooms in a store", [this] {
-      const Path store = behind_link(a_.out);
-      const PlaceLock lock = lock_new_store(store, {a_.log});
-      map_and_tell(forced(), a_.log, store);
+      const PlaceLock lock = lock_new_store(a_.out, {a_.log});
+      map_and_tell(forced(), a_.log, a_.out);
     });
     positional(map, "LOG", a_.log, "mission log, plain or gzip");
     output(map, a_.out, "store to write, such as building.gpkg");
@@ -127,11 +126,10 @@ class Commands {
 
     CLI::App* assemble =
         command("assemble", "offline stage: graph, correction, floor plan", [this] {
-          const Path store = behind_link(a_.store);
-          const PlaceLock lock = lock_store(store);
-          const std::size_t rooms = assemble_again(edited(), store, a_.alternative, a_.missions);
-          if (settings_.json) tell_assembled(settings_, store);
-          require_a_room(rooms, store);
+          const PlaceLock lock = lock_store(a_.store);
+          const std::size_t rooms = assemble_again(edited(), a_.store, a_.alternative, a_.missions);
+          if (settings_.json) tell_assembled(settings_, a_.store);
+          require_a_room(rooms, a_.store);
         });
     positional(assemble, "STORE", a_.store, "store to complete");
     assemble

@@ -120,10 +120,10 @@ void report(const Settings& settings, const Path& store, const std::vector<Path>
 void write_report(const Settings& settings, const Path& store, const Evaluation& evaluation,
                   const Path& out);
 /// Missions of one building, each in a store of its own, become one store.
-void join(const Settings& settings, const std::vector<Path>& stores, const Path& place);
+void join(const Settings& settings, const std::vector<Path>& stores, const Path& out);
 /// Where the robot of a log was in a building.
 void locate(const Settings& settings, const LocateArguments& arguments);
-void rename(const Settings& settings, const Path& named, const std::string& room,
+void rename(const Settings& settings, const Path& store, const std::string& room,
             const std::string& name);
 void inspect(const Settings& settings, const Path& store, AsrId id, const Path& out);
 void simulate(const Settings& settings, const SimulateArguments& arguments);

@@ -8,6 +8,7 @@
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/merge/carry_over.hpp"
 #include "store_edits.hpp"
+#include "usable_store.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -28,36 +29,32 @@ std::vector<PlanRoom> with_names_of(std::vector<PlanRoom> rooms,
 }  // namespace
 
 Former former_in(const std::filesystem::path& store_file, const std::string& building) {
-  if (!std::filesystem::exists(store_file)) return {};
-  try {
-    const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
+  const auto former = read_if_possible(store_file, [&](const GeoPackageStore& store) {
     const Metadata metadata = store.metadata();
-    Former former{store.former_rooms(), {}};
-    const auto edits = metadata.find(kEditsKey);
-    if (edits != metadata.end()) former.edits.insert(*edits);
-    const bool is_known = metadata.contains("building") || metadata.contains("mission_sha256");
-    if (!is_known || building_of(metadata) == building) return former;
-  } catch (const InputError&) {  // whoever replaces it keeps it beside
-  }
-  return {};
+    Former said;
+    if (!may_be_of(metadata, building)) return said;
+    said.rooms = store.former_rooms();
+    if (const auto edits = metadata.find(kEditsKey); edits != metadata.end()) {
+      said.edits.insert(*edits);
+    }
+    return said;
+  });
+  return former.value_or(Former{});
 }
 
 std::string named_building_in(const std::filesystem::path& store_file) {
-  if (!std::filesystem::exists(store_file)) return {};
-  try {
-    const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
+  const auto building = read_if_possible(store_file, [](const GeoPackageStore& store) {
     const Metadata metadata = store.metadata();
     const std::vector<PlanRoom> rooms = store.former_rooms();
     const bool is_said =
         metadata.contains(kEditsKey) || std::any_of(rooms.begin(), rooms.end(), is_named);
-    return is_said ? building_of(metadata) : "";
-  } catch (const InputError&) {  // whoever replaces it says what is lost
-    return {};
-  }
+    return is_said ? building_of(metadata) : std::string();
+  });
+  return building.value_or("");
 }
 
 void put_said(const Former& former, const GeoPackageStore& base, GeoPackageStore& store) {
-  const std::vector<PlanRoom> of_base = base.plan().rooms;
+  const std::vector<PlanRoom> of_base = base.former_rooms();  // also names that wait for a room
   store.put_former_rooms(former.rooms.empty() ? of_base : with_names_of(former.rooms, of_base));
   store.put_metadata(former.edits);
   const std::vector<Edit> said = former.edits.empty() ? std::vector<Edit>() : stored_edits(store);

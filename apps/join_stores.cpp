@@ -166,7 +166,8 @@ void StoresToJoin::leave_out_repeated() {
           fmt::format("{} and {} hold one mission both: join the stores of the missions, each once",
                       other.string(), files_[i].string()));
     }
-    spdlog::warn("{}: left out: {} holds the same mission", files_[i].string(), other.string());
+    left_out_.push_back(
+        fmt::format("{}: left out: {} holds the same mission", files_[i].string(), other.string()));
     missions_[i].reset();
     files_[i].clear();
   }
@@ -194,6 +195,7 @@ std::optional<std::size_t> StoresToJoin::base_at(const Path& place) const {
 std::vector<WrittenBuilding> StoresToJoin::write(const Settings& settings,
                                                  std::vector<JoinedBuilding> buildings,
                                                  const Path& place) const {
+  for (const std::string& left_out : left_out_) spdlog::warn("{}", left_out);
   std::vector<WrittenBuilding> written;
   std::size_t number = 0;
   for (JoinedBuilding& building : buildings) {
@@ -205,6 +207,8 @@ std::vector<WrittenBuilding> StoresToJoin::write(const Settings& settings,
       continue;
     }
     const Path store = numbered(place, ++number);
+    std::optional<PlaceLock> lock;  // that of the first is held since before the missions were read
+    if (number > 1) lock.emplace(lock_new_store(store, files_));
     tell(building, store);
     for (const std::size_t i : building.answered_otherwise) {
       spdlog::warn(
@@ -247,8 +251,7 @@ std::vector<WrittenBuilding> join_into(const Settings& settings, const std::vect
       place);
 }
 
-void join(const Settings& settings, const std::vector<Path>& stores, const Path& place) {
-  const Path out = behind_link(place);
+void join(const Settings& settings, const std::vector<Path>& stores, const Path& out) {
   const PlaceLock lock = lock_new_store(out, stores);
   const std::vector<WrittenBuilding> written = join_into(settings, stores, out);
   require_any_joined(written);

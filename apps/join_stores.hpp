@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "commands.hpp"
@@ -20,7 +22,7 @@ struct WrittenBuilding {
 /// Assembled stores, open to be joined: matched by one process or by several, and written by one.
 class StoresToJoin {
  public:
-  /// Of stores of the same mission one stays, and a warning names the others.
+  /// Of stores of the same mission one stays; `write` tells of the others.
   /// @throws InputError for a file that is no store
   /// @throws UsageError for buildings that share some of their missions
   explicit StoresToJoin(std::vector<Path> stores);
@@ -34,7 +36,7 @@ class StoresToJoin {
   /// The mission whose frame a building at `place` has in which people named or corrected
   /// something.
   [[nodiscard]] std::optional<std::size_t> base_at(const Path& place) const;
-  /// See `join_into`.
+  /// See `join_into`. The caller holds the lock of `place`.
   [[nodiscard]] std::vector<WrittenBuilding> write(const Settings& settings,
                                                    std::vector<JoinedBuilding> buildings,
                                                    const Path& place) const;
@@ -44,6 +46,7 @@ class StoresToJoin {
 
   std::vector<Path> files_;
   std::vector<std::unique_ptr<GeoPackageStore>> missions_;
+  std::vector<std::string> left_out_;
 };
 
 /// Joins the missions of several assembled stores and writes a store for each building of two and

@@ -136,8 +136,8 @@ Mapped map(const Settings& settings, const Path& log, const Path& store_file,
   require_output_store(store_file, {log});
   require_known_version(settings, store_file);
   settle_new_store(store_file);
-  const auto opened = open_log(log, settings.mission);
   const LogAsItWas as_it_was(log);
+  const auto opened = open_log(log, settings.mission);
   const std::string sha256 = sha256_of_part(log, part);
   if (finish_mapped(settings, sha256, store_file)) return {};
   PartOfMission cut(*opened, part);

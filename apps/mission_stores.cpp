@@ -14,6 +14,7 @@
 #include "roomatlas/io/maps/read_map.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "store_metadata.hpp"
+#include "usable_store.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -42,43 +43,40 @@ Path numbered_store(const Path& first, int number) {
   return first.string() + mark + ".gpkg";
 }
 
-/// What a store was mapped from; empty where there is none, or it cannot be read.
+/// What a store was mapped from; empty where it cannot be read.
 std::string mission_in(const Path& store_file) {
-  if (!std::filesystem::exists(store_file)) return {};
-  try {
-    const Metadata metadata = GeoPackageStore(store_file, GeoPackageStore::Mode::read).metadata();
+  const auto mission = read_if_possible(store_file, [](const GeoPackageStore& store) {
+    const Metadata metadata = store.metadata();
     const auto sha256 = metadata.find("mission_sha256");
     return sha256 == metadata.end() ? std::string() : sha256->second;
-  } catch (const InputError&) {  // is mapped anew
-    return {};
-  }
+  });
+  return mission.value_or("");
 }
 
-/// Missions of one name, each with the store that it had in whatever order they were given then.
+/// Missions of one name, each with the store that it had, whichever were given then and in whatever
+/// order.
 /// @param first path of their stores, without its number and ending
 void take_their_own(const std::vector<LogPart>& missions, const std::vector<std::size_t>& alike,
                     const Path& first, std::vector<Path>& stores) {
-  for (int number = 1; number <= std::ssize(alike); ++number) {
+  std::map<std::string, Path> held;
+  for (int number = 1; std::filesystem::exists(numbered_store(first, number)); ++number) {
     const Path store = numbered_store(first, number);
-    const std::string held = mission_in(store);
-    if (held.empty()) continue;
-    const auto owner = std::find_if(alike.begin(), alike.end(), [&](std::size_t i) {
-      return stores[i].empty() && sha256_of_part(missions[i].log, missions[i].part) == held;
-    });
-    if (owner != alike.end()) stores[*owner] = store;
+    held.emplace(mission_in(store), store);
+  }
+  const bool is_choice = alike.size() > 1 || held.size() > 1;  // else the first is its store
+  for (const std::size_t i : alike) {
+    if (!is_choice) continue;
+    const auto own = held.extract(sha256_of_part(missions[i].log, missions[i].part));
+    if (!own.empty()) stores[i] = own.mapped();
   }
 }
 
 }  // namespace
 
 bool is_mapped_already(const Settings& settings, const LogPart& mission, const Path& store_file) {
-  if (!std::filesystem::exists(store_file)) return false;
-  try {
-    const GeoPackageStore store(store_file, GeoPackageStore::Mode::read);
-    return is_mapped_from(store.metadata(), sha256_of_part(mission.log, mission.part), settings);
-  } catch (const InputError&) {
-    return false;  // an interrupted or foreign store is mapped anew
-  }
+  const auto metadata =
+      read_if_possible(store_file, [](const GeoPackageStore& store) { return store.metadata(); });
+  return metadata && is_mapped_from(*metadata, sha256_of_part(mission.log, mission.part), settings);
 }
 
 void require_no_map(const Path& log) {
@@ -111,7 +109,7 @@ std::vector<Path> stores_for(const std::vector<LogPart>& missions, const Path& f
   for (std::size_t i = 0; i < missions.size(); ++i) of_name[name_of(missions[i])].push_back(i);
   std::set<Path> taken;
   for (const auto& [name, alike] : of_name) {
-    if (alike.size() > 1) take_their_own(missions, alike, folder / name, stores);
+    take_their_own(missions, alike, folder / name, stores);
     for (const std::size_t i : alike) taken.insert(stores[i]);
   }
   for (std::size_t i = 0; i < missions.size(); ++i) {

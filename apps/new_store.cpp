@@ -6,7 +6,9 @@
 #include <optional>
 
 #include "replaced_store.hpp"
+#include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
+#include "usable_store.hpp"
 
 namespace roomatlas::apps {
 namespace {
@@ -30,13 +32,10 @@ struct MadeSoFar {
 
 /// None for a file that is missing or no store of this version.
 std::optional<MadeSoFar> made_so_far(const fs::path& file) {
-  try {
-    const GeoPackageStore store(file, GeoPackageStore::Mode::read);
+  return read_if_possible(file, [](const GeoPackageStore& store) {
     return MadeSoFar{store.metadata().contains("mission_sha256"), store.has_assembly(),
                      store.unfinished().has_value()};
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
+  });
 }
 
 }  // namespace
@@ -44,11 +43,15 @@ std::optional<MadeSoFar> made_so_far(const fs::path& file) {
 fs::path place_beside(const fs::path& place) { return place.string() + ".new"; }
 
 NewStore::NewStore(const fs::path& place)
-    : place_(place), file_(fs::exists(place) ? place_beside(place) : place) {
+    : place_(behind_links(place)), file_(fs::exists(place_) ? place_beside(place_) : place_) {
   if (fs::is_directory(place)) {
     throw InputError(place.string() + ": is a directory, expected a file name for the store");
   }
+  if (file_ != place_) create_like(file_, place_);
 }
+
+NewStore::NewStore(const fs::path& place, fs::path unfinished)
+    : place_(behind_links(place)), file_(std::move(unfinished)) {}
 
 void NewStore::put_in_place() const {
   if (file_ != place_) return replace_store(place_, file_);
@@ -59,8 +62,12 @@ fs::path NewStore::keep_unfinished() const {
   if (file_ == place_) return place_;
   const auto former = made_so_far(place_);
   if (!former || former->is_mapped || former->is_assembled) return file_;
-  replace_store(place_, file_);
-  return place_;
+  try {
+    replace_store(place_, file_);
+    return place_;
+  } catch (const InputError&) {  // the next run finds it where it is
+    return file_;
+  }
 }
 
 void NewStore::give_up() const {
@@ -72,14 +79,16 @@ void NewStore::give_up() const {
 
 void NewStore::remove() const { remove_store(file_); }
 
-void remove_leftovers(const fs::path& store) {
+void remove_leftovers(const fs::path& named) {
+  const fs::path store = behind_links(named);
   for (const char* ending : {".tmp", kCopy}) remove_store(store.string() + ending);
   std::error_code missing;
   if (!fs::exists(store, missing)) remove_side_files(store);
 }
 
-void put_copy_in_place(const fs::path& finished, const fs::path& place,
+void put_copy_in_place(const fs::path& finished, const fs::path& named,
                        const std::function<void(const fs::path& copy)>& change) {
+  const fs::path place = behind_links(named);
   const fs::path copy = place.string() + kCopy;  // not `.new`, which would be put in place as it is
   std::error_code error;
   fs::copy_file(finished, copy, fs::copy_options::overwrite_existing, error);
@@ -88,6 +97,7 @@ void put_copy_in_place(const fs::path& finished, const fs::path& place,
     throw InputError(copy.string() + ": cannot be written: " + error.message() +
                      "; run the same command again where it can be");
   }
+  if (fs::exists(place, error)) give_permissions_of(place, copy);
   try {
     change(copy);
   } catch (...) {
@@ -97,7 +107,8 @@ void put_copy_in_place(const fs::path& finished, const fs::path& place,
   replace_store(place, copy);
 }
 
-void settle_new_store(const fs::path& place) {
+void settle_new_store(const fs::path& named) {
+  const fs::path place = behind_links(named);
   const fs::path made = place_beside(place);
   const auto stage = made_so_far(made);
   if (!stage || !stage->is_mapped) {

@@ -3,19 +3,18 @@
 
 #include <filesystem>
 #include <functional>
-#include <utility>
 
 namespace roomatlas::apps {
 
 /// Where a store is made: at its place where nothing is there, else beside it in `FILE.new`, so
-/// that what is there stays whole until the new one is finished, however the run ends.
+/// that what is there stays whole until the new one is finished, however the run ends. Links stay;
+/// the new file has from its beginning the permissions of the one that it replaces.
 class NewStore {
  public:
   /// @throws InputError when the place is a directory
   explicit NewStore(const std::filesystem::path& place);
   /// An unfinished one that is there already, at its place or beside it.
-  NewStore(std::filesystem::path place, std::filesystem::path unfinished)
-      : place_(std::move(place)), file_(std::move(unfinished)) {}
+  NewStore(const std::filesystem::path& place, std::filesystem::path unfinished);
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
@@ -40,14 +39,14 @@ class NewStore {
 /// A copy of a finished store takes a place. What is there stays whole until then.
 /// @param change the copy, before it takes the place
 /// @throws InputError where it cannot be written
-void put_copy_in_place(const std::filesystem::path& finished, const std::filesystem::path& place,
+void put_copy_in_place(const std::filesystem::path& finished, const std::filesystem::path& named,
                        const std::function<void(const std::filesystem::path& copy)>& change);
 
 /// Puts the store in its place that a run had finished beside it when it was stopped, and removes
 /// one with which none can go on.
-void settle_new_store(const std::filesystem::path& place);
+void settle_new_store(const std::filesystem::path& named);
 
 /// Removes the temporary files of a run that was killed. The store must not be in use.
-void remove_leftovers(const std::filesystem::path& store);
+void remove_leftovers(const std::filesystem::path& named);
 
 }  // namespace roomatlas::apps

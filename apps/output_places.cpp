@@ -107,19 +107,12 @@ void require_output_files(const std::vector<fs::path>& files, const std::vector<
 
 void require_output_store(const fs::path& file, const std::vector<fs::path>& inputs) {
   require_place_of_a_file(file);
-  require_no_input(file, inputs, {"", ".tmp", ".new", ".new.tmp"});
+  require_no_input(behind_links(file), inputs, {"", ".tmp", ".new", ".new.tmp"});
   std::error_code missing;
   if (!fs::exists(file, missing) || fs::is_empty(file, missing)) return;
   if (is_sqlite(file) && !is_recording(file)) return;
   refuse(file,
          "is there already and is no store, so it is not replaced: give another name with -o");
-}
-
-fs::path behind_link(const fs::path& file) {
-  std::error_code error;
-  if (!fs::is_symlink(file, error)) return file;
-  const fs::path real = fs::canonical(file, error);
-  return error ? file : real;
 }
 
 PlaceLock lock_new_store(const fs::path& file, const std::vector<fs::path>& inputs) {

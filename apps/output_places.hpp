@@ -31,9 +31,6 @@ void require_output_files(const std::vector<std::filesystem::path>& files,
 void require_output_store(const std::filesystem::path& file,
                           const std::vector<std::filesystem::path>& inputs);
 
-/// The file itself where `file` is a symbolic link to one, so that the link stays what it is.
-[[nodiscard]] std::filesystem::path behind_link(const std::filesystem::path& file);
-
 /// The same, and from then on no other run may write there, and no other program does. What a run
 /// that was killed left beside the store is removed; a store that it had finished is put in its
 /// place.

@@ -96,7 +96,7 @@ void simulate_rooms(const Settings& settings, std::int64_t rooms, const Path& ou
   if (rooms < 1) throw UsageError("--random-rooms: expected 1 or more");
   make_folder(out);
   const PlaceLock lock(out);
-  const Path place = behind_link(out / "building.gpkg");
+  const Path place = out / "building.gpkg";
   const PlaceLock store_lock = lock_new_store(place, {});
   const Made made = write_store(settings, options, rooms, place);
   const RandomBuildingSummary& summary = made.summary;

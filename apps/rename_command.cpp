@@ -88,9 +88,8 @@ std::string with_name(std::vector<Edit> edits, const PlanRoom& room, const std::
 
 }  // namespace
 
-void rename(const Settings& settings, const Path& named, const std::string& room,
+void rename(const Settings& settings, const Path& store_file, const std::string& room,
             const std::string& name) {
-  const Path store_file = behind_link(named);
   check_name(name);
   const PlaceLock lock = lock_store(store_file);
   auto store = std::make_unique<GeoPackageStore>(store_file, GeoPackageStore::Mode::read);

@@ -5,11 +5,16 @@
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <array>
+#include <iterator>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "printable.hpp"
 #include "roomatlas/core/counted.hpp"
+#include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/io/store/store_use.hpp"
 #include "roomatlas/merge/carry_over.hpp"
@@ -20,14 +25,6 @@ namespace roomatlas::apps {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Of a file into which nothing was mapped there is none; of one that was made up nobody knows.
-bool is_of_another_building(const GeoPackageStore& former, const GeoPackageStore& now) {
-  const Metadata metadata = former.metadata();
-  const bool is_known = metadata.contains("building") || metadata.contains("mission_sha256");
-  const std::string building = building_of(metadata);
-  return is_known && (building.empty() || building != building_of(now.metadata()));
-}
 
 /// What people said of the building in it.
 std::vector<std::string> said_in(const GeoPackageStore& store) {
@@ -51,8 +48,9 @@ std::vector<std::string> lost_by(const fs::path& former_file, const fs::path& no
   if (fs::is_empty(former_file, missing)) return lost;
   const GeoPackageStore former(former_file, GeoPackageStore::Mode::read);
   const GeoPackageStore now(now_file, GeoPackageStore::Mode::read);
-  if (!is_of_another_building(former, now)) return lost;
-  for (std::string& said : said_in(former)) lost.push_back(std::move(said));
+  std::vector<std::string> said = said_in(former);  // also where all of it was to be carried over
+  if (may_be_of(former.metadata(), building_of(now.metadata()))) return lost;
+  std::move(said.begin(), said.end(), std::back_inserter(lost));
   return lost;
 } catch (const InputError& error) {
   return {fmt::format("what cannot be read ({})", error.what())};
@@ -68,34 +66,57 @@ fs::path free_name_beside(const fs::path& place) {
   return beside;
 }
 
-void move_file(const fs::path& from, const fs::path& to) {
+[[noreturn]] void refuse(const fs::path& place, const std::error_code& error) {
+  throw InputError(place.string() + ": cannot be replaced: " + error.message() +
+                   "; check the folder and its permissions");
+}
+
+constexpr std::array<const char*, 3> kSideFiles = {"-wal", "-shm", "-journal"};
+
+/// A second name, so that the place is never empty; the only one where a file has only one.
+void keep_as(const fs::path& beside, const fs::path& place) {
   std::error_code error;
-  fs::rename(from, to, error);
-  if (error) throw InputError(to.string() + ": cannot be replaced: " + error.message());
+  fs::create_hard_link(place, beside, error);
+  if (error) fs::rename(place, beside, error);
+  if (error) refuse(place, error);
+  for (const char* ending : kSideFiles) {
+    fs::rename(place.string() + ending, beside.string() + ending, error);  // few have any
+  }
+}
+
+/// @throws InputError that says why the place was not taken
+[[noreturn]] void put_back(const fs::path& place, const fs::path& beside,
+                           const std::error_code& why) {
+  std::error_code error;
+  if (!beside.empty()) fs::rename(beside, place, error);  // nothing where both name one file,
+  if (fs::equivalent(beside, place, error)) fs::remove(beside, error);
+  refuse(place, why);
 }
 
 }  // namespace
 
 void remove_side_files(const fs::path& store) {
-  for (const char* ending : {"-wal", "-shm", "-journal"}) {
+  for (const char* ending : kSideFiles) {
     std::error_code ignored;
     fs::remove(store.string() + ending, ignored);
   }
 }
 
 void replace_store(const fs::path& place, const fs::path& by) {
-  std::error_code ignored;
-  if (fs::exists(place, ignored)) {
-    fs::permissions(by, fs::status(place, ignored).permissions(), ignored);
-    if (const std::vector<std::string> lost = lost_by(place, by); !lost.empty()) {
-      const fs::path beside = free_name_beside(place);
-      move_file(place, beside);
-      spdlog::warn("{}: what was there stays as {}: it holds what the new one has not: {}",
-                   place.string(), beside.string(), fmt::join(lost, ", "));
-    }
+  require_no_other_user(place);
+  std::error_code error;
+  std::vector<std::string> lost;
+  if (fs::exists(place, error)) {
+    give_permissions_of(place, by);
+    lost = lost_by(place, by);
   }
+  const fs::path beside = lost.empty() ? fs::path() : free_name_beside(place);
+  if (!lost.empty()) keep_as(beside, place);
   remove_side_files(place);
-  move_file(by, place);
+  if (fs::rename(by, place, error); error) put_back(place, beside, error);
+  if (lost.empty()) return;
+  spdlog::warn("{}: what was there stays as {}: it holds what the new one has not: {}",
+               place.string(), beside.string(), fmt::join(lost, ", "));
 }
 
 }  // namespace roomatlas::apps

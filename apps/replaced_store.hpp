@@ -12,7 +12,8 @@ void remove_side_files(const std::filesystem::path& store);
 /// stays beside it as `NAME.former.gpkg` (`NAME.former-2.gpkg`, ...) where it holds what people
 /// made and the new one has not: names of rooms and corrections of another building, tables and
 /// styles of other programs, or a file that cannot be read. A warning names all of it.
-/// @throws InputError where it cannot be replaced
+/// @throws InputError where it cannot be replaced, or another program has it open: it stays as it
+/// is
 void replace_store(const std::filesystem::path& place, const std::filesystem::path& by);
 
 }  // namespace roomatlas::apps

@@ -21,17 +21,27 @@ std::vector<Edit> stored_edits(const GeoPackageStore& store) {
 
 namespace {
 
+/// A room that is told by its number is the same one, whatever its shape is by now.
+std::string as_told(Edit edit) {
+  for (RoomAnchor& room : edit.rooms) {
+    if (room.id) room = {room.id, std::nullopt, {}};
+  }
+  return edits_json({edit});
+}
+
 /// `--edits` says all that holds from now on.
-void tell_taken_back(const Settings& settings, const std::vector<Edit>& kept,
-                     const std::vector<Edit>& now) {
+void tell_taken_back(const Settings& settings, const GeoPackageStore& store,
+                     const std::vector<Edit>& now) try {
   std::set<std::string> said;
-  for (const Edit& edit : now) said.insert(edits_json({edit}));
-  const auto gone = std::count_if(kept.begin(), kept.end(), [&](const Edit& edit) {
-    return !said.contains(edits_json({edit}));
-  });
+  for (const Edit& edit : now) said.insert(as_told(edit));
+  const std::vector<Edit> kept = stored_edits(store);
+  const auto gone = std::count_if(kept.begin(), kept.end(),
+                                  [&](const Edit& edit) { return !said.contains(as_told(edit)); });
   if (gone == 0) return;
   spdlog::warn("{}: {} that the store kept {} not in it and {} taken back", settings.edits_file,
                counted(gone, "correction"), gone == 1 ? "is" : "are", gone == 1 ? "is" : "are");
+} catch (const InputError& error) {
+  spdlog::warn("{}; those of {} hold in their place", error.what(), settings.edits_file);
 }
 
 }  // namespace
@@ -39,7 +49,7 @@ void tell_taken_back(const Settings& settings, const std::vector<Edit>& kept,
 std::vector<Edit> edits_for(const Settings& settings, const GeoPackageStore& store) {
   if (settings.edits_file.empty()) return stored_edits(store);
   std::vector<Edit> edits = with_places(read_edits(settings.edits_file), store.former_rooms());
-  tell_taken_back(settings, stored_edits(store), edits);
+  tell_taken_back(settings, store, edits);
   return edits;
 }
 

@@ -73,6 +73,11 @@ std::string building_of(const Metadata& metadata) {
   return "";
 }
 
+bool may_be_of(const Metadata& metadata, const std::string& building) {
+  const bool is_known = metadata.contains("building") || metadata.contains("mission_sha256");
+  return !is_known || (!building.empty() && building_of(metadata) == building);
+}
+
 std::set<std::string> missions_of(const Metadata& metadata) {
   const auto joined = metadata.find(kMissionsKey);
   const auto entry = joined == metadata.end() ? metadata.find("mission_sha256") : joined;

@@ -37,6 +37,10 @@ using Metadata = std::map<std::string, std::string>;
 /// the mission whose frame is the building's. Kept when missions are joined to it.
 [[nodiscard]] std::string building_of(const Metadata& metadata);
 
+/// Whether a store can be of that building: of one into which nothing was mapped, or that was made
+/// up, nobody knows.
+[[nodiscard]] bool may_be_of(const Metadata& metadata, const std::string& building);
+
 /// True when the store was finished from the same log by the same version, with the same
 /// parameters as far as mapping uses them: then it need not be mapped again.
 [[nodiscard]] bool is_mapped_from(const Metadata& metadata, const std::string& mission_sha256,

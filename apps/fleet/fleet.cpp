@@ -148,6 +148,7 @@ class FleetRank {
     if (stores.size() < kFewest) {
       throw NotEnoughError("fewer than two missions could be mapped: there is nothing to join");
     }
+    const PlaceLock lock = lock_new_store(arguments_.out, arguments_.logs);
     const StoresToJoin missions(stores);
     std::vector<JoinedBuilding> buildings = missions.joined(settings_, progress_, workers);
     Settings alone = settings_;  // the others have nothing left to do

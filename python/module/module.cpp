@@ -7,6 +7,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "pose_graphs.hpp"
+#include "replaced_store.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/io/results/judgement_json.hpp"
 #include "tasks.hpp"
@@ -96,7 +97,7 @@ void bind_tasks(py::module_& core) {
                build(input, store, former, resolution_m, parameters, jobs, progress);
              });
            });
-  core.def("replace_store", &replace_store);
+  core.def("replace_store", &apps::replace_store);
   core.def("read_building", &read_building, py::call_guard<py::gil_scoped_release>());
   core.def("segment_file", [](const Path& map, double resolution_m, const std::string& parameters,
                               const py::object& callback) {

@@ -5,9 +5,9 @@
 #include <fmt/ranges.h>
 
 #include "former_store.hpp"
+#include "log_as_it_was.hpp"
 #include "open_log.hpp"
 #include "output_places.hpp"
-#include "replaced_store.hpp"
 #include "roomatlas/correct/place.hpp"
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/logs/mission_writer.hpp"
@@ -17,7 +17,6 @@
 #include "roomatlas/io/plans/plan_geojson.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
-#include "roomatlas/io/store/store_use.hpp"
 #include "roomatlas/io/trajectories/tum.hpp"
 #include "roomatlas/pipeline/assemble_map.hpp"
 #include "roomatlas/pipeline/assemble_store.hpp"
@@ -53,8 +52,10 @@ Settings settings_of(const std::string& parameters) {
 
 void map_log(const Path& log, GeoPackageStore& store, const std::string& sha256,
              const Settings& settings, const Progress& progress) {
+  const apps::LogAsItWas as_it_was(log);
   const auto mission = apps::open_log(log, settings.mission);
   const MapSummary summary = map_mission(*mission, store, settings.map, progress);
+  as_it_was.require_unchanged();
   apps::Metadata metadata = apps::metadata_of(mission->info(), sha256, settings);
   if (summary.habits) metadata["odometry_json"] = to_json(*summary.habits);
   store.put_metadata(metadata);
@@ -98,11 +99,6 @@ void build(const Path& input, const Path& store_file, const Path& former, double
     (void)assemble_store(store, settings, settings.as_toml, progress);
   }
   store.finish();
-}
-
-void replace_store(const Path& place, const Path& by) {
-  require_no_other_user(place);
-  apps::replace_store(place, by);
 }
 
 Building read_building(const Path& store_file) {

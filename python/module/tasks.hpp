@@ -37,9 +37,6 @@ struct Building {
 void build(const Path& input, const Path& store, const Path& former, double resolution_m,
            const std::string& parameters, int jobs, const Progress& progress);
 
-/// Puts a finished store in its place; what is there stays beside it where something would be lost.
-void replace_store(const Path& place, const Path& by);
-
 [[nodiscard]] Building read_building(const Path& store);
 
 /// Rooms and doors of a finished map.

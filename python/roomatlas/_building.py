@@ -132,9 +132,10 @@ def build(log: File, store: Optional[File] = None, *, resolution_m: float = 0.0,
 
     `log` is any that the program reads, told by its content. `store` is the GeoPackage to write;
     without one it is temporary and goes with the building. One that is there is replaced when all
-    went well; its rooms keep their numbers and names where it is of the same log, else it stays
-    beside as `NAME.former.gpkg`. `resolution_m` is
-    of a bare picture, metres a pixel. `progress(stage, share)` is called up to 20 times a second.
+    went well; its rooms keep their numbers and names where it is of the same log. One of another log
+    in which something is named, corrected or added by other programs, and one that cannot be read,
+    stay beside as `NAME.former.gpkg`. `resolution_m` is of a bare picture, metres a pixel.
+    `progress(stage, share)` is called up to 20 times a second.
     Other keyword arguments are the parameters of the command line (`roomatlas config --print`) with
     `_` for `-`: `plan="traced"`, `cell=0.05`. `jobs` threads work at once, 0: one a core; the
     result is the same.

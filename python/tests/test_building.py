@@ -127,6 +127,31 @@ def test_parameters_are_those_of_the_command_line(mission, tmp_path):
     assert 'plan="traced"' in text
 
 
+def test_a_log_that_grows_while_it_is_mapped_is_refused(mission, tmp_path):
+    log = tmp_path / "grows.clf"
+    log.write_bytes(mission.log.read_bytes())
+    store = tmp_path / "building.gpkg"
+
+    def append(stage, share):
+        with log.open("a") as file:
+            file.write("# more\n")
+
+    with pytest.raises(roomatlas.InputError, match="was written to while it was read"):
+        roomatlas.build(log, store, progress=append)
+    assert not store.exists()
+
+
+def test_a_store_that_cannot_be_replaced_stays_where_it_is(building, tmp_path):
+    place = building.store.with_name("place.gpkg")
+    building.save(place)
+    bytes_before = place.read_bytes()
+    with pytest.raises(roomatlas.InputError, match="cannot be replaced"):
+        roomatlas._core.replace_store(place, tmp_path / "missing.gpkg")
+    assert place.read_bytes() == bytes_before
+    assert [file.name for file in place.parent.glob("*former*")] == []
+    place.unlink()
+
+
 def test_a_temporary_store_goes_with_its_building(mission):
     building = roomatlas.build(mission.log)
     store = building.store

@@ -10,8 +10,9 @@ namespace {
 
 constexpr double kStep_m = 0.05;
 constexpr double kWidestDoor_m = 4.0;
-constexpr double kThinWall_m = 0.10;  // drawn where rooms went over into each other
-constexpr double kOpenShare = 0.2;    // of such a wall that is floor: no wall is there yet
+constexpr double kMostShared_m = 0.1;  // of two doors beside each other: maps differ by less
+constexpr double kThinWall_m = 0.10;   // drawn where rooms went over into each other
+constexpr double kOpenShare = 0.2;     // of such a wall that is floor: no wall is there yet
 
 std::string place(const Point2& at) {
   char text[64];
@@ -30,6 +31,15 @@ std::vector<Door>::iterator door_near(MappedBuilding& building, const Point2& at
     nearest = door;
   }
   return nearest;
+}
+
+/// The first that would lie over one between these jambs.
+std::vector<Door>::const_iterator door_in(const MappedBuilding& building, const Segment2& jambs) {
+  return std::find_if(building.doors.begin(), building.doors.end(), [&](const Door& other) {
+    const Polygon over = band(jambs, kThickestWall_m / 2.0, kThickestWall_m / 2.0,
+                              other.width_m / 2.0 - kMostShared_m);
+    return contains(over, other.frame_from_pivot.position());
+  });
 }
 
 Why no_door(const Point2& at) { return "no door or opening is near " + place(at); }
@@ -74,18 +84,11 @@ Why open_door(const Edit& edit, MappedBuilding& building) {
 
 Why add_door(const Edit& edit, MappedBuilding& building) {
   const Point2 middle = (edit.line.a + edit.line.b) / 2.0;
-  const auto known = door_near(building, middle);
   const double width_m = (edit.line.b - edit.line.a).norm();
   if (width_m > kWidestDoor_m) return "a door is at most 4 m wide";
-  const Polygon opening = band(edit.line, kThickestWall_m / 2.0, kThickestWall_m / 2.0, 0.0);
-  for (const Door& other : building.doors) {
-    if (contains(opening, other.frame_from_pivot.position())) {
-      return "a door is there already, near " + place(other.frame_from_pivot.position());
-    }
-  }
-  if (known != building.doors.end() &&
-      (known->frame_from_pivot.position() - middle).norm() < std::min(width_m, known->width_m)) {
-    return "a door is there already, near " + place(middle);
+  if (const auto other = door_in(building, edit.line); other != building.doors.end()) {
+    return std::string(other->kind == DoorKind::window ? "a window" : "a door") +
+           " is there already, near " + place(other->frame_from_pivot.position());
   }
   const Door door = door_between(edit.line, std::nullopt, std::nullopt);
   const Point2 ahead = door.frame_from_pivot * Point2(1.0, 0.0) - middle;

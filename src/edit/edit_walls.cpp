@@ -122,13 +122,21 @@ RoomId room_about(const MappedBuilding& building, const Ring& outline) {
   return room;
 }
 
-/// Whether all of an outline is beside a room's floor, or on it.
-bool is_beside(const Ring& outline, const Shapes& floor) {
-  return std::all_of(outline.begin(), outline.end(), [&](const Point2& corner) {
-    return covers(floor, corner) || std::any_of(floor.begin(), floor.end(), [&](const auto& part) {
-             return distance_to_boundary(part.outer, corner) <= kDeepest_m;
-           });
-  });
+/// The part of a piece that lies farther from all walls of a room than furniture does.
+double too_deep_m2(const Shapes& piece, const Shapes& room) {
+  Shapes reached;
+  const auto reach = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Segment2 side{ring[i], ring[(i + 1) % ring.size()]};
+      if ((side.b - side.a).norm() <= 0.0) continue;
+      reached.push_back(band(side, kDeepest_m, kDeepest_m, kDeepest_m));
+    }
+  };
+  for (const Polygon& part : room) {
+    reach(part.outer);
+    for (const Ring& hole : part.holes) reach(hole);
+  }
+  return area_of(difference_of(piece, reached));
 }
 
 }  // namespace
@@ -213,10 +221,6 @@ Why wall_to_furniture(const Edit& edit, MappedBuilding& building) {
         distance_to_boundary(edit.outline, edit.at) > kEditReach_m) {
       return "its at_m is not in its outline_m";
     }
-    if (!is_beside(edit.outline, shapes_of(building.outlines, room))) {
-      return "its outline_m goes more than 2 m beyond the floor of room " + std::to_string(room) +
-             ", and furniture is no deeper";
-    }
     piece.kind = FurnitureKind::against_wall;
   }
   Shapes floors;
@@ -224,6 +228,10 @@ Why wall_to_furniture(const Edit& edit, MappedBuilding& building) {
   const Shapes fresh = difference_of({piece.outline}, floors);
   if (area_of(fresh) < 0.5 * area(piece.outline)) return "what is there is floor already, no wall";
   Shapes all = shapes_of(building.outlines, room);
+  if (too_deep_m2(fresh, all) > kSliver_m2) {
+    return "it goes more than 2 m beyond the floor of room " + std::to_string(room) +
+           ", and furniture is no deeper";
+  }
   all.insert(all.end(), fresh.begin(), fresh.end());
   set_shapes(building, room, union_of(all));
   building.wall_bodies = difference_of(building.wall_bodies, {piece.outline});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Corrections by hand, as a user makes them: kept, replayed, and said where they no longer fit.
+#include <SQLiteCpp/Database.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -77,6 +78,28 @@ TEST_F(Edits, OfAnotherFileTakeThoseOfBeforeBackWhichIsSaid) {
   const std::string one = edits_file(folder_, name);
   EXPECT_THAT(run("assemble " + store() + " --edits " + one).err,
               HasSubstr("edits.json: 1 correction that the store kept is not in it and is taken"));
+}
+
+TEST_F(Edits, OfARoomThatTheyReshapeAreTheSameWhenTheyAreToldAgain) {
+  const std::string edits = edits_file(
+      folder_, R"({"edit":"split_room","room":{"id":2},"line_m":[[5.5,-2.2],[5.5,3.5]]})");
+  const std::string command = "assemble " + store() + " --edits " + edits;
+  ASSERT_EQ(run("-q " + command).exit_code, 0);
+  EXPECT_THAT(run(command).err, Not(HasSubstr("taken back")));
+}
+
+TEST_F(Edits, TakeThePlaceOfThoseThatCannotBeRead) {
+  ASSERT_EQ(run("-q rename " + store() + " 1 Kitchen").exit_code, 0);
+  SQLite::Database(store(), SQLite::OPEN_READWRITE)
+      .exec(R"(UPDATE metadata SET value = '{"edits": 3}' WHERE key = 'edits_json')");
+  EXPECT_EQ(run("-q assemble " + store()).exit_code, 3);
+  const std::string edits =
+      edits_file(folder_, R"({"edit":"name_room","room":{"id":1},"name":"Pantry"})");
+  const Outcome assembled = run("assemble " + store() + " --edits " + edits);
+  EXPECT_EQ(assembled.exit_code, 0);
+  EXPECT_THAT(assembled.err, HasSubstr("edits_json"));
+  EXPECT_THAT(assembled.err, HasSubstr("edits.json hold in their place"));
+  EXPECT_THAT(plan(), HasSubstr("Pantry"));
 }
 
 TEST_F(Edits, NamesThatNoStatementGivesComeBackWithTheirRoom) {

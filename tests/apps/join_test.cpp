@@ -190,6 +190,49 @@ TEST_F(Join, AddsAMissionToABuildingThatKeepsItsRooms) {
   EXPECT_THAT(names, ::testing::Contains("Kitchen"));
 }
 
+TEST_F(Join, TakesANameOfItsBaseThatWaitsForItsRoom) {
+  const std::string place = (*folder_ / "waiting").string();
+  const std::string stores[] = {place + "/missions/one.gpkg", place + "/missions/two.gpkg"};
+  ASSERT_EQ(run("-q build " + one_ + " " + two_ + " -o " + place).exit_code, 0);
+  for (const std::string& store : stores) {
+    const auto rooms = GeoPackageStore(store, GeoPackageStore::Mode::read).plan().rooms;
+    ASSERT_EQ(rooms.size(), 2U);
+    const double middle_m2 = (rooms[0].area_m2 + rooms[1].area_m2) / 2.0;
+    const std::string small = rooms[0].area_m2 < middle_m2 ? "1" : "2";
+    ASSERT_EQ(run("-q rename " + store + " " + small + " Pantry").exit_code, 0);
+    ASSERT_EQ(run("-q assemble " + store + " --min-room " + std::to_string(middle_m2)).exit_code,
+              0);
+    ASSERT_EQ(GeoPackageStore(store, GeoPackageStore::Mode::read).plan().rooms.size(), 1U);
+  }
+  const std::string joined = place + "/joined.gpkg";
+  ASSERT_EQ(run("-q join " + stores[0] + " " + stores[1] + " -o " + joined).exit_code, 0);
+  const auto rooms = GeoPackageStore(joined, GeoPackageStore::Mode::read).plan().rooms;
+  ASSERT_EQ(rooms.size(), 2U);
+  EXPECT_TRUE(rooms[0].name == "Pantry" || rooms[1].name == "Pantry");
+}
+
+TEST_F(Join, ABuildingBesideTheFirstIsKeptFromOthersAsThatOneIs) {
+  const std::string hall = log("hall", "open_hall", "--sensor laser --max-time 60 --seed 4");
+  const std::string again = log("again", "open_hall", "--sensor laser --max-time 60 --seed 6");
+  const std::string place = (*folder_ / "buildings").string();
+  const std::string build = "build " + one_ + " " + two_ + " " + hall + " " + again;
+  const Outcome done = run(build + " -o " + place);
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_THAT(done.err, ::testing::Not(HasSubstr("of an earlier run")));
+  const std::string second = place + "/building.2.gpkg";
+  {
+    SQLite::Database other(second, SQLite::OPEN_READWRITE);
+    other.exec("PRAGMA journal_mode = WAL; CREATE TABLE notes (note TEXT)");
+    const Outcome refused =
+        run("-q join " + place + "/missions/*.gpkg -o " + place + "/building.gpkg");
+    EXPECT_EQ(refused.exit_code, 3);
+    EXPECT_THAT(refused.err, HasSubstr("building.2.gpkg: another program has it open"));
+    other.exec("INSERT INTO notes VALUES ('ours')");
+  }
+  const Outcome alone = run("build " + one_ + " " + two_ + " -o " + place);
+  EXPECT_THAT(alone.err, HasSubstr("not written now: beside/building.2, building.2.gpkg"));
+}
+
 TEST_F(Join, DrawsWhatSomeOfTheMissionsSawAlone) {
   const std::string half = log("half", "two_rooms", "--sensor laser --seed 5 --max-time 40");
   const std::string place = (*folder_ / "some").string();

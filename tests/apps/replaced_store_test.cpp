@@ -6,6 +6,7 @@
 #include <sys/file.h>
 
 #include "child.hpp"
+#include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 
 namespace roomatlas::test {
@@ -84,6 +85,46 @@ TEST_F(ReplacedStore, OneThatAnotherProgramWritesToIsNotTouched) {
   EXPECT_EQ(other.execAndGet("SELECT count(*) FROM my_notes").getInt(), 1);
 }
 
+TEST_F(ReplacedStore, OneThatAnotherProgramOpensWhileItIsMappedIsNotTouched) {
+  const std::string store = building() + "/building.gpkg";
+  fs::permissions(store, fs::perms::owner_read | fs::perms::owner_write);
+  Child mapping("map " + one_ + " --robot-width 0.3 -o " + store);
+  ASSERT_TRUE(mapping.has_said("map ...")) << mapping.err();
+  mapping.send({SIGSTOP});
+  {
+    SQLite::Database qgis(store, SQLite::OPEN_READWRITE);
+    qgis.exec("PRAGMA journal_mode = WAL; PRAGMA wal_autocheckpoint = 0");
+    qgis.exec(kNotes);
+    EXPECT_EQ(fs::status(store + ".new").permissions(), fs::status(store).permissions());
+    kill(mapping.pid(), SIGCONT);
+    EXPECT_EQ(mapping.wait(), 0);
+    EXPECT_EQ(mapping.exit_code(), 3);
+    EXPECT_THAT(mapping.err(), AllOf(HasSubstr("another program has it open"),
+                                     HasSubstr("the next run goes on from there")));
+    EXPECT_EQ(qgis.execAndGet("SELECT count(*) FROM my_notes").getInt(), 1);
+  }
+  const Outcome again = run("map " + one_ + " --robot-width 0.3 -o " + store);
+  EXPECT_EQ(again.exit_code, 0);
+  EXPECT_THAT(again.err, AllOf(HasSubstr("holds this mission already"),
+                               HasSubstr("it holds what the new one has not: the table my_notes")));
+}
+
+TEST_F(ReplacedStore, OfTheSameLogThatIsDamagedStaysBeside) {
+  const std::string place = building();
+  const std::string store = place + "/building.gpkg";
+  ASSERT_EQ(run("-q rename " + store + " 1 Kitchen").exit_code, 0);
+  SQLite::Database(store, SQLite::OPEN_READWRITE)
+      .exec("UPDATE rooms SET geom = x'00' WHERE id = 2");
+  const Outcome built = run("build " + one_ + " --robot-width 0.3 -o " + place);
+  EXPECT_EQ(built.exit_code, 0);
+  EXPECT_THAT(built.err, HasSubstr("building.former.gpkg: it holds what the new one has not: what "
+                                   "cannot be read"));
+  EXPECT_EQ(SQLite::Database(place + "/building.former.gpkg")
+                .execAndGet("SELECT name FROM rooms WHERE id = 1")
+                .getString(),
+            "Kitchen");
+}
+
 TEST_F(ReplacedStore, StaysBesideWithTheTablesOfOthers) {
   const std::string place = building();
   SQLite::Database(place + "/building.gpkg", SQLite::OPEN_READWRITE).exec(kNotes);
@@ -143,11 +184,25 @@ TEST_F(ReplacedStore, KeepsItsPermissionsAndTheLinkToIt) {
     EXPECT_EQ(fs::status(real).permissions(), mine) << command;
   }
   EXPECT_EQ(first_room(real), "Kitchen");
+  fs::permissions(real, fs::perms::owner_read);  // the next one is written nevertheless
+  ASSERT_EQ(run("-q build " + one_ + " --robot-width 0.4 -o " + place).exit_code, 0);
+  EXPECT_EQ(fs::status(real).permissions(), mine);
   const std::string lock = real.string() + ".lock";  // of both names
   const int other_run = open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   ASSERT_EQ(flock(other_run, LOCK_EX | LOCK_NB), 0);
   EXPECT_THAT(run("rename " + link.string() + " 1 Pantry").err, HasSubstr("another run"));
   close(other_run);
+}
+
+TEST_F(ReplacedStore, ALinkToNothingIsFilled) {
+  const fs::path link = *folder_ / "link.gpkg";
+  const fs::path target = *folder_ / "behind_the_link.gpkg";
+  fs::create_symlink("behind_the_link.gpkg", link);
+  ASSERT_EQ(run("-q map " + one_ + " -o " + link.string()).exit_code, 0);
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_TRUE(fs::is_regular_file(target));
+  ASSERT_EQ(run("-q assemble " + link.string()).exit_code, 0);
+  EXPECT_EQ(GeoPackageStore(target, GeoPackageStore::Mode::read).plan().rooms.size(), 2U);
 }
 
 TEST_F(ReplacedStore, MissionsOfOneNameKeepTheirStoresInAnyOrder) {
@@ -164,6 +219,13 @@ TEST_F(ReplacedStore, MissionsOfOneNameKeepTheirStoresInAnyOrder) {
   const std::string bytes = content_of(out + "/missions/run.gpkg");
   ASSERT_EQ(run("-q build " + b + " " + a + " -o " + out).exit_code, 0);
   EXPECT_EQ(content_of(out + "/missions/run.gpkg"), bytes);
+  // of two of that name one alone takes its own, and of others none
+  ASSERT_EQ(run("-q build " + b + " " + one_ + " -o " + out).exit_code, 0);
+  EXPECT_EQ(content_of(out + "/missions/run.gpkg"), bytes);
+  EXPECT_EQ(GeoPackageStore(out + "/missions/run-2.gpkg", GeoPackageStore::Mode::read)
+                .metadata()
+                .at("mission_sha256"),
+            sha256_of_file(b));
 }
 
 TEST_F(ReplacedStore, ALogThatGrowsWhileItIsMappedIsRefused) {
@@ -199,6 +261,11 @@ TEST_F(ReplacedStore, FilesOfAnEarlierRunAreNamed) {
   EXPECT_THAT(earth.err, Not(HasSubstr("of an earlier run")));
   const Outcome plain = run("build " + one_ + " -o " + place);
   EXPECT_THAT(plain.err, HasSubstr("of an earlier run, and not written now: plan.geojson\n"));
+  fs::remove(place + "/plan.geojson");
+  fs::create_directories(place + "/beside/corridor");
+  fs::copy_file(place + "/building.gpkg", place + "/building.2.gpkg");
+  EXPECT_THAT(run("build " + one_ + " -o " + place).err,
+              HasSubstr("not written now: beside/corridor, building.2.gpkg\n"));
 }
 
 TEST_F(ReplacedStore, ATruthThatIsNotThereIsSaidBeforeAnythingIsMapped) {

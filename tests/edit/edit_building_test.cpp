@@ -240,6 +240,32 @@ TEST(EditBuilding, WallBecomesFurnitureAsDeepAsFurnitureIsAndNoDeeper) {
   EXPECT_THAT(told(box(1, 3, 2, 3.6), {8, 1}).first, HasSubstr("at_m is not in its outline_m"));
 }
 
+TEST(EditBuilding, WallInsideOfARingOfFloorIsAsFarFromItsInnerSideAsFromItsOuter) {
+  Polygon ring = box(0, 0, 20, 20);
+  ring.holes = {box(3, 3, 17, 17).outer};
+  std::reverse(ring.holes[0].begin(), ring.holes[0].end());
+  const auto told = [&](const Polygon& outline, const Point2& at) {
+    MappedBuilding building = two_rooms();
+    building.outlines = {{1, 1, ring}};
+    building.doors.clear();
+    building.edges.clear();
+    Edit edit = edit_of(EditKind::wall_to_furniture);
+    edit.outline = outline.outer;
+    edit.at = at;
+    const Issues issues = edit_building({edit}, building);
+    return std::make_pair(issues.empty() ? "" : issues[0].message, area_of(building, 1));
+  };
+  const double floor_m2 = 20.0 * 20.0 - 14.0 * 14.0;
+  const auto [none, shelved_m2] = told(box(8, 3, 10, 3.5), {9, 3.2});
+  EXPECT_EQ(none, "");
+  EXPECT_NEAR(shelved_m2, floor_m2 + 1.0, 1e-6);
+  for (const Polygon& core : {box(2.9, 2.9, 17.1, 17.1), Polygon{}}) {  // told, and as a hole
+    const auto [deep, same_m2] = told(core, {10, 10});
+    EXPECT_THAT(deep, HasSubstr("more than 2 m beyond the floor of room 1"));
+    EXPECT_NEAR(same_m2, floor_m2, 1e-6);
+  }
+}
+
 TEST(EditBuilding, ADoorIsNoWiderThanAGateAndLiesOverNoOther) {
   MappedBuilding building = two_rooms();
   building.outlines = {{1, 1, box(0, 0, 4, 30)}, {2, 2, box(4.2, 0, 10.2, 30)}};
@@ -249,6 +275,8 @@ TEST(EditBuilding, ADoorIsNoWiderThanAGateAndLiesOverNoOther) {
   add.line = {{4.1, 1.2}, {4.1, 4.8}};  // its middle is far from the door of before
   EXPECT_THAT(edit_building({add}, building).at(0).message, HasSubstr("a door is there already"));
   EXPECT_EQ(building.doors.size(), 1U);
+  building.doors[0].kind = DoorKind::window;
+  EXPECT_THAT(edit_building({add}, building).at(0).message, HasSubstr("a window is there already"));
 }
 
 TEST(EditBuilding, ARoomThatLosesItsNameToAnotherIsTold) {

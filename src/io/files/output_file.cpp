@@ -5,6 +5,8 @@
 #include "roomatlas/core/issue.hpp"
 #include "roomatlas/io/files/files.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -78,6 +80,26 @@ void write_file(const Path& file, const std::string& content) {
   io::OutputFile output(file);
   output.write(content);
   output.commit();
+}
+
+void create_like(const Path& file, const Path& model) {
+  std::error_code error;
+  std::filesystem::remove(file, error);
+  const int descriptor =
+      ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  if (descriptor < 0) {
+    throw InputError(file.string() + ": cannot be made: " + std::strerror(errno) +
+                     "; check the folder, its permissions and the free space");
+  }
+  ::close(descriptor);
+  give_permissions_of(model, file);
+}
+
+void give_permissions_of(const Path& model, const Path& file) {
+  std::error_code error;  // of a file system without permissions
+  const auto permissions = std::filesystem::status(model, error).permissions();
+  if (error) return;
+  std::filesystem::permissions(file, permissions | std::filesystem::perms::owner_write, error);
 }
 
 }  // namespace roomatlas

@@ -33,7 +33,7 @@ std::string holder(int descriptor) {
 
 }  // namespace
 
-PlaceLock::PlaceLock(const Path& place) : file_(lock_file_of(place)) {
+PlaceLock::PlaceLock(const Path& place) : file_(lock_file_of(behind_links(place))) {
   const io::LockedFile opened = io::open_locked(file_);
   if (opened.descriptor < 0) {
     throw InputError(place.string() + ": cannot be locked for writing: " + file_.string() + ": " +

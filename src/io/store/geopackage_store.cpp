@@ -6,6 +6,7 @@
 #include "geopackage_store_state.hpp"
 #include "geopackage_tables.hpp"
 #include "member_missions.hpp"
+#include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/results/judgement_json.hpp"
 #include "roomatlas/io/results/summary.hpp"
 #include "text/json.hpp"
@@ -35,12 +36,15 @@ void set_cookie(Database& db, int cookie) {
   db.set_defensive(true);
 }
 
+/// An empty file stays, with the permissions that it has.
 void remove_old(const fs::path& file) {
   if (fs::is_directory(file)) {
     throw InputError(file.string() + ": is a directory, expected a file name for the store");
   }
   std::error_code error;
-  fs::remove(file, error);
+  const bool is_made = fs::is_regular_file(file, error) && fs::is_empty(file, error);
+  error.clear();
+  if (!is_made) fs::remove(file, error);
   if (error) throw InputError(file.string() + ": cannot be replaced: " + error.message());
   for (const char* ending : {"-wal", "-shm", "-journal"}) fs::remove(beside(file, ending), error);
 }
@@ -59,7 +63,7 @@ std::unique_ptr<Database> create(const fs::path& file) {
 /// be read: the change is taken back, as SQLite does for anyone who may write.
 void roll_back(const fs::path& file) {
   std::error_code missing;
-  if (!fs::exists(beside(file, "-journal"), missing)) return;
+  if (!fs::exists(beside(behind_links(file), "-journal"), missing)) return;
   try {
     Database(file, SQLite::OPEN_READWRITE).execute("SELECT count(*) FROM sqlite_master");
   } catch (const SQLite::Exception&) {  // who reads it says what is wrong with it
@@ -100,7 +104,6 @@ void leave_wal_mode(Database& db) {
 
 /// Takes the database out of WAL mode and writes a fresh copy of its content.
 void write_compact_copy(Database& db, const fs::path& copy) {
-  fs::remove(copy);
   db.forget_statements();
   db.execute("PRAGMA wal_checkpoint(TRUNCATE)");
   leave_wal_mode(db);
@@ -244,16 +247,16 @@ void GeoPackageStore::finish() {
     forget_checkpoint(db);
   });
   state_->pending_truth.clear();
-  const fs::path copy = beside(state_->file, ".tmp");
+  const fs::path place = behind_links(state_->file);
+  const fs::path copy = beside(place, ".tmp");
   state_->writing([&](Database& db) {
+    create_like(copy, place);
     write_compact_copy(db, copy);
     state_->rows_of_closed_database = db.rows_fetched();
     state_->database.reset();
-    std::error_code error;  // of a file system without permissions
-    fs::permissions(copy, fs::status(state_->file, error).permissions(), error);
     sync_to_disk(copy);
-    fs::rename(copy, state_->file);
-    sync_to_disk(fs::absolute(state_->file).parent_path());
+    fs::rename(copy, place);
+    sync_to_disk(fs::absolute(place).parent_path());
   });
 }
 
