@@ -60,7 +60,8 @@ std::string with_commas(std::int64_t number) {
 
 std::optional<UnfinishedStore> find_unfinished(const Settings& settings,
                                                const std::string& mission_sha256,
-                                               const Path& store) {
+                                               const Path& named) {
+  const Path store = behind_links(named);
   auto in_place = unfinished_at(settings, mission_sha256, store);
   auto beside = unfinished_at(settings, mission_sha256, place_beside(store));
   if (!in_place) return beside;

@@ -21,7 +21,7 @@ struct UnfinishedStore {
 /// there is none; what is unfinished there but made otherwise, a warning names with the reason.
 [[nodiscard]] std::optional<UnfinishedStore> find_unfinished(const Settings& settings,
                                                              const std::string& mission_sha256,
-                                                             const Path& store);
+                                                             const Path& named);
 
 /// What `map` says of it.
 /// @param part of the log that is mapped

@@ -92,7 +92,8 @@ Recorded record_in_place(const Settings& settings, MissionSource& mission,
     const Path kept = store.keep_unfinished();
     throw Interrupted(fmt::format(
         "{}: the rooms so far are in {}{}; run the same command to go on", stop.what(),
-        kept.string(), kept == store_file ? "" : ", and " + store_file.string() + " is as it was"));
+        kept.string(),
+        kept == behind_links(store_file) ? "" : ", and " + store_file.string() + " is as it was"));
   } catch (const NotEnoughError&) {
     store.remove();
     throw;

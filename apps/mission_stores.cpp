@@ -53,15 +53,18 @@ std::string mission_in(const Path& store_file) {
   return mission.value_or("");
 }
 
+constexpr int kLongestGap = 100;  // of numbers whose stores somebody removed
+
 /// Missions of one name, each with the store that it had, whichever were given then and in whatever
 /// order.
 /// @param first path of their stores, without its number and ending
 void take_their_own(const std::vector<LogPart>& missions, const std::vector<std::size_t>& alike,
                     const Path& first, std::vector<Path>& stores) {
   std::map<std::string, Path> held;
-  for (int number = 1; std::filesystem::exists(numbered_store(first, number)); ++number) {
+  for (int number = 1, missing = 0; missing < kLongestGap; ++number) {
     const Path store = numbered_store(first, number);
-    held.emplace(mission_in(store), store);
+    missing = std::filesystem::exists(store) ? 0 : missing + 1;
+    if (missing == 0) held.emplace(mission_in(store), store);
   }
   const bool is_choice = alike.size() > 1 || held.size() > 1;  // else the first is its store
   for (const std::size_t i : alike) {

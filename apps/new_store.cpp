@@ -50,8 +50,8 @@ NewStore::NewStore(const fs::path& place)
   if (file_ != place_) create_like(file_, place_);
 }
 
-NewStore::NewStore(const fs::path& place, fs::path unfinished)
-    : place_(behind_links(place)), file_(std::move(unfinished)) {}
+NewStore::NewStore(const fs::path& place, const fs::path& unfinished)
+    : place_(behind_links(place)), file_(behind_links(unfinished)) {}
 
 void NewStore::put_in_place() const {
   if (file_ != place_) return replace_store(place_, file_);
@@ -81,7 +81,9 @@ void NewStore::remove() const { remove_store(file_); }
 
 void remove_leftovers(const fs::path& named) {
   const fs::path store = behind_links(named);
-  for (const char* ending : {".tmp", kCopy}) remove_store(store.string() + ending);
+  for (const char* ending : {".tmp", ".copy.tmp", ".copy.tmp.tmp"}) {
+    remove_store(store.string() + ending);
+  }
   std::error_code missing;
   if (!fs::exists(store, missing)) remove_side_files(store);
 }

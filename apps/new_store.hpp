@@ -14,7 +14,7 @@ class NewStore {
   /// @throws InputError when the place is a directory
   explicit NewStore(const std::filesystem::path& place);
   /// An unfinished one that is there already, at its place or beside it.
-  NewStore(const std::filesystem::path& place, std::filesystem::path unfinished);
+  NewStore(const std::filesystem::path& place, const std::filesystem::path& unfinished);
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 

@@ -8,12 +8,15 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <set>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
 
 #include "printable.hpp"
 #include "roomatlas/core/counted.hpp"
+#include "roomatlas/edit/edit.hpp"
 #include "roomatlas/io/files/files.hpp"
 #include "roomatlas/io/store/geopackage_store.hpp"
 #include "roomatlas/io/store/store_use.hpp"
@@ -26,11 +29,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::string in_words(const PlanRoom& room) { return fmt::format("the room \"{}\"", room.name); }
+
 /// What people said of the building in it.
 std::vector<std::string> said_in(const GeoPackageStore& store) {
   std::vector<std::string> said;
   for (const PlanRoom& room : store.former_rooms()) {
-    if (is_named(room)) said.push_back(fmt::format("the room \"{}\"", room.name));
+    if (is_named(room)) said.push_back(in_words(room));
   }
   if (const auto edits = stored_edits(store).size(); edits > 0) {
     said.push_back(counted(edits, "correction") + " by hand");
@@ -38,18 +43,40 @@ std::vector<std::string> said_in(const GeoPackageStore& store) {
   return said;
 }
 
+/// What was said of the same building since the new store took over all that had been said.
+std::vector<std::string> said_since(const GeoPackageStore& former, const GeoPackageStore& now) {
+  std::set<std::string> names;
+  for (const PlanRoom& room : now.former_rooms()) names.insert(room.name);
+  std::set<RoomId> renamed;
+  std::set<std::string> statements;
+  for (const Edit& edit : stored_edits(now)) {
+    statements.insert(as_told(edit));
+    if (edit.kind == EditKind::name_room) renamed.insert(edit.rooms.front().id.value_or(0));
+  }
+  std::vector<std::string> said;
+  for (const PlanRoom& room : former.former_rooms()) {
+    const bool is_kept = names.contains(room.name) || renamed.contains(room.id);
+    if (is_named(room) && !is_kept) said.push_back(in_words(room));
+  }
+  if (now.has_assembly()) return said;  // `--edits` may have taken statements back, and told of it
+  const std::vector<Edit> edits = stored_edits(former);
+  const auto lost = std::count_if(edits.begin(), edits.end(), [&](const Edit& edit) {
+    return !statements.contains(as_told(edit));
+  });
+  if (lost > 0) said.push_back(counted(lost, "correction") + " by hand");
+  return said;
+}
+
 /// What `former` holds and `now` has not.
 std::vector<std::string> lost_by(const fs::path& former_file, const fs::path& now_file) try {
   std::vector<std::string> lost;
-  for (const std::string& name : added_by_others(former_file)) {
-    lost.push_back(fmt::format("the table {}", printable(name)));
-  }
+  for (const std::string& added : added_by_others(former_file)) lost.push_back(printable(added));
   std::error_code missing;
   if (fs::is_empty(former_file, missing)) return lost;
   const GeoPackageStore former(former_file, GeoPackageStore::Mode::read);
   const GeoPackageStore now(now_file, GeoPackageStore::Mode::read);
-  std::vector<std::string> said = said_in(former);  // also where all of it was to be carried over
-  if (may_be_of(former.metadata(), building_of(now.metadata()))) return lost;
+  const bool is_carried_over = may_be_of(former.metadata(), building_of(now.metadata()));
+  std::vector<std::string> said = is_carried_over ? said_since(former, now) : said_in(former);
   std::move(said.begin(), said.end(), std::back_inserter(lost));
   return lost;
 } catch (const InputError& error) {
@@ -59,7 +86,7 @@ std::vector<std::string> lost_by(const fs::path& former_file, const fs::path& no
 fs::path free_name_beside(const fs::path& place) {
   fs::path beside = place;
   std::error_code missing;
-  for (int number = 1; number == 1 || fs::exists(beside, missing); ++number) {
+  for (int number = 1; number == 1 || fs::exists(fs::symlink_status(beside, missing)); ++number) {
     const std::string mark = number == 1 ? ".former" : fmt::format(".former-{}", number);
     beside.replace_filename(place.stem().string() + mark + place.extension().string());
   }
@@ -73,23 +100,31 @@ fs::path free_name_beside(const fs::path& place) {
 
 constexpr std::array<const char*, 3> kSideFiles = {"-wal", "-shm", "-journal"};
 
+/// Few have any.
+void move_side_files(const fs::path& of, const fs::path& to) {
+  for (const char* ending : kSideFiles) {
+    std::error_code missing;
+    fs::rename(of.string() + ending, to.string() + ending, missing);
+  }
+}
+
 /// A second name, so that the place is never empty; the only one where a file has only one.
 void keep_as(const fs::path& beside, const fs::path& place) {
   std::error_code error;
   fs::create_hard_link(place, beside, error);
-  if (error) fs::rename(place, beside, error);
+  if (error && error != std::errc::file_exists) fs::rename(place, beside, error);
   if (error) refuse(place, error);
-  for (const char* ending : kSideFiles) {
-    fs::rename(place.string() + ending, beside.string() + ending, error);  // few have any
-  }
+  move_side_files(place, beside);
 }
 
 /// @throws InputError that says why the place was not taken
 [[noreturn]] void put_back(const fs::path& place, const fs::path& beside,
                            const std::error_code& why) {
   std::error_code error;
-  if (!beside.empty()) fs::rename(beside, place, error);  // nothing where both name one file,
+  if (beside.empty()) refuse(place, why);
+  fs::rename(beside, place, error);  // does nothing where both are names of one file
   if (fs::equivalent(beside, place, error)) fs::remove(beside, error);
+  move_side_files(beside, place);
   refuse(place, why);
 }
 
@@ -102,9 +137,13 @@ void remove_side_files(const fs::path& store) {
   }
 }
 
-void replace_store(const fs::path& place, const fs::path& by) {
+void replace_store(const fs::path& named, const fs::path& by) {
+  const fs::path place = behind_links(named);
   require_no_other_user(place);
   std::error_code error;
+  if (fs::equivalent(place, by, error)) {
+    throw std::invalid_argument(place.string() + ": a store does not replace itself");
+  }
   std::vector<std::string> lost;
   if (fs::exists(place, error)) {
     give_permissions_of(place, by);

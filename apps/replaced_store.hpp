@@ -14,6 +14,6 @@ void remove_side_files(const std::filesystem::path& store);
 /// styles of other programs, or a file that cannot be read. A warning names all of it.
 /// @throws InputError where it cannot be replaced, or another program has it open: it stays as it
 /// is
-void replace_store(const std::filesystem::path& place, const std::filesystem::path& by);
+void replace_store(const std::filesystem::path& named, const std::filesystem::path& by);
 
 }  // namespace roomatlas::apps

@@ -19,15 +19,14 @@ std::vector<Edit> stored_edits(const GeoPackageStore& store) {
   return edits_of(kept->second, store.file().string() + ": metadata " + kEditsKey);
 }
 
-namespace {
-
-/// A room that is told by its number is the same one, whatever its shape is by now.
 std::string as_told(Edit edit) {
   for (RoomAnchor& room : edit.rooms) {
     if (room.id) room = {room.id, std::nullopt, {}};
   }
   return edits_json({edit});
 }
+
+namespace {
 
 /// `--edits` says all that holds from now on.
 void tell_taken_back(const Settings& settings, const GeoPackageStore& store,

@@ -19,6 +19,10 @@ inline constexpr const char* kEditsKey = "edits_json";
 
 [[nodiscard]] std::vector<Edit> stored_edits(const GeoPackageStore& store);
 
+/// A statement as text to compare it by: a room that is told by its number is the same one,
+/// whatever its shape is by now.
+[[nodiscard]] std::string as_told(Edit edit);
+
 /// Keeps statements for later assemblies, where there are any or were any.
 void keep_edits(const std::vector<Edit>& edits, GeoPackageStore& store);
 

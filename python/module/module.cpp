@@ -6,6 +6,8 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "new_store.hpp"
+#include "output_places.hpp"
 #include "pose_graphs.hpp"
 #include "replaced_store.hpp"
 #include "roomatlas/io/plans/plan_geojson.hpp"
@@ -98,6 +100,11 @@ void bind_tasks(py::module_& core) {
              });
            });
   core.def("replace_store", &apps::replace_store);
+  core.def("copy_store", [](const Path& store, const Path& place) {
+    const PlaceLock lock = apps::lock_new_store(place, {store});
+    apps::put_copy_in_place(store, place, [](const Path&) {});
+  });
+  py::class_<PlaceLock>(core, "PlaceLock").def(py::init(&apps::lock_new_store));
   core.def("read_building", &read_building, py::call_guard<py::gil_scoped_release>());
   core.def("segment_file", [](const Path& map, double resolution_m, const std::string& parameters,
                               const py::object& callback) {

@@ -95,12 +95,15 @@ class Building:
         return json.loads(_core.evaluate(self._store, files, as_toml(parameters)))
 
     def save(self, file: File) -> None:
-        """Copies the store: a GeoPackage that QGIS, the program and `open` read."""
+        """Copies the store: a GeoPackage that QGIS, the program and `open` read.
+
+        A store that is there is replaced as `build` replaces one.
+        """
         path = Path(file)
         if path.suffix != ".gpkg":
             raise _core.UsageError(f"{path}: expected a name that ends in .gpkg; `plan.save` "
                                    "writes drawings")
-        shutil.copyfile(self._store, path)
+        _core.copy_store(self._store, path)
 
     def _repr_html_(self) -> str:
         odds = "" if self.probability is None else (
@@ -145,6 +148,7 @@ def build(log: File, store: Optional[File] = None, *, resolution_m: float = 0.0,
     place = None if store is None else Path(store)
     if place is not None and place.exists() and place.samefile(log):
         raise _core.UsageError(f"{place}: is the log itself, expected another file for the store")
+    lock = None if place is None else _core.PlaceLock(place, [Path(log)])  # until this returns
     folder = tempfile.mkdtemp(prefix="roomatlas-", dir=None if place is None else place.parent)
     made = Path(folder) / "building.gpkg"
     try:
@@ -158,5 +162,7 @@ def build(log: File, store: Optional[File] = None, *, resolution_m: float = 0.0,
     except BaseException:
         shutil.rmtree(folder, ignore_errors=True)
         raise
+    finally:
+        del lock
     weakref.finalize(building, shutil.rmtree, folder, ignore_errors=True)
     return building

@@ -141,6 +141,26 @@ def test_a_log_that_grows_while_it_is_mapped_is_refused(mission, tmp_path):
     assert not store.exists()
 
 
+def test_a_store_is_replaced_as_the_program_does_it(mission, building, tmp_path):
+    place, real = tmp_path / "place.gpkg", tmp_path / "real.gpkg"
+    place.symlink_to("real.gpkg")
+    building.save(place)
+    assert place.is_symlink()
+    other = sqlite3.connect(real)
+    other.execute("CREATE TABLE notes (note TEXT)")
+    other.commit()
+    building.save(place)
+    assert place.is_symlink()
+    assert (tmp_path / "real.former.gpkg").exists()
+    other.close()
+    with sqlite3.connect(real) as user:
+        user.execute("PRAGMA journal_mode = WAL").fetchall()
+        user.execute("SELECT count(*) FROM rooms").fetchall()
+        for replace in (lambda: building.save(place), lambda: roomatlas.build(mission.log, place)):
+            with pytest.raises(roomatlas.InputError, match="another program has it open"):
+                replace()
+
+
 def test_a_store_that_cannot_be_replaced_stays_where_it_is(building, tmp_path):
     place = building.store.with_name("place.gpkg")
     building.save(place)

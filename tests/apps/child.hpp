@@ -55,6 +55,14 @@ class Child {
     for (const int signal : signals) kill(pid_, signal);
     kill(pid_, SIGCONT);
   }
+  /// Holds the program until `resume`.
+  void pause() {
+    if (has_ended()) return;
+    kill(pid_, SIGSTOP);
+    int status = 0;
+    waitpid(pid_, &status, WUNTRACED);
+  }
+  void resume() const { kill(pid_, SIGCONT); }
   [[nodiscard]] pid_t pid() const { return pid_; }
   /// Waits for its end. @returns the signal that ended it, 0 where none did
   int wait() {

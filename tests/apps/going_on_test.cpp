@@ -89,6 +89,26 @@ class GoingOn : public ::testing::Test {
   fs::path beside_ = own_ / "building.gpkg.new";
 };
 
+TEST_F(GoingOn, ThroughALinkGoesOnInTheFileBehindIt) {
+  const fs::path place = *folder_ / "linked";
+  fs::create_directories(place / "disk");
+  const fs::path link = place / "link.gpkg";
+  const fs::path real = place / "disk/real.gpkg";
+  fs::create_symlink("disk/real.gpkg", link);
+  const std::string command = "map " + log("rooms") + " -o " + link.string();
+  for (const std::string& unfinished : {real.string(), real.string() + ".new"}) {
+    Child mapping(command);
+    ASSERT_TRUE(stop(mapping, unfinished, 1, SIGINT));
+    const Outcome gone_on = run(command);
+    EXPECT_EQ(gone_on.exit_code, 0);
+    EXPECT_THAT(gone_on.err, HasSubstr(kGoingOn));
+    EXPECT_TRUE(fs::is_symlink(link));
+    EXPECT_TRUE(content_of(real) == whole_) << unfinished;
+    EXPECT_FALSE(fs::exists(real.string() + ".new"));
+    ASSERT_EQ(run("-q " + command + " --robot-width 0.3").exit_code, 0);  // to be replaced
+  }
+}
+
 TEST_F(GoingOn, AfterAnySignalGivesTheBytesOfAnUndisturbedRun) {
   for (const int signal : {SIGKILL, SIGTERM, SIGINT}) {
     fs::remove(store_);

@@ -90,13 +90,13 @@ TEST_F(ReplacedStore, OneThatAnotherProgramOpensWhileItIsMappedIsNotTouched) {
   fs::permissions(store, fs::perms::owner_read | fs::perms::owner_write);
   Child mapping("map " + one_ + " --robot-width 0.3 -o " + store);
   ASSERT_TRUE(mapping.has_said("map ...")) << mapping.err();
-  mapping.send({SIGSTOP});
+  mapping.pause();
   {
     SQLite::Database qgis(store, SQLite::OPEN_READWRITE);
     qgis.exec("PRAGMA journal_mode = WAL; PRAGMA wal_autocheckpoint = 0");
     qgis.exec(kNotes);
     EXPECT_EQ(fs::status(store + ".new").permissions(), fs::status(store).permissions());
-    kill(mapping.pid(), SIGCONT);
+    mapping.resume();
     EXPECT_EQ(mapping.wait(), 0);
     EXPECT_EQ(mapping.exit_code(), 3);
     EXPECT_THAT(mapping.err(), AllOf(HasSubstr("another program has it open"),
@@ -107,6 +107,31 @@ TEST_F(ReplacedStore, OneThatAnotherProgramOpensWhileItIsMappedIsNotTouched) {
   EXPECT_EQ(again.exit_code, 0);
   EXPECT_THAT(again.err, AllOf(HasSubstr("holds this mission already"),
                                HasSubstr("it holds what the new one has not: the table my_notes")));
+}
+
+TEST_F(ReplacedStore, KeepsWhatWasSaidWhileAFinishedMapWaitedForIt) {
+  const std::string store = building() + "/building.gpkg";
+  {
+    Child mapping("map " + one_ + " --robot-width 0.3 -o " + store);
+    ASSERT_TRUE(mapping.has_said("map ...")) << mapping.err();
+    mapping.pause();
+    SQLite::Database qgis(store, SQLite::OPEN_READWRITE);
+    qgis.exec("PRAGMA journal_mode = WAL");
+    EXPECT_EQ(qgis.execAndGet("SELECT count(*) FROM rooms").getInt(), 2);
+    mapping.resume();
+    EXPECT_EQ(mapping.wait(), 0);
+    ASSERT_EQ(mapping.exit_code(), 3);
+    qgis.exec("PRAGMA journal_mode = DELETE; UPDATE rooms SET name = 'Office' WHERE id = 2");
+  }
+  ASSERT_TRUE(fs::exists(store + ".new"));
+  const std::string kinds = (*folder_ / "waiting.json").string();
+  std::ofstream(kinds) << R"({"format": "roomatlas-edits", "version": 1, "frame": "building",
+    "edits": [{"edit": "set_room_kind", "room": {"id": 1}, "kind": "hall"}]})";
+  ASSERT_EQ(run("-q assemble " + store + " --edits " + kinds).exit_code, 0);
+  const Outcome again = run("map " + one_ + " --robot-width 0.3 -o " + store);
+  EXPECT_EQ(again.exit_code, 0);
+  EXPECT_THAT(again.err, HasSubstr("building.former.gpkg: it holds what the new one has not: the "
+                                   "room \"Office\", 1 correction by hand"));
 }
 
 TEST_F(ReplacedStore, OfTheSameLogThatIsDamagedStaysBeside) {
@@ -139,9 +164,15 @@ TEST_F(ReplacedStore, StaysBesideWithTheTablesOfOthers) {
   const Outcome again = run("build " + one_ + " --robot-width 0.4 -o " + place);
   EXPECT_THAT(again.err, Not(HasSubstr("former")));  // nothing of anybody is in it
   SQLite::Database(place + "/building.gpkg", SQLite::OPEN_READWRITE)
+      .exec(
+          "ALTER TABLE rooms ADD COLUMN department TEXT; CREATE TABLE gpkg_metadata (id INTEGER)");
+  EXPECT_THAT(run("build " + one_ + " --robot-width 0.3 -o " + place).err,
+              HasSubstr("building.former-2.gpkg: it holds what the new one has not: the table "
+                        "gpkg_metadata, the column department of the table rooms"));
+  SQLite::Database(place + "/building.gpkg", SQLite::OPEN_READWRITE)
       .exec("UPDATE layer_styles SET styleQML = '<qgis/>' WHERE f_table_name = 'rooms'");
   EXPECT_THAT(run("build " + one_ + " -o " + place + " --robot-width 0.5").err,
-              HasSubstr("building.former-2.gpkg: it holds what the new one has not: the table "
+              HasSubstr("building.former-3.gpkg: it holds what the new one has not: the table "
                         "layer_styles"));
 }
 
@@ -234,9 +265,9 @@ TEST_F(ReplacedStore, ALogThatGrowsWhileItIsMappedIsRefused) {
   fs::copy_file(one_, grown);
   Child mapping("map " + grown + " -o " + place + ".gpkg");
   ASSERT_TRUE(mapping.has_said("map ...")) << mapping.err();
-  mapping.send({SIGSTOP});
+  mapping.pause();
   std::ofstream(grown, std::ios::app) << content_of(other_);
-  kill(mapping.pid(), SIGCONT);
+  mapping.resume();
   EXPECT_EQ(mapping.wait(), 0);
   EXPECT_EQ(mapping.exit_code(), 3);
   EXPECT_THAT(mapping.err(), HasSubstr(grown + ": was written to while it was read"));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <map>
 #include <set>
 #include <string_view>
 #include <thread>
@@ -27,20 +28,29 @@ bool is_in_use(const SQLite::Exception& error) {
   return code == kBusy || code == kLocked;
 }
 
-/// Tables that a store has not from its beginning, and those that SQLite and GeoPackage keep.
+/// Tables that a store has not from its beginning, and those that SQLite and drivers of GeoPackage
+/// keep by themselves.
 bool is_known(const std::string& table) {
-  constexpr std::array<std::string_view, 3> kLater = {"checkpoint", "made_from", "missions"};
-  constexpr std::array<std::string_view, 3> kKept = {"sqlite_", "gpkg_", "rtree_"};
+  constexpr std::array<std::string_view, 6> kLater = {"checkpoint",        "made_from",
+                                                      "missions",          "matched_path",
+                                                      "gpkg_ogr_contents", "gpkg_extensions"};
   return std::find(kLater.begin(), kLater.end(), table) != kLater.end() ||
-         std::any_of(kKept.begin(), kKept.end(),
-                     [&](std::string_view begin) { return table.starts_with(begin); });
+         table.starts_with("sqlite_") || table.starts_with("rtree_");
 }
 
-std::set<std::string> names_in(Database& db) {
-  std::set<std::string> names;
-  db.for_each_row("SELECT name FROM sqlite_master WHERE type IN ('table', 'view')",
-                  [&](Row& row) { names.insert(row.text()); });
-  return names;
+using Columns = std::map<std::string, std::set<std::string>>;
+
+/// Of all tables and views.
+Columns columns_in(Database& db) {
+  Columns columns;
+  db.for_each_row(
+      "SELECT m.name, c.name FROM sqlite_master AS m, pragma_table_info(m.name) AS c "
+      "WHERE m.type IN ('table', 'view')",
+      [&](Row& row) {
+        std::set<std::string>& of_table = columns[row.text()];
+        of_table.insert(row.text());
+      });
+  return columns;
 }
 
 std::multiset<std::string> styles_in(Database& db) {
@@ -89,17 +99,25 @@ std::vector<std::string> added_by_others(const std::filesystem::path& file) try 
   if (std::filesystem::is_empty(file, missing)) return {};
   Database ours(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   create_schema(ours);
-  const std::set<std::string> known = names_in(ours);
+  const Columns known = columns_in(ours);
   Database db(file, SQLite::OPEN_READONLY);
   std::vector<std::string> added;
-  const std::set<std::string> found = names_in(db);
-  std::copy_if(found.begin(), found.end(), std::back_inserter(added),
-               [&](const std::string& name) { return !known.contains(name) && !is_known(name); });
+  const Columns found = columns_in(db);
+  for (const auto& [table, columns] : found) {
+    const auto our_own = known.find(table);
+    if (our_own == known.end() && !is_known(table)) added.push_back("the table " + table);
+    if (our_own == known.end()) continue;
+    for (const std::string& column : columns) {
+      if (our_own->second.contains(column)) continue;
+      added.push_back("the column " + column);
+      added.back() += " of the table " + table;
+    }
+  }
   if (!found.contains("layer_styles")) return added;
   const std::multiset<std::string> written = styles_in(ours);
   const std::multiset<std::string> styles = styles_in(db);
   if (!std::includes(written.begin(), written.end(), styles.begin(), styles.end())) {
-    added.emplace_back("layer_styles");
+    added.emplace_back("the table layer_styles");
   }
   return added;
 } catch (const SQLite::Exception& error) {

@@ -14,8 +14,9 @@ namespace roomatlas {
 /// had committed beside the file is in it then. Does nothing where there is no such file.
 void require_no_other_user(const std::filesystem::path& file);
 
-/// What others put into an SQLite file: tables and views that no store has, by name, and
-/// "layer_styles" where styles are not as we write them. Throws InputError when it cannot be read.
+/// What others put into an SQLite file, in words: tables and views that no store has, further
+/// columns of our tables, and styles of layers that are not as we write them. Rows that were added
+/// to our own tables are not told from ours. Throws InputError when it cannot be read.
 [[nodiscard]] std::vector<std::string> added_by_others(const std::filesystem::path& file);
 
 }  // namespace roomatlas
