@@ -66,9 +66,9 @@ void take_their_own(const std::vector<LogPart>& missions, const std::vector<std:
     missing = std::filesystem::exists(store) ? 0 : missing + 1;
     if (missing == 0) held.emplace(mission_in(store), store);
   }
-  const bool is_choice = alike.size() > 1 || held.size() > 1;  // else the first is its store
+  const bool is_first_alone = held.size() == 1 && held.begin()->second == numbered_store(first, 1);
+  if (held.empty() || (alike.size() == 1 && is_first_alone)) return;  // no choice: no log is read
   for (const std::size_t i : alike) {
-    if (!is_choice) continue;
     const auto own = held.extract(sha256_of_part(missions[i].log, missions[i].part));
     if (!own.empty()) stores[i] = own.mapped();
   }

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <optional>
+#include <string>
 
 #include "replaced_store.hpp"
 #include "roomatlas/io/files/files.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kFinishing = ".tmp";  // what `GeoPackageStore::finish` writes beside a store
 constexpr const char* kCopy = ".copy.tmp";  // of a finished store, on its way to another place
 
 void remove_store(const fs::path& store) {
@@ -81,9 +83,10 @@ void NewStore::remove() const { remove_store(file_); }
 
 void remove_leftovers(const fs::path& named) {
   const fs::path store = behind_links(named);
-  for (const char* ending : {".tmp", ".copy.tmp", ".copy.tmp.tmp"}) {
-    remove_store(store.string() + ending);
+  for (const std::string& made : {store.string(), store.string() + kCopy}) {
+    remove_store(made + kFinishing);
   }
+  remove_store(store.string() + kCopy);
   std::error_code missing;
   if (!fs::exists(store, missing)) remove_side_files(store);
 }

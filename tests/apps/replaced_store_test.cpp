@@ -257,6 +257,11 @@ TEST_F(ReplacedStore, MissionsOfOneNameKeepTheirStoresInAnyOrder) {
                 .metadata()
                 .at("mission_sha256"),
             sha256_of_file(b));
+  // nor where the stores before its own are gone
+  fs::remove(out + "/missions/run.gpkg");
+  EXPECT_THAT(run("build " + b + " " + one_ + " -o " + out).err,
+              HasSubstr("run-2.gpkg holds this mission already"));
+  EXPECT_FALSE(fs::exists(out + "/missions/run.gpkg"));
 }
 
 TEST_F(ReplacedStore, ALogThatGrowsWhileItIsMappedIsRefused) {

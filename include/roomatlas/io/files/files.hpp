@@ -11,10 +11,10 @@ namespace roomatlas {
 /// Writes to a temporary name beside `file` and renames it.
 void write_file(const Path& file, const std::string& content);
 
-/// An empty file in the place of another of that name, which only those can read who can read
-/// `model`, and whose owner can write. Throws InputError where it cannot be made.
+/// An empty file in the place of another of that name, with the permissions of `model` and writable
+/// by its owner; nobody else could read it before. Throws InputError where it cannot be made.
 void create_like(const Path& file, const Path& model);
-/// The same for a file that is there.
+/// The permissions alone, for a file that is there.
 void give_permissions_of(const Path& model, const Path& file);
 
 /// A log itself, or the files that a recording's folder is made of, by name: what else lies there,
