@@ -60,14 +60,17 @@ constexpr int kLongestGap = 100;  // of numbers whose stores somebody removed
 /// @param first path of their stores, without its number and ending
 void take_their_own(const std::vector<LogPart>& missions, const std::vector<std::size_t>& alike,
                     const Path& first, std::vector<Path>& stores) {
-  std::map<std::string, Path> held;
+  std::vector<Path> there;
   for (int number = 1, missing = 0; missing < kLongestGap; ++number) {
     const Path store = numbered_store(first, number);
     missing = std::filesystem::exists(store) ? 0 : missing + 1;
-    if (missing == 0) held.emplace(mission_in(store), store);
+    if (missing == 0) there.push_back(store);
   }
-  const bool is_first_alone = held.size() == 1 && held.begin()->second == numbered_store(first, 1);
-  if (held.empty() || (alike.size() == 1 && is_first_alone)) return;  // no choice: no log is read
+  // No choice, and nothing is opened: another process of a fleet may be at work on it.
+  const bool is_first_alone = there.size() == 1 && there.front() == numbered_store(first, 1);
+  if (there.empty() || (alike.size() == 1 && is_first_alone)) return;
+  std::map<std::string, Path> held;
+  for (const Path& store : there) held.emplace(mission_in(store), store);
   for (const std::size_t i : alike) {
     const auto own = held.extract(sha256_of_part(missions[i].log, missions[i].part));
     if (!own.empty()) stores[i] = own.mapped();
