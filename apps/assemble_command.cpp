@@ -22,7 +22,7 @@ void report(const SonarTrajectory& sonars) {
   if (sonars.variants.empty()) return;
   const SonarVariant& chosen = sonars.variants.at(sonars.chosen);
   spdlog::info(
-      "sonars: {} of wall in {}, {:.1f} % of {:.0f} m that could be compared "
+      "corrected as a whole: {} of wall in {}, {:.1f} % of {:.0f} m that could be compared "
       "contradicts, headings of {:.1f} % of the readings are sure",
       counted(sonars.segments, "stretch", "stretches"), counted(chosen.pairs, "pair"),
       100.0 * std::max(0.0, chosen.contradiction), chosen.compared_m,

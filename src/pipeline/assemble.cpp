@@ -117,6 +117,17 @@ MappedBuilding outlined_of(const AsrSource& source, const RobotFootprint& footpr
       {options.assemble.rooms, options.map.record.map, options.assemble.map_again}, progress);
 }
 
+bool is_more_likely_wrong(const Assembly& assembly) {
+  return assembly.judgement && assembly.judgement->probability < 0.5;
+}
+
+/// Which of two, both judged, is more likely right; the first where none is.
+Assembly likelier(Assembly first, Assembly second) {
+  const bool is_second =
+      second.judgement && second.judgement->probability > first.judgement->probability;
+  return is_second ? std::move(second) : std::move(first);
+}
+
 /// Only where readings lie where the robot was, all that they show can be drawn.
 bool is_drafted(MissionKind kind, const Options& options) {
   return kind != MissionKind::paper && options.assemble.plan == PlanStyle::drafted;
@@ -211,6 +222,7 @@ Assembly assemble_corrected(MissionKind kind, const AsrSource& source, Corrected
   assembly.closures = std::move(corrected.closures);
   assembly.sonars = std::move(corrected.sonars);
   assembly.drawn = std::move(corrected.drawn);
+  assembly.doubted = corrected.doubted;
   assembly.paths = std::move(corrected.paths);
 
   const AsrSource& recorded = corrected.recorded_again ? *corrected.recorded_again : source;
@@ -258,9 +270,14 @@ Assembly assemble(const AsrSource& source, const RobotFootprint& footprint, cons
     throw NotEnoughError("the store holds no ASR: run `roomatlas map` first");
   }
   const MissionKind kind = mission_kind(source, options.assemble);
-  return assemble_corrected(kind, source,
-                            correct_mission(kind, source, footprint, options, progress), footprint,
-                            options, progress);
+  Assembly assembly =
+      assemble_corrected(kind, source, correct_mission(kind, source, footprint, options, progress),
+                         footprint, options, progress);
+  if (kind != MissionKind::laser || !is_more_likely_wrong(assembly)) return assembly;
+  auto corrected = correct_as_a_whole(source, assembly, options, progress);
+  if (!corrected) return assembly;
+  return likelier(std::move(assembly), assemble_corrected(kind, source, std::move(*corrected),
+                                                          footprint, options, progress));
 }
 
 }  // namespace roomatlas

@@ -8,9 +8,6 @@
 #include "strategies.hpp"
 
 namespace roomatlas {
-namespace {
-
-/// In the order in which they were recorded.
 std::vector<RangeReading> readings_of(const AsrSource& source) {
   std::vector<RangeReading> readings;
   for (const AsrId id : source.ids()) {
@@ -20,8 +17,6 @@ std::vector<RangeReading> readings_of(const AsrSource& source) {
   return readings;
 }
 
-/// Of visits that follow each other as in the trajectory.
-/// @param asrs with their paths
 DrawnVisits drawn_visits(const DrawnMoves& drawn, const std::vector<Asr>& asrs) {
   DrawnVisits visits;
   if (drawn.of_draw.empty()) return visits;
@@ -36,8 +31,6 @@ DrawnVisits drawn_visits(const DrawnMoves& drawn, const std::vector<Asr>& asrs) 
   }
   return visits;
 }
-
-}  // namespace
 
 CorrectedMission correct_sonar_mission(const AsrSource& source, const RobotFootprint& footprint,
                                        const Options& options, const Progress& progress) {

@@ -31,6 +31,7 @@ struct CorrectedMission {
   std::optional<SecondLoops> second_loops;  ///< another way to close them; sonars have their own
   std::optional<SonarTrajectory> sonars;
   DrawnVisits drawn;                ///< of sonars
+  std::optional<double> doubted;    ///< see `Assembly`
   std::set<AsrId> not_drawn;        ///< visits of sonars to what lasers saw
   std::vector<VisitsOfTime> times;  ///< of the visits that are drawn, where missions were driven
                                     ///< one after the other; else empty
@@ -39,6 +40,13 @@ struct CorrectedMission {
 
 /// A match that holds, as a measurement of the graph.
 [[nodiscard]] PassageEdge edge_of(const Closure& closure);
+
+/// Of all ASRs, in the order in which they were recorded.
+[[nodiscard]] std::vector<RangeReading> readings_of(const AsrSource& source);
+
+/// Of visits that follow each other as in the trajectory.
+/// @param asrs with their paths
+[[nodiscard]] DrawnVisits drawn_visits(const DrawnMoves& drawn, const std::vector<Asr>& asrs);
 
 /// The maps of all ASRs, from readings that are loaded for as many ASRs at a time as there are
 /// jobs.
@@ -63,6 +71,17 @@ struct CorrectedMission {
 [[nodiscard]] CorrectedMission correct_mission(MissionKind kind, const AsrSource& source,
                                                const RobotFootprint& footprint,
                                                const Options& options, const Progress& progress);
+
+/// A mission with a laser whose map is more likely wrong than right, corrected anew: the poses of
+/// all its readings as one trajectory, as those of sonars are. Which visits are of one room stays
+/// as it was.
+/// @param doubted its map by matched rooms, judged
+/// @returns nothing where the laser has many beams, where walls do not speak for it, and where
+///   somebody said which visits are of one room or asked for another answer: then matches decide
+[[nodiscard]] std::optional<CorrectedMission> correct_as_a_whole(const AsrSource& source,
+                                                                 const Assembly& doubted,
+                                                                 const Options& options,
+                                                                 const Progress& progress);
 
 /// The rest, alike for all: rooms, plan, judgement.
 [[nodiscard]] Assembly assemble_corrected(MissionKind kind, const AsrSource& source,

@@ -8,7 +8,6 @@
 
 #include "node_headings.hpp"
 #include "pose_spread.hpp"
-#include "roomatlas/sonar/contradiction.hpp"
 
 namespace roomatlas {
 namespace {
@@ -41,8 +40,7 @@ Attempt solve_from(const SonarMission& mission, const Idea& idea, const std::vec
   const Contradiction contradiction =
       contradiction_of(mission.readings, attempt.map_from_robot, path.path_m, problem.segments, {});
   attempt.score_m =
-      solved.solved ? contradiction.confirmed_m - kContradictedCounts * contradiction.contradicted_m
-                    : -std::numeric_limits<double>::infinity();
+      solved.solved ? score_of(contradiction) : -std::numeric_limits<double>::infinity();
   const std::vector<PoseSpread> spread = spread_of(solved.moves);
   for (std::size_t i = 0; i < mission.readings.size(); ++i) {
     attempt.spread.push_back(spread.empty() ? PoseSpread{} : spread[problem.node_of[i]]);
@@ -83,8 +81,16 @@ void set_aside(Attempt attempt, std::vector<Attempt>& others) {
   others.push_back(std::move(attempt));
 }
 
+double score_of(const Contradiction& contradiction) {
+  return contradiction.confirmed_m - kContradictedCounts * contradiction.contradicted_m;
+}
+
+bool is_better(double score_m, double than_m) {
+  return score_m > than_m + std::max(kBetterM, kBetterShare * than_m);
+}
+
 bool is_better(const Attempt& attempt, const Attempt& than) {
-  return attempt.score_m > than.score_m + std::max(kBetterM, kBetterShare * than.score_m);
+  return is_better(attempt.score_m, than.score_m);
 }
 
 double merit(const Attempt& attempt) { return attempt.score_m - attempt.strain; }

@@ -10,6 +10,7 @@
 
 #include "mission_heading.hpp"
 #include "roomatlas/core/for_each_index.hpp"
+#include "roomatlas/sonar/contradiction.hpp"
 #include "roomatlas/sonar/sonar_trajectory.hpp"
 #include "sonar_batch.hpp"
 #include "sonar_calibration.hpp"
@@ -64,7 +65,11 @@ struct Attempt {
 /// Keeps it beside the best, without what only the best needs.
 void set_aside(Attempt attempt, std::vector<Attempt>& others);
 
+/// Metres of wall: confirmed, less three times what is contradicted.
+[[nodiscard]] double score_of(const Contradiction& contradiction);
+
 /// By more than noise.
+[[nodiscard]] bool is_better(double score_m, double than_m);
 [[nodiscard]] bool is_better(const Attempt& attempt, const Attempt& than);
 
 /// Of attempts with like headings. Walls of two rooms that are held to be one confirm each other,

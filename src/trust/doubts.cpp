@@ -120,6 +120,10 @@ std::vector<Doubt> doubts_of(const LearntSum& right, const std::vector<JudgedFig
   std::stable_sort(doubts.begin(), doubts.end(),
                    [](const Doubt& a, const Doubt& b) { return a.weight > b.weight; });
   if (doubts.size() > kMost) doubts.resize(kMost);
+  if (assembly.doubted) {
+    doubts.push_back(
+        {"its sweeps, matched one by one, made another map, which was doubted", {}, 0.0});
+  }
   if (!assembly.sonars) {
     if (auto doubt = hanging(assembly)) doubts.push_back(std::move(*doubt));
   }

@@ -14,6 +14,8 @@ namespace {
 
 double probability_of(double log_odds) { return 1.0 / (1.0 + std::exp(-log_odds)); }
 
+double log_odds_of(double probability) { return std::log(probability / (1.0 - probability)); }
+
 std::vector<RoomJudgement> rooms_of(const std::vector<VisitJudgement>& visits) {
   std::map<RoomId, RoomJudgement> rooms;
   for (const VisitJudgement& visit : visits) {
@@ -43,9 +45,13 @@ bool has_all(const std::vector<JudgedFigure>& figures, const LearntSum& sum) {
 std::optional<Judgement> judge_map(const MapFigures& figures, const Assembly& assembly) {
   if (figures.figures.empty()) return std::nullopt;
   const LearntModel& model = model_of(figures.sensor);
-  const double log_odds = sum_of(model.right, figures.figures);
+  double log_odds = sum_of(model.right, figures.figures);
   Judgement judgement;
   judgement.probability = (1.0 - model.lapses) * probability_of(log_odds);
+  if (assembly.doubted) {  // of the same drive: what was doubted once counts as much
+    log_odds = (log_odds_of(judgement.probability) + log_odds_of(*assembly.doubted)) / 2.0;
+    judgement.probability = probability_of(log_odds);
+  }
   judgement.place_m = std::exp(sum_of(model.place, figures.figures));
   judgement.heading_deg = std::exp(sum_of(model.heading, figures.figures));
   judgement.scale_share = std::exp(sum_of(model.scale, figures.figures));

@@ -29,7 +29,7 @@ std::vector<RangeReading> there_and_back(bool reported_forwards) {
     const double way = pose.x_m - 1.5;
     pose = Pose2{1.5, 1.5, 0.2} * Pose2{way, 0.0, 0.0};
   }
-  auto readings = test::sonar_readings(room(), truth, 0.0);
+  auto readings = test::readings_along(room(), truth, 0.0);
   if (!reported_forwards) return readings;
   Pose2 odometry = truth.front();
   for (std::size_t i = 1; i < truth.size(); ++i) {

@@ -12,7 +12,7 @@ namespace {
 struct Mission {
   std::vector<Pose2> truth = test::drive_along({{0, 0}, {12, 0}, {0, 0}, {12, 0}});
   std::vector<double> path_m = test::path_lengths(truth);
-  std::vector<RangeReading> readings = test::sonar_readings(
+  std::vector<RangeReading> readings = test::readings_along(
       test::walls_along({{-1, -0.9}, {13, -0.9}, {13, 0.9}, {-1, 0.9}}, true), truth, 0.0);
 
   [[nodiscard]] Contradiction judged(const std::vector<Pose2>& poses) const {
@@ -41,7 +41,7 @@ TEST(Contradiction, IsUnknownWhereNothingWasSeenTwice) {
   const auto truth = test::drive_along({{0, 0}, {4, 0}});
   const auto path_m = test::path_lengths(truth);
   const auto readings =
-      test::sonar_readings(test::walls_along({{-9, 1}, {9, 1}}, false), truth, 0.0);
+      test::readings_along(test::walls_along({{-9, 1}, {9, 1}}, false), truth, 0.0);
   const auto segments = wall_segments(readings, truth, path_m, {});
   EXPECT_FALSE(segments.empty());
   EXPECT_LT(contradiction_of(readings, truth, path_m, segments, {}).share(), 0.0);

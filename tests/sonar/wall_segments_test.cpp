@@ -66,7 +66,7 @@ TEST(WallSegments, LieOnTheWallsAndFaceThem) {
   const Corridor corridor;
   const std::vector<test::WallLine> walls = {wall_at(radians(90.0), 1.2),
                                              wall_at(radians(-80.0), 1.0)};
-  const auto readings = test::sonar_readings(walls, corridor.truth, 0.0);
+  const auto readings = test::readings_along(walls, corridor.truth, 0.0);
   const auto segments = wall_segments(readings, corridor.truth, corridor.path_m, {});
   ASSERT_GE(segments.size(), 6U);
   for (const WallSegment& segment : segments) {
@@ -83,7 +83,7 @@ TEST(WallSegments, LieOnTheWallsAndFaceThem) {
 
 TEST(WallSegments, AreNotMadeOfScatteredReturns) {
   const Corridor corridor;
-  auto readings = test::sonar_readings({wall_at(radians(90.0), 1.2)}, corridor.truth, 0.0);
+  auto readings = test::readings_along({wall_at(radians(90.0), 1.2)}, corridor.truth, 0.0);
   for (std::size_t i = 0; i < readings.size(); ++i) {
     for (std::size_t k = 0; k < readings[i].ranges_m.size(); ++k) {
       readings[i].ranges_m[k] = 1.0F + 0.37F * static_cast<float>((i * 7 + k * 3) % 5);
@@ -94,7 +94,7 @@ TEST(WallSegments, AreNotMadeOfScatteredReturns) {
 
 TEST(WallSegments, AreTheSameHoweverTheMapIsTurned) {
   const Corridor corridor;
-  const auto readings = test::sonar_readings({wall_at(radians(85.0), 1.2)}, corridor.truth, 0.0);
+  const auto readings = test::readings_along({wall_at(radians(85.0), 1.2)}, corridor.truth, 0.0);
   std::vector<Pose2> turned;
   for (const Pose2& pose : corridor.truth) turned.push_back(Pose2{3.0, -7.0, 2.0} * pose);
   const auto before = wall_segments(readings, corridor.truth, corridor.path_m, {});

@@ -87,11 +87,19 @@ inline std::vector<Pose2> drive_along(const std::vector<Point2>& points, double 
   return poses;
 }
 
-/// Readings of a ring along true poses, with odometry whose heading drifts over the way.
-inline std::vector<RangeReading> sonar_readings(const std::vector<WallLine>& walls,
-                                                const std::vector<Pose2>& truth,
-                                                double drift_deg_per_m) {
-  static const auto sensor = front_ring();
+/// A laser that sees half a circle before the robot, from its middle.
+inline std::shared_ptr<const RangeSensor> laser_of(int beams) {
+  RangeSensor sensor{SensorKind::laser, {}, 0.0, 5.0};
+  for (int i = 0; i < beams; ++i) {
+    sensor.robot_from_beam.push_back({0.0, 0.0, radians(180.0 * i / (beams - 1) - 90.0)});
+  }
+  return std::make_shared<const RangeSensor>(sensor);
+}
+
+/// Readings along true poses, with odometry whose heading drifts over the way.
+inline std::vector<RangeReading> readings_along(
+    const std::vector<WallLine>& walls, const std::vector<Pose2>& truth, double drift_deg_per_m,
+    const std::shared_ptr<const RangeSensor>& sensor = front_ring()) {
   std::vector<RangeReading> readings;
   Pose2 odometry = truth.front();
   for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -117,10 +125,11 @@ struct DrivenWorld {
 };
 
 inline DrivenWorld drive(const std::vector<WallLine>& walls, const std::vector<Point2>& points,
-                         double drift_deg_per_m) {
+                         double drift_deg_per_m,
+                         const std::shared_ptr<const RangeSensor>& sensor = front_ring()) {
   DrivenWorld mission;
   mission.truth = drive_along(points);
-  mission.readings = sonar_readings(walls, mission.truth, drift_deg_per_m);
+  mission.readings = readings_along(walls, mission.truth, drift_deg_per_m, sensor);
   return mission;
 }
 

@@ -59,6 +59,19 @@ TEST_P(OfASensor, FiguresBeyondWhatWasLearntCountAsTheLastThatWere) {
             judge_map(figures_of(GetParam(), 30.0), {})->probability);
 }
 
+TEST_P(OfASensor, WhatWasDoubtedOnceCountsAsMuchAsWhatIsSaidNow) {
+  const MapFigures figures = figures_of(GetParam(), -1.0);
+  const double now = judge_map(figures, {})->probability;
+  Assembly again;
+  again.doubted = 0.2;
+  const Judgement judgement = judge_map(figures, again).value();
+  EXPECT_GT(now, 0.5);
+  EXPECT_NEAR(judgement.probability / (1.0 - judgement.probability),
+              std::sqrt(now / (1.0 - now) * 0.2 / 0.8), 1e-9);
+  ASSERT_FALSE(judgement.doubts.empty());
+  EXPECT_NE(judgement.doubts.back().text.find("was doubted"), std::string::npos);
+}
+
 TEST(JudgeMap, WithoutFiguresNothingIsSaid) { EXPECT_FALSE(judge_map({}, {})); }
 
 /// Mapped and assembled once for all tests.

@@ -34,13 +34,15 @@ struct Assembly {
   Paths paths;                    ///< instead of the source's, where readings were matched again;
                                   ///< see `WithPaths`
   std::vector<Closure> closures;  ///< matches of rooms by their walls, accepted or not
+  std::optional<double> doubted;  ///< probability of the map by matched rooms whose place this one
+                                  ///< took, as it was corrected as a whole; (0, 1)
   std::optional<Judgement> judgement;  ///< how far it can be relied on; none without readings
   std::vector<SeenLast> seen_last;     ///< what changed between several missions, by time
   Answers answers;                     ///< which of several that the readings allow this is
   Placement other_answer;  ///< of the visits, in the answer that this is not; empty where there is
                            ///< none, and of sonars, whose visits it bends
   FloorPlan plan;
-  std::vector<PlanRoom> absent_rooms;  ///< named ones of former assemblies that `plan` has not
+  std::vector<PlanRoom> absent_rooms;      ///< named ones of former assemblies that `plan` has not
   std::optional<FloorPlan> measured_plan;  ///< as measured, where the walls of `plan` are regular
 };
 

@@ -11,6 +11,7 @@ namespace roomatlas {
 /// How far a corrected map can be relied on. Probabilities are logistic in the figures, error bars
 /// log-linear; what they weigh was learnt from simulated missions whose truth is known, and is
 /// calibrated on others (docs/trust.md; `./run bench trust`).
+/// A map that took the place of one that was doubted is given the mean of both log odds.
 /// @param figures of that map; nothing is judged where they are empty
 [[nodiscard]] std::optional<Judgement> judge_map(const MapFigures& figures,
                                                  const Assembly& assembly);

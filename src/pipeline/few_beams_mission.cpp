@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A mission with a laser of few beams: its sweeps tell little each, its walls as a whole more.
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "roomatlas/asr/load.hpp"
+#include "roomatlas/asr/with_paths.hpp"
+#include "roomatlas/sonar/few_beams.hpp"
+#include "strategies.hpp"
+
+namespace roomatlas {
+namespace {
+
+/// Whether somebody said which visits are of one room, or which answer is meant.
+bool are_matches_told(const AssembleOptions& options) {
+  const ClosureOptions& closures = options.closures;
+  return options.answer != 1 || !closures.given.empty() || closures.without_best > 0 ||
+         std::any_of(options.edits.begin(), options.edits.end(), [](const Edit& edit) {
+           return edit.kind == EditKind::reject_closure || edit.kind == EditKind::pin_visits;
+         });
+}
+
+bool all_by_few_beams(const AsrSource& source) {
+  const std::vector<AsrId> ids = source.ids();
+  return std::all_of(ids.begin(), ids.end(), [&](AsrId id) {
+    const Asr asr = source.get(id, AsrDetail::readings);
+    return !asr.readings.empty() && asr.readings.size() == asr.path.size() &&
+           all_of_few_beams(asr.readings);
+  });
+}
+
+/// Of each reading, where matched rooms put it.
+std::vector<Pose2> matched_poses(const AsrSource& source, const Assembly& matched) {
+  const Placement placement = placement_of(matched.correction);
+  std::vector<Pose2> poses;
+  for (const Asr& asr : load(WithPaths(source, matched.paths), AsrDetail::path)) {
+    for (const PathSample& sample : asr.path) {
+      poses.push_back(placement.at(asr.id) * sample.asr_from_robot);
+    }
+  }
+  return poses;
+}
+
+/// The readings' poses as places of ASRs and paths in them.
+/// @param map_from_robot one for each point of their paths
+std::pair<Placement, Paths> placed_along(const std::vector<Asr>& asrs,
+                                         std::span<const Pose2> map_from_robot) {
+  Placement placement;
+  Paths paths;
+  for (const Asr& asr : asrs) {
+    const std::span<const Pose2> poses = map_from_robot.first(asr.path.size());
+    const Pose2 map_from_asr = poses.front() * inverse(asr.path.front().asr_from_robot);
+    placement[asr.id] = map_from_asr;
+    std::vector<Pose2>& path = paths[asr.id];
+    path.reserve(poses.size());
+    for (const Pose2& pose : poses) path.push_back(inverse(map_from_asr) * pose);
+    map_from_robot = map_from_robot.subspan(poses.size());
+  }
+  return {std::move(placement), std::move(paths)};
+}
+
+}  // namespace
+
+std::optional<CorrectedMission> correct_as_a_whole(const AsrSource& source, const Assembly& doubted,
+                                                   const Options& options,
+                                                   const Progress& progress) {
+  const AssembleOptions& assemble = options.assemble;
+  if (!assemble.correct_sonars || are_matches_told(assemble) || !all_by_few_beams(source))
+    return {};
+  const auto tell = [&] { report(progress, "correct as a whole", -1.0); };
+  tell();
+  auto whole = correct_few_beams(readings_of(source), matched_poses(source, doubted),
+                                 options.map.directions, assemble.sonars, tell, options.jobs);
+  if (!whole) return {};
+  const std::vector<Asr> asrs = load(source, AsrDetail::path);
+  auto [placement, paths] = placed_along(asrs, whole->map_from_robot);
+  CorrectedMission result;
+  result.are_rooms_matched = assemble.match_rooms;
+  result.graph = doubted.graph;
+  result.closures = doubted.closures;
+  result.paths = std::move(paths);
+  result.correction = correct_to(asrs, result.graph, placement, assemble.correct, whole->walls_rad);
+  result.drawn = drawn_visits(whole->drawn, load(WithPaths(source, result.paths), AsrDetail::path));
+  whole->second.reset();  // of walls alone, which matched rooms would have to be asked about
+  whole->drawn = {};
+  whole->map_from_robot.clear();
+  result.sonars = std::move(*whole);
+  result.doubted = doubted.judgement->probability;
+  return result;
+}
+
+}  // namespace roomatlas

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roomatlas/sonar/few_beams.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "roomatlas/odometry/habits.hpp"
+#include "roomatlas/odometry/lag_learner.hpp"
+#include "roomatlas/odometry/late_odometry.hpp"
+#include "sonar_attempt.hpp"
+#include "trajectory_merit.hpp"
+
+namespace roomatlas {
+namespace {
+
+constexpr double kHalfConeRad = radians(0.5);  // of a beam: as good as none
+/// Of a mission, whose time grows with them: of more some beams are left out.
+constexpr std::size_t kMostRanges = 400'000;
+constexpr std::size_t kFewestBeams = 8;  // left of each reading; a longer mission stays as it is
+
+/// Some of a laser's beams, each a sonar of its own.
+struct Ring {
+  std::shared_ptr<const RangeSensor> laser;  ///< whose address is the key
+  std::shared_ptr<const RangeSensor> sonars;
+  std::size_t every = 1;  ///< beam that is taken
+};
+
+Ring ring_of(const std::shared_ptr<const RangeSensor>& laser, std::size_t readings) {
+  const std::vector<Pose2>& beams = laser->robot_from_beam;
+  const std::size_t most = std::max<std::size_t>(1, kMostRanges / readings);
+  Ring ring{laser, nullptr, std::max<std::size_t>(1, (beams.size() + most - 1) / most)};
+  RangeSensor sonars{SensorKind::sonar, {}, kHalfConeRad, laser->max_range_m};
+  for (std::size_t i = ring.every / 2; i < beams.size(); i += ring.every) {
+    sonars.robot_from_beam.push_back(beams[i]);
+  }
+  ring.sonars = std::make_shared<const RangeSensor>(std::move(sonars));
+  return ring;
+}
+
+void take_for_sonars(std::vector<RangeReading>& readings) {
+  std::map<const RangeSensor*, Ring> rings;
+  for (RangeReading& reading : readings) {
+    auto known = rings.find(reading.sensor.get());
+    if (known == rings.end()) {
+      known = rings.emplace(reading.sensor.get(), ring_of(reading.sensor, readings.size())).first;
+    }
+    const Ring& ring = known->second;
+    std::vector<float> ranges_m;
+    ranges_m.reserve(ring.sonars->robot_from_beam.size());
+    for (std::size_t i = ring.every / 2; i < reading.ranges_m.size(); i += ring.every) {
+      ranges_m.push_back(reading.ranges_m[i]);
+    }
+    reading.ranges_m = std::move(ranges_m);
+    reading.sensor = ring.sonars;
+  }
+}
+
+double lag_of(std::span<const RangeReading> readings, std::span<const Pose2> matched) {
+  LagLearner lag;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const double turn_rad = i == 0 ? 0.0 : matched[i].theta_rad - matched[i - 1].theta_rad;
+    lag.add(readings[i].timestamp_s, readings[i].odom_from_robot.theta_rad, wrap_angle(turn_rad));
+  }
+  return lag.lag_s();
+}
+
+/// Odometry that is late put right.
+void make_timely(std::vector<RangeReading>& readings, double lag_s) {
+  if (lag_s == 0.0) return;
+  LateOdometry late;
+  for (const RangeReading& reading : readings) late.add({reading, reading.odom_from_robot});
+  late.finish();
+  for (RangeReading& reading : readings) {
+    if (const auto next = late.next(lag_s)) reading.odom_from_robot = next->reckoned_from_robot;
+  }
+}
+
+/// Odometry's lengths with the turns of matched sweeps.
+std::vector<RangeReading> with_turns_of(std::span<const Pose2> matched,
+                                        std::vector<RangeReading> readings) {
+  Pose2 reported_before = readings.front().odom_from_robot;
+  readings.front().odom_from_robot = matched.front();
+  for (std::size_t i = 1; i < readings.size(); ++i) {
+    const Pose2 reported = readings[i].odom_from_robot;
+    const Pose2 step = inverse(reported_before) * reported;
+    const double turn_rad = wrap_angle(matched[i].theta_rad - matched[i - 1].theta_rad);
+    Pose2 driven = Pose2{0.0, 0.0, (turn_rad - step.theta_rad) / 2.0} * step;
+    driven.theta_rad = turn_rad;
+    readings[i].odom_from_robot = readings[i - 1].odom_from_robot * driven;
+    reported_before = reported;
+  }
+  return readings;
+}
+
+}  // namespace
+
+bool all_of_few_beams(std::span<const RangeReading> readings) {
+  return std::all_of(readings.begin(), readings.end(), [](const RangeReading& reading) {
+    return reading.sensor->kind == SensorKind::laser &&
+           reading.sensor->robot_from_beam.size() <= kFewBeams;
+  });
+}
+
+std::optional<SonarTrajectory> correct_few_beams(std::vector<RangeReading> readings,
+                                                 std::span<const Pose2> matched,
+                                                 const DriveDirectionOptions& directions,
+                                                 const SonarTrajectoryOptions& options,
+                                                 const std::function<void()>& before_attempt,
+                                                 int jobs) {
+  if (readings.size() != matched.size()) {
+    throw std::invalid_argument("correct_few_beams: not one pose a reading");
+  }
+  if (readings.empty() || readings.size() * kFewestBeams > kMostRanges) return std::nullopt;
+  take_for_sonars(readings);
+  const double lag_s = lag_of(readings, matched);
+  make_timely(readings, lag_s);
+  const DriveDirections driven = find_drive_directions(readings, directions);
+  const auto merit_of = [&](std::span<const Pose2> poses) {
+    return trajectory_merit(readings, driven, poses, options.segments, jobs);
+  };
+  const double matched_m = merit_of(matched).walls_m;
+  double most_m = -std::numeric_limits<double>::infinity();
+  std::optional<SonarTrajectory> best;
+  for (const auto& start : {readings, with_turns_of(matched, readings)}) {
+    SonarTrajectory found = correct_sonar_trajectory(start, driven, options, before_attempt, jobs);
+    const TrajectoryMerit merit = merit_of(found.map_from_robot);
+    if (is_better(matched_m, merit.walls_m) || merit.walls_m <= most_m) continue;
+    most_m = merit.walls_m;
+    found.habits = merit.habits;
+    found.habits.lag_s = lag_s;
+    best = std::move(found);
+  }
+  return best;
+}
+
+}  // namespace roomatlas
