@@ -43,37 +43,68 @@ Path numbered_store(const Path& first, int number) {
   return first.string() + mark + ".gpkg";
 }
 
-/// What a store was mapped from; empty where it cannot be read.
+/// What a store was mapped from, as far as it is; empty where it cannot be read.
 std::string mission_in(const Path& store_file) {
   const auto mission = read_if_possible(store_file, [](const GeoPackageStore& store) {
-    const Metadata metadata = store.metadata();
-    const auto sha256 = metadata.find("mission_sha256");
-    return sha256 == metadata.end() ? std::string() : sha256->second;
+    Metadata known = store.metadata();
+    if (const auto unfinished = store.unfinished()) {
+      known.insert(unfinished->origin.begin(), unfinished->origin.end());
+    }
+    const auto sha256 = known.find("mission_sha256");
+    return sha256 == known.end() ? std::string() : sha256->second;
   });
   return mission.value_or("");
 }
 
+/// By which its store is known; empty where the log cannot be read: who maps it says why.
+std::string digest_of(const LogPart& mission) {
+  try {
+    return sha256_of_part(mission.log, mission.part);
+  } catch (const InputError&) {
+    return "";
+  }
+}
+
 constexpr int kLongestGap = 100;  // of numbers whose stores somebody removed
 
-/// Missions of one name, each with the store that it had, whichever were given then and in whatever
-/// order.
-/// @param first path of their stores, without its number and ending
-void take_their_own(const std::vector<LogPart>& missions, const std::vector<std::size_t>& alike,
-                    const Path& first, std::vector<Path>& stores) {
+/// @param first path of the stores, without its number and ending
+std::vector<Path> stores_of_name(const Path& first) {
   std::vector<Path> there;
   for (int number = 1, missing = 0; missing < kLongestGap; ++number) {
     const Path store = numbered_store(first, number);
     missing = std::filesystem::exists(store) ? 0 : missing + 1;
     if (missing == 0) there.push_back(store);
   }
-  // No choice, and nothing is opened: another process of a fleet may be at work on it.
+  return there;
+}
+
+/// Files that are a mission's already, behind links: two names may be one file.
+using Taken = std::set<Path>;
+
+/// @returns false where it is another mission's
+bool take(const Path& store, Taken& taken) { return taken.insert(behind_links(store)).second; }
+
+/// Missions of one name, each with the store that it had, whichever were given then and in whatever
+/// order.
+/// @param first path of their stores, without its number and ending
+void take_their_own(const std::vector<LogPart>& missions, const std::vector<std::size_t>& alike,
+                    const Path& first, std::vector<Path>& stores, Taken& taken) {
+  const std::vector<Path> there = stores_of_name(first);
   const bool is_first_alone = there.size() == 1 && there.front() == numbered_store(first, 1);
-  if (there.empty() || (alike.size() == 1 && is_first_alone)) return;
-  std::map<std::string, Path> held;
-  for (const Path& store : there) held.emplace(mission_in(store), store);
+  if (alike.size() == 1 && is_first_alone) {  // no choice: nothing is read
+    if (take(there.front(), taken)) stores[alike.front()] = there.front();
+    return;
+  }
+  std::multimap<std::string, Path> held;  // a mission that was given twice has two
+  for (const Path& store : there) {
+    if (const std::string mission = mission_in(store); !mission.empty()) {
+      held.emplace(mission, store);
+    }
+  }
   for (const std::size_t i : alike) {
-    const auto own = held.extract(sha256_of_part(missions[i].log, missions[i].part));
-    if (!own.empty()) stores[i] = own.mapped();
+    if (held.empty()) return;  // no log is read in vain
+    const auto own = held.extract(digest_of(missions[i]));
+    if (!own.empty() && take(own.mapped(), taken)) stores[i] = own.mapped();
   }
 }
 
@@ -113,15 +144,14 @@ std::vector<Path> stores_for(const std::vector<LogPart>& missions, const Path& f
   std::vector<Path> stores(missions.size());
   std::map<std::string, std::vector<std::size_t>> of_name;
   for (std::size_t i = 0; i < missions.size(); ++i) of_name[name_of(missions[i])].push_back(i);
-  std::set<Path> taken;
+  Taken taken;
   for (const auto& [name, alike] : of_name) {
-    take_their_own(missions, alike, folder / name, stores);
-    for (const std::size_t i : alike) taken.insert(stores[i]);
+    take_their_own(missions, alike, folder / name, stores, taken);
   }
   for (std::size_t i = 0; i < missions.size(); ++i) {
     if (!stores[i].empty()) continue;
     const Path first = folder / name_of(missions[i]);
-    for (int number = 1; !taken.insert(stores[i] = numbered_store(first, number)).second;) ++number;
+    for (int number = 1; !take(stores[i] = numbered_store(first, number), taken);) ++number;
   }
   return stores;
 }

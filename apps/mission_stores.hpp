@@ -23,7 +23,9 @@ std::optional<Mapped> map_and_assemble(const Settings& settings, const LogPart& 
                                        const Path& store);
 
 /// Stores of several missions, named after their logs: NAME.gpkg, and NAME-2.gpkg where two logs
-/// have one name. Parts of a log are NAME-part1.gpkg and so on.
+/// have one name. Parts of a log are NAME-part1.gpkg and so on. Logs that had a store keep it:
+/// those of one name are read for that, and the stores there opened, so one process asks it once
+/// and before any of them is written.
 [[nodiscard]] std::vector<Path> stores_for(const std::vector<LogPart>& missions,
                                            const Path& folder);
 
