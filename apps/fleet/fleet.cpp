@@ -39,10 +39,27 @@ int number_of_ranks() {
 
 Path missions_folder(const Path& out) { return out.parent_path() / "missions"; }
 
-FleetMissions missions_of(const FleetArguments& arguments) {
+std::vector<Path> stores_of(const FleetArguments& arguments) {
   std::vector<LogPart> whole;
   for (const Path& log : arguments.logs) whole.push_back({log, {}});
-  return {arguments.logs, stores_for(whole, missions_folder(arguments.out))};
+  return stores_for(whole, missions_folder(arguments.out));
+}
+
+/// Paths as one message: each ends with the byte that no path holds.
+std::string packed(const std::vector<Path>& paths) {
+  std::string message;
+  for (const Path& path : paths) message += path.string() + '\0';
+  return message;
+}
+
+std::vector<Path> paths_in(const std::string& message) {
+  std::vector<Path> paths;
+  for (std::size_t from = 0; from < message.size();) {
+    const std::size_t end = message.find('\0', from);
+    paths.emplace_back(message.substr(from, end - from));
+    from = end + 1;
+  }
+  return paths;
 }
 
 class FleetRank {
@@ -51,7 +68,7 @@ class FleetRank {
       : settings_(settings),
         arguments_(arguments),
         locks_(locks),
-        missions_(missions_of(arguments)),
+        missions_{arguments.logs, {}},
         rank_(rank_of_this()),
         jobs_(settings.jobs > 0 ? settings.jobs : cores_.for_one_rank()) {
     Settings told = settings;
@@ -62,15 +79,15 @@ class FleetRank {
   }
 
   FleetOutcome run() {
-    begin();
-    map();
+    if (const int code = begin(); code != kOk) return {rank_ == 0 ? code : kOk, false};
     for (;;) {
       const int leader = lowest_alive();
       if (leader > 0 && leader == rank_) {
-        spdlog::warn("those before rank {} died; it leads the matching now", leader);
+        spdlog::warn("those before rank {} died; it leads now", leader);
       }
       const RankWorkers workers(locks_, leader, jobs_, [this] { return stops(); });
       try {
+        map_as_told(workers);
         const int code =
             workers.is_leader() ? exit_code_of([&] { return lead(workers); }) : follow(workers);
         return {code, workers.has_lost_ranks()};
@@ -81,24 +98,56 @@ class FleetRank {
   }
 
  private:
-  /// No other run in the same folder, and no failures of a former one.
-  void begin() {
+  /// What one rank asks for all. @returns its exit code, the same in all ranks
+  int begin() {
     int is_alone = locks_.take(RunLocks::rank(rank_)) ? 1 : 0;
     MPI_Allreduce(MPI_IN_PLACE, &is_alone, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
-    if (is_alone == 0) {
+    int code = kOk;
+    if (rank_ == 0) code = exit_code_of([&] { return require_place(is_alone != 0); });
+    MPI_Bcast(&code, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    return code;
+  }
+
+  /// No other run in the same folder, and nothing in the way of the building.
+  [[nodiscard]] int require_place(bool is_alone) const {
+    if (!is_alone) {
       throw InputError(missions_folder(arguments_.out).string() +
                        ": another run is at work here; wait for its end, or give another folder");
     }
-    if (rank_ == 0) {
-      for (const Path& store : missions_.stores) std::filesystem::remove(failure_file(store));
+    require_output_store(arguments_.out, arguments_.logs);
+    return kOk;
+  }
+
+  /// Each mission's store, as the leader decides it before any of them is written, and none of a
+  /// former run's failures.
+  [[nodiscard]] std::vector<Path> decided_stores() const {
+    std::vector<Path> stores = stores_of(arguments_);
+    for (const Path& store : stores) std::filesystem::remove(failure_file(store));
+    return stores;
+  }
+
+  /// Maps, once it knows the missions' stores. A next leader hands round those that it was told.
+  void map_as_told(const RankWorkers& workers) {
+    const auto told = workers.shared(1, 1, [&](std::size_t) {
+      return packed(missions_.stores.empty() ? decided_stores() : missions_.stores);
+    });
+    const std::vector<Path> stores = paths_in(told.front());
+    if (!missions_.stores.empty()) {
+      if (stores == missions_.stores) return;
+      throw std::runtime_error(
+          "the leader died as it handed round the missions' stores; run the "
+          "same command again");
     }
-    MPI_Barrier(MPI_COMM_WORLD);
+    missions_.stores = stores;
+    map();
   }
 
   void map() {
     const int slots = number_of_ranks() * jobs_;
     const int each = std::max(1, slots / static_cast<int>(missions_.logs.size()));
-    const auto command = [&](std::size_t i) { return arguments_.command(i, each); };
+    const auto command = [&](std::size_t i) {
+      return arguments_.command(i, missions_.stores[i], each);
+    };
     (void)progress_("map missions", 0.0);
     map_missions(missions_, locks_, std::max(1, jobs_ / each), command, [this] { return stops(); });
   }
@@ -206,11 +255,9 @@ class FleetRank {
 
 }  // namespace
 
-void map_mission_of_fleet(const Settings& settings, const FleetArguments& arguments,
-                          std::size_t mission) {
-  const FleetMissions missions = missions_of(arguments);
-  require_no_map(missions.logs.at(mission));
-  (void)map_and_assemble(settings, {missions.logs.at(mission), {}}, missions.stores.at(mission));
+void map_mission_of_fleet(const Settings& settings, const Path& log, const Path& store) {
+  require_no_map(log);
+  (void)map_and_assemble(settings, {log, {}}, store);
 }
 
 FleetOutcome run_fleet(const Settings& settings, const FleetArguments& arguments) {
@@ -218,7 +265,6 @@ FleetOutcome run_fleet(const Settings& settings, const FleetArguments& arguments
     throw UsageError("one mission makes no fleet: `roomatlas build` maps it");
   }
   make_folder(missions_folder(arguments.out));
-  require_output_store(arguments.out, arguments.logs);
   const RunLocks locks(missions_folder(arguments.out) / "fleet.lock");
   return FleetRank(settings, arguments, locks).run();
 }

@@ -33,7 +33,9 @@ using namespace roomatlas::apps;
 struct CommandLine {
   Settings settings;
   FleetArguments files;
-  std::vector<int> mission;  ///< number and threads, in the process of one mission
+  // In the process of one mission:
+  std::vector<int> mission;  ///< its number and the threads
+  Path store;                ///< its own
 };
 
 /// @returns the exit code of a command line that is answered at once
@@ -53,7 +55,11 @@ std::optional<int> read(int argc, char** argv, CommandLine& line) {
                  "folder `missions` beside it")
       ->required()
       ->configurable(false);
-  app.add_option("--one-mission", line.mission)->expected(2)->group("")->configurable(false);
+  CLI::Option* one =
+      app.add_option("--one-mission", line.mission)->expected(2)->group("")->configurable(false);
+  CLI::Option* store = app.add_option("--in-store", line.store)->group("")->configurable(false);
+  one->needs(store);
+  store->needs(one);
   bind_parameters(app, line.settings);
   const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
   const bool speaks = rank == nullptr || std::string(rank) == "0";  // one of all is enough
@@ -89,7 +95,8 @@ int run_mission(CommandLine& line) {
   line.settings.quiet = true;
   set_up_console(line.settings);
   return exit_code_of([&] {
-    map_mission_of_fleet(line.settings, line.files, static_cast<std::size_t>(line.mission[0]));
+    const auto number = static_cast<std::size_t>(line.mission[0]);
+    map_mission_of_fleet(line.settings, line.files.logs.at(number), line.store);
     return static_cast<int>(kOk);
   });
 }
@@ -101,10 +108,11 @@ int run_rank(CommandLine& line, int argc, char** argv) {
   allow_many_files();
   set_up_console(line.settings);
   const std::vector<std::string> words(argv, argv + argc);
-  line.files.command = [&words](std::size_t mission, int jobs) {
+  line.files.command = [&words](std::size_t mission, const Path& store, int jobs) {
     std::vector<std::string> command = words;
-    command.insert(command.end(),
-                   {"--one-mission", fmt::format("{}", mission), fmt::format("{}", jobs)});
+    command.insert(command.begin() + 1,  // before a "--", behind which all are logs
+                   {"--one-mission", fmt::format("{}", mission), fmt::format("{}", jobs),
+                    "--in-store=" + store.string()});
     return command;
   };
   MPI_Init(&argc, &argv);

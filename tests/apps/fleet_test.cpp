@@ -2,12 +2,15 @@
 // `roomatlas-fleet` under mpirun, with ranks that are killed; where an MPI is installed.
 #ifdef ROOMATLAS_FLEET
 
+#include <SQLiteCpp/Database.h>
 #include <gmock/gmock.h>
 
 #include <iterator>
 #include <vector>
 
 #include "child.hpp"
+#include "roomatlas/io/files/files.hpp"
+#include "roomatlas/io/store/geopackage_store.hpp"
 
 namespace roomatlas::test {
 namespace {
@@ -55,6 +58,27 @@ class Fleet : public ::testing::Test {
   }
   static std::string building_in(const std::filesystem::path& folder) {
     return content_of(folder / "building.gpkg");
+  }
+
+  /// The three logs again, all called run.clf.
+  static std::vector<std::string> logs_of_one_name(const std::filesystem::path& place) {
+    std::vector<std::string> logs;
+    for (const std::string name : {"one", "two", "three"}) {
+      std::filesystem::create_directories(place / name);
+      std::filesystem::copy_file(*folder_ / name / (name + ".clf"), place / name / "run.clf");
+      logs.push_back((place / name / "run.clf").string());
+    }
+    return logs;
+  }
+  /// The digest of the log that each store of a mission was mapped from.
+  static std::map<std::string, std::string> missions_in(const std::filesystem::path& out) {
+    std::map<std::string, std::string> missions;
+    for (const auto& entry : std::filesystem::directory_iterator(out / "missions")) {
+      if (entry.path().extension() != ".gpkg") continue;
+      const GeoPackageStore store(entry.path(), GeoPackageStore::Mode::read);
+      missions[entry.path().filename().string()] = store.metadata().at("mission_sha256");
+    }
+    return missions;
   }
 
   static inline Folder* folder_ = nullptr;
@@ -121,6 +145,65 @@ TEST_F(Fleet, LosesARankAndNothingElse) {
     EXPECT_THAT(fleet.err(), HasSubstr("died")) << lost;
     EXPECT_TRUE(building_in(out) == expected_) << lost;
   }
+}
+
+TEST_F(Fleet, MissionsOfOneNameKeepTheirStoresInAnyOrder) {
+  const auto out = new_folder("of_one_name");
+  const std::vector<std::string> logs = logs_of_one_name(out / "logs");
+  const std::map<std::string, std::string> own = {{"run.gpkg", sha256_of_file(logs[0])},
+                                                  {"run-2.gpkg", sha256_of_file(logs[1])},
+                                                  {"run-3.gpkg", sha256_of_file(logs[2])}};
+  const auto map_in_order = [&](std::vector<std::size_t> order, const std::string& flags = "") {
+    std::string given;
+    for (const std::size_t i : order) given += logs[i] + " ";
+    Child fleet(ranks(3, given + flags, out), "", ROOMATLAS_MPIRUN);
+    fleet.wait();
+    EXPECT_EQ(missions_in(out), own);
+    return fleet.exit_code();
+  };
+  EXPECT_EQ(map_in_order({0, 1, 2}), 0);
+  const auto first = files_in(out);
+  EXPECT_EQ(map_in_order({2, 0, 1}), 0);  // are there
+  EXPECT_TRUE(files_in(out) == first);
+  EXPECT_EQ(map_in_order({1, 2, 0}, "--robot-width 0.5"), 0);  // are replaced
+  const std::string wide = building_in(out);
+  EXPECT_FALSE(wide == first.at("building.gpkg"));
+  EXPECT_EQ(map_in_order({2, 1, 0}), 0);
+  EXPECT_TRUE(files_in(out) == first);
+  std::filesystem::remove(logs[0]);
+  EXPECT_EQ(map_in_order({0, 2, 1}), 3);  // fails, and takes no other's store
+}
+
+TEST_F(Fleet, NoMissionHangsOnTheStoresOfOthers) {
+  const auto out = new_folder("others_locked");
+  const std::vector<std::string> logs = logs_of_one_name(out / "logs");
+  {
+    Child fleet(ranks(2, logs[0] + " " + logs[1] + " " + logs[2], out), "", ROOMATLAS_MPIRUN);
+    fleet.wait();
+    ASSERT_EQ(fleet.exit_code(), 0) << fleet.err();
+  }
+  const auto before = missions_in(out);
+  const auto missions = out / "missions";
+  std::filesystem::remove(missions / "run.gpkg");
+  std::filesystem::remove(missions / "run-2.gpkg");
+  const auto expected = building_in(out);
+
+  // The third is finished. Nobody can read it from then on, until the last has its place.
+  Child fleet(ranks(1, logs[2] + " " + logs[0] + " " + logs[1], out), "", ROOMATLAS_MPIRUN);
+  ASSERT_TRUE(fleet.has_said(": mapped")) << fleet.err();
+  {
+    constexpr int kPatienceMs = 2000;
+    SQLite::Database other(missions / "run-3.gpkg", SQLite::OPEN_READWRITE, kPatienceMs);
+    other.exec("BEGIN EXCLUSIVE");
+    while (!std::filesystem::exists(missions / "run-2.gpkg") && !fleet.has_ended() &&
+           fleet.err().find("failed") == std::string::npos) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  fleet.wait();
+  EXPECT_EQ(fleet.exit_code(), 0) << fleet.err();
+  EXPECT_EQ(missions_in(out), before);
+  EXPECT_TRUE(building_in(out) == expected);
 }
 
 }  // namespace
