@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -79,15 +81,15 @@ class FleetRank {
   }
 
   FleetOutcome run() {
-    if (const int code = begin(); code != kOk) return {rank_ == 0 ? code : kOk, false};
-    for (;;) {
-      const int leader = lowest_alive();
+    if (!is_alone()) return {rank_ == 0 ? exit_code_of([&] { return refuse(); }) : kOk, false};
+    for (int leader = 0;; leader = lowest_alive()) {  // the first may have ended the run already
       if (leader > 0 && leader == rank_) {
         spdlog::warn("those before rank {} died; it leads now", leader);
       }
       const RankWorkers workers(locks_, leader, jobs_, [this] { return stops(); });
       try {
-        map_as_told(workers);
+        if (const auto code = begin(workers)) return {*code, workers.has_lost_ranks()};
+        if (!std::exchange(has_mapped_, true)) map();
         const int code =
             workers.is_leader() ? exit_code_of([&] { return lead(workers); }) : follow(workers);
         return {code, workers.has_lost_ranks()};
@@ -98,48 +100,58 @@ class FleetRank {
   }
 
  private:
-  /// What one rank asks for all. @returns its exit code, the same in all ranks
-  int begin() {
+  /// No other run is at work in the same folder: one answer for all ranks.
+  [[nodiscard]] bool is_alone() const {
     int is_alone = locks_.take(RunLocks::rank(rank_)) ? 1 : 0;
     MPI_Allreduce(MPI_IN_PLACE, &is_alone, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
-    int code = kOk;
-    if (rank_ == 0) code = exit_code_of([&] { return require_place(is_alone != 0); });
-    MPI_Bcast(&code, 1, MPI_INT, 0, MPI_COMM_WORLD);
-    return code;
+    return is_alone != 0;
+  }
+  [[noreturn]] int refuse() const {
+    throw InputError(missions_folder(arguments_.out).string() +
+                     ": another run is at work here; wait for its end, or give another folder");
   }
 
-  /// No other run in the same folder, and nothing in the way of the building.
-  [[nodiscard]] int require_place(bool is_alone) const {
-    if (!is_alone) {
-      throw InputError(missions_folder(arguments_.out).string() +
-                       ": another run is at work here; wait for its end, or give another folder");
+  /// The missions' stores become known, where the leader can begin.
+  /// @returns an exit code where it cannot, and the run has ended
+  std::optional<int> begin(const RankWorkers& workers) {
+    const auto hear = [&] {
+      hear_stores(workers);
+      return static_cast<int>(kOk);
+    };
+    if (workers.is_leader()) {
+      const int code = exit_code_of(hear);
+      if (code == kOk) return std::nullopt;
+      workers.end();
+      return code;
     }
-    require_output_store(arguments_.out, arguments_.logs);
-    return kOk;
+    try {
+      (void)hear();
+      return std::nullopt;
+    } catch (const RunEnded&) {
+      return kOk;
+    }
   }
 
-  /// Each mission's store, as the leader decides it before any of them is written, and none of a
-  /// former run's failures.
+  /// A next leader hands round the stores that it was told.
+  void hear_stores(const RankWorkers& workers) {
+    std::vector<Path>& known = missions_.stores;
+    const auto told = workers.shared(
+        1, 1, [&](std::size_t) { return packed(known.empty() ? decided_stores() : known); });
+    const std::vector<Path> stores = paths_in(told.front());
+    if (!known.empty() && stores != known) {
+      throw std::runtime_error(
+          "the leader died as it handed round the missions' stores; run the same command again");
+    }
+    known = stores;
+  }
+
+  /// What one rank asks for all, before anything is written: whether the building's place is free,
+  /// and which store each mission has. Failures of a former run are forgotten.
   [[nodiscard]] std::vector<Path> decided_stores() const {
+    require_output_store(arguments_.out, arguments_.logs);
     std::vector<Path> stores = stores_of(arguments_);
     for (const Path& store : stores) std::filesystem::remove(failure_file(store));
     return stores;
-  }
-
-  /// Maps, once it knows the missions' stores. A next leader hands round those that it was told.
-  void map_as_told(const RankWorkers& workers) {
-    const auto told = workers.shared(1, 1, [&](std::size_t) {
-      return packed(missions_.stores.empty() ? decided_stores() : missions_.stores);
-    });
-    const std::vector<Path> stores = paths_in(told.front());
-    if (!missions_.stores.empty()) {
-      if (stores == missions_.stores) return;
-      throw std::runtime_error(
-          "the leader died as it handed round the missions' stores; run the "
-          "same command again");
-    }
-    missions_.stores = stores;
-    map();
   }
 
   void map() {
@@ -249,6 +261,7 @@ class FleetRank {
   NodeCores cores_;
   int rank_;
   int jobs_;
+  bool has_mapped_ = false;  ///< once, under whichever leader
   Progress progress_;
   Progress silent_;  ///< asks the same, and tells nothing
 };
