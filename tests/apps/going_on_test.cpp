@@ -25,6 +25,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 constexpr const char* kGoingOn = "going on after room ";
+const std::string kWorldsFolder = std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/";
 
 /// How many rooms of an unfinished store are whole.
 AsrId whole_rooms(const fs::path& store) {
@@ -48,13 +49,19 @@ bool stop(Child& child, const fs::path& store, AsrId rooms, int signal) {
   return true;
 }
 
-/// What is in a folder, by name.
+/// Part of the demo's drive: 16 visits to 6 rooms, which take a second and more to map.
+std::string short_drive(const Folder& folder) {
+  const std::string drive = content_of(kWorldsFolder + "eight_rooms.drive");
+  const std::size_t end = drive.find("# Lounge");
+  EXPECT_NE(end, std::string::npos);
+  return folder.write("short.drive", drive.substr(0, end)).string();
+}
+
 class GoingOn : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new Folder;
-    const std::string worlds = std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/";
-    simulate(worlds + "eight_rooms.geojson --sensor laser --drive " + worlds + "eight_rooms.drive",
+    simulate(kWorldsFolder + "eight_rooms.geojson --sensor laser --drive " + short_drive(*folder_),
              "rooms");
     ASSERT_EQ(run("-q map " + log("rooms") + " -o " + (*folder_ / "whole.gpkg").string()).exit_code,
               0);
@@ -76,6 +83,9 @@ class GoingOn : public ::testing::Test {
   [[nodiscard]] std::string map_it(const std::string& options = "") const {
     return options + " map " + log("rooms") + " -o " + store_.string();
   }
+  /// The store as a run leaves it that nobody disturbs.
+  void put_whole() const { std::ofstream(store_, std::ios::binary) << whole_; }
+  /// What is in the folder, by name.
   [[nodiscard]] std::vector<std::string> names() const {
     std::vector<std::string> names;
     for (const auto& [name, content] : files_in(own_ / "")) names.push_back(name);
@@ -126,9 +136,9 @@ TEST_F(GoingOn, AfterAnySignalGivesTheBytesOfAnUndisturbedRun) {
 }
 
 TEST_F(GoingOn, TwiceAndAfterAnInterruptionGivesTheSameBytes) {
-  for (const AsrId rooms : {2, 6, 9}) {
+  for (const AsrId rooms : {2, 4, 6}) {
     Child child(map_it("-q"));
-    ASSERT_TRUE(stop(child, store_, rooms, rooms == 6 ? SIGINT : SIGKILL)) << child.err();
+    ASSERT_TRUE(stop(child, store_, rooms, rooms == 4 ? SIGINT : SIGKILL)) << child.err();
   }
   EXPECT_THAT(run(map_it()).err, HasSubstr(kGoingOn));
   EXPECT_TRUE(content_of(store_) == whole_);
@@ -213,7 +223,7 @@ TEST_F(GoingOn, AfterTheDiskWasFull) {
 }
 
 TEST_F(GoingOn, IntoAStoreOfAnotherVersionIsRefusedButWithForce) {
-  ASSERT_EQ(run(map_it("-q")).exit_code, 0);
+  put_whole();
   SQLite::Database(store_.string(), SQLite::OPEN_READWRITE)
       .exec("UPDATE metadata SET value = '2' WHERE key = 'schema_version'");
   const std::string before = content_of(store_);
@@ -227,7 +237,7 @@ TEST_F(GoingOn, IntoAStoreOfAnotherVersionIsRefusedButWithForce) {
 }
 
 TEST_F(GoingOn, InAStoreThatIsWholeHasNothingLeftToDo) {
-  ASSERT_EQ(run(map_it("-q")).exit_code, 0);
+  put_whole();
   EXPECT_THAT(run(map_it()).err, HasSubstr("holds this mission already"));
   EXPECT_TRUE(content_of(store_) == whole_);
 }
@@ -242,7 +252,7 @@ void make_loose(const fs::path& store) {
 }
 
 TEST_F(GoingOn, InAStoreThatIsWholeAndNotCompactFinishesIt) {
-  ASSERT_EQ(run(map_it("-q")).exit_code, 0);
+  put_whole();
   make_loose(store_);
   ASSERT_FALSE(content_of(store_) == whole_);
   EXPECT_THAT(run(map_it()).err, HasSubstr("holds this mission already"));
@@ -270,9 +280,8 @@ std::uint64_t count_of_kills() {
 }
 
 TEST_F(GoingOn, BuildOfSeveralMissionsFinishesEachStore) {
-  const std::string worlds = std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/";
-  simulate(worlds + "two_rooms.geojson --sensor laser --tour --seed 1", "one");
-  simulate(worlds + "two_rooms.geojson --sensor laser --tour --seed 2", "two");
+  simulate(kWorldsFolder + "two_rooms.geojson --sensor laser --tour --seed 1", "one");
+  simulate(kWorldsFolder + "two_rooms.geojson --sensor laser --tour --seed 2", "two");
   const std::string both = log("one") + " " + log("two");
   const fs::path out = own_ / "built";
   const Task whole = task_of(both, out);
@@ -285,9 +294,8 @@ TEST_F(GoingOn, BuildOfSeveralMissionsFinishesEachStore) {
 }
 
 TEST_F(GoingOn, BuildKilledAtRandomMomentsEndsWithTheSameFiles) {
-  const std::string world = std::string(ROOMATLAS_SOURCE_DIR) + "/data/worlds/two_rooms.geojson";
   simulate(
-      world +
+      kTwoRooms +
           " --sensor laser --tour --seed 1 --start 2.5,1.5,0 --carry-at 60 --carry-to 8.5,5,200",
       "carried");
   const std::vector<Task> tasks = {task_of(log("rooms"), *folder_ / "built"),

@@ -53,8 +53,9 @@ TEST(Jobs, GiveTheSameBytesHoweverManyOfALaserMission) { expect_same_bytes("lase
 
 TEST(Jobs, DoNotMakeBuildMapAgain) {
   const Folder folder;
-  const std::string build =
-      "build " + simulated(folder, "sonar") + " -o " + (folder / "out").string();
+  const std::string m = (folder / "m").string();
+  ASSERT_EQ(run("-q simulate " + kTwoRooms + " --tour -o " + m).exit_code, 0);
+  const std::string build = "build " + m + "/mission.clf -o " + (folder / "out").string();
   EXPECT_THAT(run(build + " --jobs 1").err, Not(HasSubstr("holds this mission already")));
   EXPECT_THAT(run(build + " --jobs 2").err, HasSubstr("holds this mission already"));
 }

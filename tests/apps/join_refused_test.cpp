@@ -10,9 +10,7 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST_F(Join, OfOneMissionAloneIsNotEnough) {
-  const std::string store = (*folder_ / "single.gpkg").string();
-  ASSERT_EQ(run("-q map " + one_ + " -o " + store).exit_code, 0);
-  ASSERT_EQ(run("-q assemble " + store).exit_code, 0);
+  const std::string store = copy_of_built("single") + "/missions/one.gpkg";
   const std::string joined = (*folder_ / "joined_single.gpkg").string();
   const Outcome outcome = run("-q join " + store + " -o " + joined);
   EXPECT_EQ(outcome.exit_code, 4);
@@ -36,10 +34,9 @@ TEST_F(Join, OneMissionThatIsGivenTwiceIsOne) {
   EXPECT_EQ(run("join " + store + " " + store + " -o " + joined).exit_code, 4);
   EXPECT_FALSE(std::filesystem::exists(joined));
   // of a mission and a building that has it the building stays, in any order
-  ASSERT_EQ(run("-q build " + one_ + " " + two_ + " -o " + place).exit_code, 0);
-  const std::string one = place + "/missions/one.gpkg";
-  const std::string two = place + "/missions/two.gpkg";
-  const Outcome known = run("join " + one + " " + store + " " + two + " -o " + joined);
+  const std::string both = copy_of_built("both");
+  const Outcome known = run("join " + both + "/missions/one.gpkg " + both + "/building.gpkg " +
+                            both + "/missions/two.gpkg -o " + joined);
   EXPECT_EQ(known.exit_code, 4);
   EXPECT_THAT(known.err,
               ::testing::AllOf(HasSubstr("one.gpkg: left out"), HasSubstr("two.gpkg: left out")));

@@ -33,12 +33,12 @@ TEST_F(Join, EachLogHasAStoreOfItsOwnHoweverTheyAreNamed) {
 }
 
 TEST_F(Join, BuildOfTwoLogsIsOneBuildingWhateverTheirOrder) {
-  const std::string first = (*folder_ / "first").string();
+  const std::string first = built_folder();
   const std::string second = (*folder_ / "second").string();
-  const Outcome done = run("build " + one_ + " " + two_ + " -o " + first);
-  ASSERT_EQ(done.exit_code, 0) << done.err;
-  EXPECT_THAT(done.err, HasSubstr("joined:"));
-  ASSERT_EQ(run("-q build " + two_ + " " + one_ + " -o " + second + " --jobs 1").exit_code, 0);
+  EXPECT_THAT(built().err, HasSubstr("joined:"));
+  const Outcome other = run("build " + two_ + " " + one_ + " -o " + second + " --jobs 1");
+  ASSERT_EQ(other.exit_code, 0) << other.err;
+  EXPECT_THAT(other.err, HasSubstr("one.clf is where the building's frame is from"));
   ASSERT_NE(content_of(first + "/plan.local.geojson"), "");
   EXPECT_EQ(content_of(first + "/plan.local.geojson"), content_of(second + "/plan.local.geojson"));
   EXPECT_EQ(content_of(first + "/plan.svg"), content_of(second + "/plan.svg"));
@@ -77,10 +77,7 @@ TEST_F(Join, NamesStayWhenALargerMissionComes) {
   ASSERT_EQ(both.exit_code, 0) << both.err;
   EXPECT_THAT(both.err, HasSubstr("two.clf is where the building's frame is from"));
   EXPECT_EQ(GeoPackageStore(store, GeoPackageStore::Mode::read).plan().rooms[0].name, "Kitchen");
-  // of the two one is the base where nobody named anything
-  const std::string fresh = (*folder_ / "unnamed").string();
-  EXPECT_THAT(run("build " + two_ + " " + one_ + " -o " + fresh).err,
-              HasSubstr("one.clf is where the building's frame is from"));
+  // where nobody named anything it is one.clf: BuildOfTwoLogsIsOneBuildingWhateverTheirOrder
 }
 
 TEST_F(Join, NamesAndCorrectionsOfTheBuildingStayWhenItIsBuiltAgain) {
@@ -127,12 +124,10 @@ TEST_F(Join, NamesAndCorrectionsOfTheBuildingStayWhenItIsBuiltAgain) {
 }
 
 TEST_F(Join, SaysOfEachMissionWhatItSawAndHowFarItIsOffTheTruth) {
-  const std::string place = (*folder_ / "told").string();
-  const Outcome done = run("-q --json build " + one_ + " " + two_ + " -o " + place);
-  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const std::string place = built_folder();
   // Both logs tell the time from the same start, and each brings its own true poses.
-  const Json built = Json::parse(done.out);
-  const Json& missions = built.at("missions");
+  const Json json = Json::parse(built().out);
+  const Json& missions = json.at("missions");
   ASSERT_EQ(missions.at("list").size(), 2U);
   std::vector<std::string> names;
   std::int64_t poses = 0;
@@ -146,8 +141,8 @@ TEST_F(Join, SaysOfEachMissionWhatItSawAndHowFarItIsOffTheTruth) {
     poses += mission["true_poses"]["after"]["matched"].get<std::int64_t>();
   }
   EXPECT_THAT(names, ::testing::UnorderedElementsAre("one.clf", "two.clf"));
-  EXPECT_EQ(built["true_poses"]["after"]["matched"].get<std::int64_t>(), poses);
-  EXPECT_LT(built["true_poses"]["after"]["fitted_position_m"]["max"].get<double>(), 0.1);
+  EXPECT_EQ(json["true_poses"]["after"]["matched"].get<std::int64_t>(), poses);
+  EXPECT_LT(json["true_poses"]["after"]["fitted_position_m"]["max"].get<double>(), 0.1);
   ASSERT_EQ(missions["pairs"].size(), 1U);
   EXPECT_LT(missions["pairs"][0]["rms_m"].get<double>(), 0.05);
   EXPECT_EQ(Json::parse(content_of(place + "/summary.json"))["evaluation"]["missions"], missions);
@@ -160,7 +155,7 @@ TEST_F(Join, SaysOfEachMissionWhatItSawAndHowFarItIsOffTheTruth) {
   EXPECT_EQ(run("evaluate " + store + " --truth three=" + first).exit_code, 2);
   Trajectory wrong = read_tum(first);
   for (StampedPose& pose : wrong) pose.pose.x_m *= 1.5;
-  const std::string stretched = place + "/stretched.tum";
+  const std::string stretched = (*folder_ / "stretched.tum").string();
   write_tum(stretched, wrong);
   const Outcome judged = run("-q --json evaluate " + store + " --truth one=" + stretched);
   ASSERT_EQ(judged.exit_code, 0) << judged.err;
@@ -173,8 +168,7 @@ TEST_F(Join, SaysOfEachMissionWhatItSawAndHowFarItIsOffTheTruth) {
 }
 
 TEST_F(Join, AddsAMissionToABuildingThatKeepsItsRooms) {
-  const std::string place = (*folder_ / "grown").string();
-  ASSERT_EQ(run("-q build " + one_ + " " + two_ + " -o " + place).exit_code, 0);
+  const std::string place = copy_of_built("grown");
   ASSERT_EQ(run("-q rename " + place + "/building.gpkg 2 Kitchen").exit_code, 0);
   const std::string three = log("three", "two_rooms", "--sensor sonar --tour --seed 3");
   ASSERT_EQ(run("-q map " + three + " -o " + place + "/three.gpkg").exit_code, 0);
@@ -191,9 +185,8 @@ TEST_F(Join, AddsAMissionToABuildingThatKeepsItsRooms) {
 }
 
 TEST_F(Join, TakesANameOfItsBaseThatWaitsForItsRoom) {
-  const std::string place = (*folder_ / "waiting").string();
+  const std::string place = copy_of_built("waiting");
   const std::string stores[] = {place + "/missions/one.gpkg", place + "/missions/two.gpkg"};
-  ASSERT_EQ(run("-q build " + one_ + " " + two_ + " -o " + place).exit_code, 0);
   for (const std::string& store : stores) {
     const auto rooms = GeoPackageStore(store, GeoPackageStore::Mode::read).plan().rooms;
     ASSERT_EQ(rooms.size(), 2U);
@@ -256,8 +249,7 @@ TEST_F(Join, DrawsWhatSomeOfTheMissionsSawAlone) {
 }
 
 TEST_F(Join, GivesAVisitThatLiesInNoRoomToTheNearest) {
-  const std::string place = (*folder_ / "beyond").string();
-  ASSERT_EQ(run("-q build " + one_ + " " + two_ + " -o " + place).exit_code, 0);
+  const std::string place = copy_of_built("beyond");
   const std::string store = place + "/building.gpkg";
   SQLite::Database(store, SQLite::OPEN_READWRITE)
       .exec(
@@ -285,10 +277,8 @@ TEST_F(Join, LeavesAMissionOfAnotherBuildingAloneAndSaysSo) {
 }
 
 TEST_F(Join, RefusesAnOtherAnswerThatIsNotOfTheVisits) {
-  const std::string stores[] = {(*folder_ / "one.gpkg").string(), (*folder_ / "two.gpkg").string()};
-  ASSERT_EQ(run("-q map " + one_ + " -o " + stores[0]).exit_code, 0);
-  ASSERT_EQ(run("-q map " + two_ + " -o " + stores[1]).exit_code, 0);
-  for (const std::string& store : stores) ASSERT_EQ(run("-q assemble " + store).exit_code, 0);
+  const std::string place = copy_of_built("answers");
+  const std::string stores[] = {place + "/missions/one.gpkg", place + "/missions/two.gpkg"};
   for (const char* damaged :
        {R"({"visits":[[1, 0, 0, 0]]})", R"({"visits":[[1, 0, 0]]})", "[]", ""}) {
     {

@@ -32,6 +32,21 @@ class Join : public ::testing::Test {
     return place + "/" + name + ".clf";
   }
 
+  /// What `build` says, as JSON too, that makes `built` of the two missions once for all tests.
+  static const Outcome& built() {
+    static const Outcome done = run("--json build " + one_ + " " + two_ + " -o " + built_folder());
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    return done;
+  }
+  static std::string built_folder() { return (*folder_ / "built").string(); }
+  /// A copy of that building and of its missions, for a test to alter.
+  static std::string copy_of_built(const std::string& name) {
+    EXPECT_EQ(built().exit_code, 0);
+    std::filesystem::copy(built_folder(), *folder_ / name,
+                          std::filesystem::copy_options::recursive);
+    return (*folder_ / name).string();
+  }
+
   static inline Folder* folder_ = nullptr;
   static inline std::string one_;
   static inline std::string two_;

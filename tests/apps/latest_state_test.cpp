@@ -77,9 +77,8 @@ class LatestStateOfABuilding : public ::testing::Test {
     const std::string before = world("before", false);
     const std::string after = world("after", true);
     a_ = mission("a", before, 1, 0.0);
-    same_ = mission("same", before, 2, kDay_s);
     b_ = mission("b", after, 3, 2.0 * kDay_s);
-    at_once_ = mission("at_once", after, 3, 5.0);
+    same_ = mission("same", before, 2, 2.0 * kDay_s + 5.0);
   }
   static void TearDownTestSuite() {
     delete folder_;
@@ -121,6 +120,11 @@ class LatestStateOfABuilding : public ::testing::Test {
   static Outcome joined(const std::string& stores, const std::string& out) {
     return run("join " + stores + " -o " + path(out));
   }
+  /// `latest.gpkg`, joined once of the mission before and the one after.
+  static const Outcome& latest() {
+    static const Outcome done = joined(a_ + " " + b_, "latest.gpkg");
+    return done;
+  }
 
   /// The plan as a file, of a store or of what it becomes when it is assembled again.
   static std::string plan_file(const std::string& store) {
@@ -144,9 +148,8 @@ class LatestStateOfABuilding : public ::testing::Test {
 
   static inline Folder* folder_ = nullptr;
   static inline std::string a_;
-  static inline std::string same_;
   static inline std::string b_;
-  static inline std::string at_once_;
+  static inline std::string same_;  ///< of the building before, driven when b_ was
 };
 
 /// Of some outlines and a true one the shared area over that of both, counted by points.
@@ -193,34 +196,35 @@ const PlanDoor* door_near(const FloorPlan& plan, const Point2& at) {
 }
 
 TEST_F(LatestStateOfABuilding, IsDrawnAsItIsByNow) {
-  const Outcome done = joined(a_ + " " + b_, "latest.gpkg");
-  ASSERT_EQ(done.exit_code, 0) << done.err;
-  EXPECT_THAT(done.err, HasSubstr("3 things are drawn as b.clf saw them last (1 door shut, 1 piece "
-                                  "of furniture moved, 1 wall new)"));
-  const FloorPlan latest = plan_of(path("latest.gpkg"));
+  ASSERT_EQ(latest().exit_code, 0) << latest().err;
+  EXPECT_THAT(latest().err,
+              HasSubstr("3 things are drawn as b.clf saw them last (1 door shut, 1 piece "
+                        "of furniture moved, 1 wall new)"));
+  const FloorPlan drawn = plan_of(path("latest.gpkg"));
   const Pose2 frame = world_from_building(path("latest.gpkg"));
-  ASSERT_EQ(run("-q assemble " + path("latest.gpkg") + " --no-draw-latest").exit_code, 0);
-  const FloorPlan sum = plan_of(path("latest.gpkg"));
+  std::filesystem::copy_file(path("latest.gpkg"), path("sum.gpkg"));
+  ASSERT_EQ(run("-q assemble " + path("sum.gpkg") + " --no-draw-latest").exit_code, 0);
+  const FloorPlan sum = plan_of(path("sum.gpkg"));
 
   const Polygon table = outline_of(kTableAfter);
-  EXPECT_GT(iou(latest.furniture, frame, table, kLounge), 0.8);
+  EXPECT_GT(iou(drawn.furniture, frame, table, kLounge), 0.8);
   EXPECT_LT(iou(sum.furniture, frame, table, kLounge), 0.5);
-  EXPECT_GT(built_share(latest, frame), 0.8);
+  EXPECT_GT(built_share(drawn, frame), 0.8);
   EXPECT_LT(built_share(sum, frame), 0.5);
 
   const Point2 in_store = inverse(frame) * Point2(2.7, 7.0);  // shut by now, and seen before
-  EXPECT_TRUE(std::any_of(latest.rooms.begin(), latest.rooms.end(), [&](const PlanRoom& room) {
+  EXPECT_TRUE(std::any_of(drawn.rooms.begin(), drawn.rooms.end(), [&](const PlanRoom& room) {
     return contains(room.parts.front(), in_store) && std::abs(room.area_m2 - 20.0) < 0.5;
   }));
-  const PlanDoor* const door = door_near(latest, inverse(frame) * kDoorMiddle);
+  const PlanDoor* const door = door_near(drawn, inverse(frame) * kDoorMiddle);
   ASSERT_NE(door, nullptr);
   ASSERT_TRUE(door->leaf.has_value());
   EXPECT_LT((door->leaf->a - door->jambs.a).norm() + (door->leaf->b - door->jambs.b).norm(), 0.01);
-  for (const PlanDoor& other : latest.doors) EXPECT_TRUE(&other == door || !other.leaf);
+  for (const PlanDoor& other : drawn.doors) EXPECT_TRUE(&other == door || !other.leaf);
 }
 
 TEST_F(LatestStateOfABuilding, IsInTheSummaryAndInTheStore) {
-  ASSERT_EQ(joined(b_ + " " + a_, "told.gpkg").exit_code, 0);
+  ASSERT_EQ(joined(b_ + " " + a_ + " --jobs 3", "told.gpkg").exit_code, 0);
   const std::string plan = plan_file(path("told.gpkg"));
   const Json seen = Json::parse(content_of(path("out") + "/summary.json")).at("seen_last");
   ASSERT_EQ(seen["missions"].size(), 1U);
@@ -234,8 +238,6 @@ TEST_F(LatestStateOfABuilding, IsInTheSummaryAndInTheStore) {
   // Assembled again, by however many threads, it is the same; of one mission it is what that saw.
   ASSERT_EQ(run("-q assemble " + path("told.gpkg") + " --jobs 1").exit_code, 0);
   EXPECT_EQ(plan_file(path("told.gpkg")), plan);
-  ASSERT_EQ(run("-q assemble " + path("told.gpkg") + " --jobs 3").exit_code, 0);
-  EXPECT_EQ(plan_file(path("told.gpkg")), plan);
   ASSERT_EQ(run("-q assemble " + path("told.gpkg") + " --missions a").exit_code, 0);
   (void)plan_file(path("told.gpkg"));
   EXPECT_FALSE(Json::parse(content_of(path("out") + "/summary.json")).contains("seen_last"));
@@ -247,9 +249,9 @@ TEST_F(LatestStateOfABuilding, IsInTheSummaryAndInTheStore) {
 TEST_F(LatestStateOfABuilding, IsOnTheReportPageWhereAClickShowsIt) {
   ROOMATLAS_NEEDS("chromium");
   ROOMATLAS_NEEDS("node");
-  ASSERT_EQ(joined(a_ + " " + b_, "page.gpkg").exit_code, 0);
+  ASSERT_EQ(latest().exit_code, 0);
   const std::string page = path("page.html");
-  ASSERT_EQ(run("-q report " + path("page.gpkg") + " -o " + page).exit_code, 0);
+  ASSERT_EQ(run("-q report " + path("latest.gpkg") + " -o " + page).exit_code, 0);
   const Outcome looked =
       run_other("timeout 300 node " + std::string(ROOMATLAS_SOURCE_DIR) +
                 "/tests/apps/browser/changed.mjs " + page + " " + path("profile"));
@@ -267,7 +269,7 @@ TEST_F(LatestStateOfABuilding, WithoutChangesIsTheSumToTheByte) {
 }
 
 TEST_F(LatestStateOfABuilding, OfMissionsAtOneTimeNoneIsTheLatest) {
-  const Outcome done = joined(a_ + " " + at_once_, "joined_at_once.gpkg");
+  const Outcome done = joined(same_ + " " + b_, "at_once.gpkg");
   ASSERT_EQ(done.exit_code, 0) << done.err;
   EXPECT_THAT(done.err, Not(HasSubstr("saw")));
 }

@@ -10,15 +10,25 @@
 
 namespace roomatlas::test {
 
-/// Makes `building.gpkg` of a random building in the folder and assembles it.
+/// A random building with its truth, made and assembled once in a process: for copies.
+inline const std::filesystem::path& random_building() {
+  static const Folder folder;
+  static const std::filesystem::path place = [] {
+    const std::string made = (folder / "random").string();
+    const Outcome simulated = run("-q simulate --random-rooms 12 -o " + made);
+    EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
+    const Outcome assembled = run("-q assemble " + made + "/building.gpkg");
+    EXPECT_EQ(assembled.exit_code, 0) << assembled.err;
+    return made;
+  }();
+  return place;
+}
+
+/// Puts `random/building.gpkg`, an assembled random building, into the folder.
 inline std::string assembled_store(const Folder& folder) {
-  const std::string place = (folder / "random").string();
-  const Outcome made = run("-q simulate --random-rooms 12 -o " + place);
-  EXPECT_EQ(made.exit_code, 0) << made.err;
-  const std::string store = place + "/building.gpkg";
-  const Outcome assembled = run("-q assemble " + store);
-  EXPECT_EQ(assembled.exit_code, 0) << assembled.err;
-  return store;
+  const std::filesystem::path place = folder / "random";
+  std::filesystem::copy(random_building(), place, std::filesystem::copy_options::recursive);
+  return (place / "building.gpkg").string();
 }
 
 /// Runs another program; its exit code and what it prints.
