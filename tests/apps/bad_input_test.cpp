@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <future>
+#include <vector>
 
 #include "program.hpp"
 
@@ -132,11 +134,15 @@ TEST(BadInput, DevicesAndPipesWithoutAnEndAreRefused) {
   const std::string out = " -o " + (folder / "out").string();
   EXPECT_THAT(run("--config /dev/zero simulate " + world + out).err, HasSubstr("is a device"));
   EXPECT_THAT(run("optimize /dev/zero" + out).err, HasSubstr("is a device"));
+  std::vector<std::future<std::string>> refusals;  // each waits some seconds: side by side
   for (const std::string& command :
        {"--config " + pipe + " simulate " + world + out, "optimize " + pipe + out,
         "simulate " + world + " --drive " + pipe + out}) {
-    const Outcome outcome = run(command);
-    EXPECT_THAT(outcome.err, HasSubstr("is a pipe from which nothing came")) << command;
+    refusals.push_back(
+        std::async(std::launch::async, [command] { return command + ": " + run(command).err; }));
+  }
+  for (auto& refusal : refusals) {
+    EXPECT_THAT(refusal.get(), HasSubstr("is a pipe from which nothing came"));
   }
   for (const std::string& command : {"evaluate " + pipe, "info " + pipe, "build " + pipe + out}) {
     EXPECT_THAT(run(command).err, HasSubstr("not a regular file")) << command;

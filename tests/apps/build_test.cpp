@@ -60,14 +60,12 @@ TEST(Build, TheDemoHasItsRoomsAndDoorsWhereTheyAre) {
             evaluation["true_poses"]["before"]["position_m"]["mean"].get<double>());
 }
 
-TEST(Build, TwoRunsGiveTheSameBytesAndNoneHoldsAFolderOfThisRun) {
-  const Folder folder;
-  ASSERT_EQ(run("-q build " + mission() + " -o " + (folder / "b").string()).exit_code, 0);
+/// That two runs give the same bytes is shown of this mission by jobs_test.cpp.
+TEST(Build, NoFileHoldsAFolderOfTheRun) {
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(built_demo())) {
-    const std::string first = content_of(entry.path());
-    EXPECT_TRUE(first == content_of(folder / "b" / entry.path().filename())) << entry.path();
-    EXPECT_EQ(first.find((demo() / "").string()), std::string::npos) << entry.path();
+    const std::string content = content_of(entry.path());
+    EXPECT_EQ(content.find((demo() / "").string()), std::string::npos) << entry.path();
     ++files;
   }
   EXPECT_GE(files, 9);
