@@ -2,17 +2,17 @@
 #include "roomatlas/sonar/few_beams.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include "driven_path.hpp"
 #include "roomatlas/odometry/habits.hpp"
 #include "roomatlas/odometry/lag_learner.hpp"
 #include "roomatlas/odometry/late_odometry.hpp"
+#include "roomatlas/sonar/contradiction.hpp"
 #include "sonar_attempt.hpp"
-#include "trajectory_merit.hpp"
 
 namespace roomatlas {
 namespace {
@@ -20,6 +20,9 @@ namespace {
 constexpr double kHalfConeRad = radians(0.5);  // of a beam: as good as none
 /// Of a mission, whose time grows with them: of more some beams are left out.
 constexpr std::size_t kMostRanges = 400'000;
+/// Farther walls bend by what the heading drifts from reading to reading; a sonar's are heard to 4
+/// m.
+constexpr double kFarthestM = 8.0;
 constexpr std::size_t kFewestBeams = 8;  // left of each reading; a longer mission stays as it is
 
 /// Some of a laser's beams, each a sonar of its own.
@@ -96,6 +99,39 @@ std::vector<RangeReading> with_turns_of(std::span<const Pose2> matched,
   return readings;
 }
 
+/// With which odometry comes nearest to a trajectory; without lag.
+OdometryHabits habits_of(std::span<const RangeReading> readings, const DriveDirections& directions,
+                         std::span<const Pose2> map_from_robot) {
+  HabitLearner learner;
+  for (std::size_t i = 1; i < readings.size(); ++i) {
+    const Pose2 step = inverse(readings[i - 1].odom_from_robot) * readings[i].odom_from_robot;
+    learner.add(driven(step, directions.of_step[i]),
+                inverse(map_from_robot[i - 1]) * map_from_robot[i], true);
+  }
+  return learner.habits();
+}
+
+/// What speaks for a trajectory, in metres of wall. Walls are found once, along the matched sweeps,
+/// which are smoothest from one reading to the next: along each trajectory by itself the smoother
+/// one has the more of them.
+class WallScore {
+ public:
+  WallScore(std::span<const RangeReading> readings, const DriveDirections& directions,
+            std::span<const Pose2> matched, const WallSegmentOptions& options, int jobs)
+      : readings_(readings),
+        path_m_(driven_path(readings, directions, {}).path_m),
+        walls_(wall_segments(readings, matched, path_m_, options, jobs)) {}
+
+  double operator()(std::span<const Pose2> map_from_robot) const {
+    return score_of(contradiction_of(readings_, map_from_robot, path_m_, walls_, {}));
+  }
+
+ private:
+  std::span<const RangeReading> readings_;
+  std::vector<double> path_m_;
+  std::vector<WallSegment> walls_;
+};
+
 }  // namespace
 
 bool all_of_few_beams(std::span<const RangeReading> readings) {
@@ -108,31 +144,31 @@ bool all_of_few_beams(std::span<const RangeReading> readings) {
 std::optional<SonarTrajectory> correct_few_beams(std::vector<RangeReading> readings,
                                                  std::span<const Pose2> matched,
                                                  const DriveDirectionOptions& directions,
-                                                 const SonarTrajectoryOptions& options,
+                                                 SonarTrajectoryOptions options,
                                                  const std::function<void()>& before_attempt,
                                                  int jobs) {
   if (readings.size() != matched.size()) {
     throw std::invalid_argument("correct_few_beams: not one pose a reading");
   }
   if (readings.empty() || readings.size() * kFewestBeams > kMostRanges) return std::nullopt;
+  options.segments.max_range_m = kFarthestM;
   take_for_sonars(readings);
   const double lag_s = lag_of(readings, matched);
   make_timely(readings, lag_s);
   const DriveDirections driven = find_drive_directions(readings, directions);
-  const auto merit_of = [&](std::span<const Pose2> poses) {
-    return trajectory_merit(readings, driven, poses, options.segments, jobs);
-  };
-  const double matched_m = merit_of(matched).walls_m;
-  double most_m = -std::numeric_limits<double>::infinity();
+  const WallScore score_of_walls(readings, driven, matched, options.segments, jobs);
+  double most_m = score_of_walls(matched);
   std::optional<SonarTrajectory> best;
   for (const auto& start : {readings, with_turns_of(matched, readings)}) {
     SonarTrajectory found = correct_sonar_trajectory(start, driven, options, before_attempt, jobs);
-    const TrajectoryMerit merit = merit_of(found.map_from_robot);
-    if (is_better(matched_m, merit.walls_m) || merit.walls_m <= most_m) continue;
-    most_m = merit.walls_m;
-    found.habits = merit.habits;
-    found.habits.lag_s = lag_s;
+    const double score_m = score_of_walls(found.map_from_robot);
+    if (score_m <= most_m) continue;
+    most_m = score_m;
     best = std::move(found);
+  }
+  if (best) {
+    best->habits = habits_of(readings, driven, best->map_from_robot);
+    best->habits.lag_s = lag_s;
   }
   return best;
 }

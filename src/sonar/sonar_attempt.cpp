@@ -85,12 +85,8 @@ double score_of(const Contradiction& contradiction) {
   return contradiction.confirmed_m - kContradictedCounts * contradiction.contradicted_m;
 }
 
-bool is_better(double score_m, double than_m) {
-  return score_m > than_m + std::max(kBetterM, kBetterShare * than_m);
-}
-
 bool is_better(const Attempt& attempt, const Attempt& than) {
-  return is_better(attempt.score_m, than.score_m);
+  return attempt.score_m > than.score_m + std::max(kBetterM, kBetterShare * than.score_m);
 }
 
 double merit(const Attempt& attempt) { return attempt.score_m - attempt.strain; }

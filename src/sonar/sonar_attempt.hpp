@@ -69,7 +69,6 @@ void set_aside(Attempt attempt, std::vector<Attempt>& others);
 [[nodiscard]] double score_of(const Contradiction& contradiction);
 
 /// By more than noise.
-[[nodiscard]] bool is_better(double score_m, double than_m);
 [[nodiscard]] bool is_better(const Attempt& attempt, const Attempt& than);
 
 /// Of attempts with like headings. Walls of two rooms that are held to be one confirm each other,

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "../../src/sonar/trajectory_merit.hpp"
 #include "support/sonar_world.hpp"
 
 namespace roomatlas {
@@ -125,22 +124,6 @@ TEST(FewBeams, NeedAPoseForEachReadingAndAreLeftInAMissionTooLong) {
   const std::vector<Pose2> poses(many);
   EXPECT_FALSE(correct_few_beams(blind(SensorKind::laser, 1, many), poses, {}, {},
                                  [] { FAIL() << "nothing is tried"; }));
-}
-
-TEST(TrajectoryMerit, IsGreatestForTheTruth) {
-  const test::DrivenWorld& mission = square_corridor();
-  std::vector<RangeReading> heard = mission.readings;
-  RangeSensor sonars = *heard.front().sensor;
-  sonars.kind = SensorKind::sonar;
-  sonars.half_cone_rad = radians(0.5);
-  const auto ring = std::make_shared<const RangeSensor>(sonars);
-  for (RangeReading& reading : heard) reading.sensor = ring;
-  const DriveDirections driven = find_drive_directions(heard, {});
-  const TrajectoryMerit of_truth = trajectory_merit(heard, driven, mission.truth, {}, 1);
-  const TrajectoryMerit of_drift = trajectory_merit(heard, driven, odometry_of(heard), {}, 1);
-  EXPECT_GT(of_truth.walls_m, of_drift.walls_m + 20.0);
-  EXPECT_NEAR(degrees(of_truth.habits.bias_rad_per_m), -kDrift_deg_per_m, 0.2);
-  EXPECT_EQ(of_drift.habits, OdometryHabits{});
 }
 
 }  // namespace

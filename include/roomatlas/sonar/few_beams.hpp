@@ -27,13 +27,12 @@ inline constexpr std::size_t kFewBeams = 64;
 /// @param readings of lasers alone, with odometry as reported
 /// @param matched poses of the same readings as they were found sweep by sweep
 /// @param before_attempt see `correct_sonar_trajectory`
-/// @returns what walls speak for most; nothing where they speak for `matched` by more than noise,
-/// and
-///   of missions that are too long
+/// @param options of the batch; how far walls are heard is that of beams
+/// @returns what walls speak for most; nothing where that is `matched`, and of missions too long
 /// @throws std::invalid_argument where there is not one pose a reading
 [[nodiscard]] std::optional<SonarTrajectory> correct_few_beams(
     std::vector<RangeReading> readings, std::span<const Pose2> matched,
-    const DriveDirectionOptions& directions, const SonarTrajectoryOptions& options,
+    const DriveDirectionOptions& directions, SonarTrajectoryOptions options,
     const std::function<void()>& before_attempt = {}, int jobs = 1);
 
 }  // namespace roomatlas
