@@ -156,21 +156,13 @@ std::optional<SonarTrajectory> correct_few_beams(std::vector<RangeReading> readi
   const double lag_s = lag_of(readings, matched);
   make_timely(readings, lag_s);
   const DriveDirections driven = find_drive_directions(readings, directions);
+  SonarTrajectory found = correct_sonar_trajectory(with_turns_of(matched, readings), driven,
+                                                   options, before_attempt, jobs);
   const WallScore score_of_walls(readings, driven, matched, options.segments, jobs);
-  double most_m = score_of_walls(matched);
-  std::optional<SonarTrajectory> best;
-  for (const auto& start : {readings, with_turns_of(matched, readings)}) {
-    SonarTrajectory found = correct_sonar_trajectory(start, driven, options, before_attempt, jobs);
-    const double score_m = score_of_walls(found.map_from_robot);
-    if (score_m <= most_m) continue;
-    most_m = score_m;
-    best = std::move(found);
-  }
-  if (best) {
-    best->habits = habits_of(readings, driven, best->map_from_robot);
-    best->habits.lag_s = lag_s;
-  }
-  return best;
+  if (score_of_walls(found.map_from_robot) <= score_of_walls(matched)) return std::nullopt;
+  found.habits = habits_of(readings, driven, found.map_from_robot);
+  found.habits.lag_s = lag_s;
+  return found;
 }
 
 }  // namespace roomatlas

@@ -22,13 +22,15 @@ inline constexpr std::size_t kFewBeams = 64;
 
 /// Corrects a mission with a laser of few beams as `correct_sonar_trajectory` does one with sonars:
 /// walls that single beams pass along in consecutive readings are what a sonar hears of them, only
-/// sharper. Tried are odometry's headings and those of matched sweeps, both with odometry's
-/// lengths: a narrow view knows its turns better than how far it went.
+/// sharper. It begins with the headings of matched sweeps and odometry's lengths: a narrow view
+/// knows its turns better than how far it went.
 /// @param readings of lasers alone, with odometry as reported
 /// @param matched poses of the same readings as they were found sweep by sweep
 /// @param before_attempt see `correct_sonar_trajectory`
 /// @param options of the batch; how far walls are heard is that of beams
-/// @returns what walls speak for most; nothing where that is `matched`, and of missions too long
+/// @returns nothing where walls do not speak for it more than for `matched`, and of missions that
+/// are
+///   too long
 /// @throws std::invalid_argument where there is not one pose a reading
 [[nodiscard]] std::optional<SonarTrajectory> correct_few_beams(
     std::vector<RangeReading> readings, std::span<const Pose2> matched,
