@@ -12,13 +12,13 @@
 namespace roomatlas {
 namespace {
 
-/// Whether somebody said which visits are of one room, or which answer is meant.
+/// Whether somebody said how visits lie, or which answer is meant. A match that is rejected says
+/// neither: the whole does without any.
 bool are_matches_told(const AssembleOptions& options) {
   const ClosureOptions& closures = options.closures;
   return options.answer != 1 || !closures.given.empty() || closures.without_best > 0 ||
-         std::any_of(options.edits.begin(), options.edits.end(), [](const Edit& edit) {
-           return edit.kind == EditKind::reject_closure || edit.kind == EditKind::pin_visits;
-         });
+         std::any_of(options.edits.begin(), options.edits.end(),
+                     [](const Edit& edit) { return edit.kind == EditKind::pin_visits; });
 }
 
 bool all_by_few_beams(const AsrSource& source) {
@@ -66,8 +66,8 @@ std::optional<CorrectedMission> correct_as_a_whole(const AsrSource& source, cons
                                                    const Options& options,
                                                    const Progress& progress) {
   const AssembleOptions& assemble = options.assemble;
-  if (!assemble.correct_sonars || are_matches_told(assemble) || !all_by_few_beams(source))
-    return {};
+  const bool may_be = assemble.correct_sonars && !are_matches_told(assemble);
+  if (!may_be || !all_by_few_beams(source)) return {};
   const auto tell = [&] { report(progress, "correct as a whole", -1.0); };
   tell();
   auto whole = correct_few_beams(readings_of(source), matched_poses(source, doubted),

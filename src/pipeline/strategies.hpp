@@ -77,7 +77,7 @@ struct CorrectedMission {
 /// as it was.
 /// @param doubted its map by matched rooms, judged
 /// @returns nothing where the laser has many beams, where walls do not speak for it, and where
-///   somebody said which visits are of one room or asked for another answer: then matches decide
+///   somebody said how visits lie or asked for another answer: then matches decide
 [[nodiscard]] std::optional<CorrectedMission> correct_as_a_whole(const AsrSource& source,
                                                                  const Assembly& doubted,
                                                                  const Options& options,

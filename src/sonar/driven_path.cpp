@@ -49,6 +49,16 @@ DrivenPath driven_path(std::span<const RangeReading> readings, const DriveDirect
   return path;
 }
 
+OdometryHabits habits_between(std::span<const Pose2> odom_from_robot,
+                              std::span<const Pose2> map_from_robot, bool are_lengths_seen) {
+  HabitLearner learner;
+  for (std::size_t i = 1; i < odom_from_robot.size(); ++i) {
+    learner.add(inverse(odom_from_robot[i - 1]) * odom_from_robot[i],
+                inverse(map_from_robot[i - 1]) * map_from_robot[i], are_lengths_seen);
+  }
+  return learner.habits();
+}
+
 std::vector<Pose2> with_headings(const DrivenPath& path, std::span<const double> turn_rad) {
   std::vector<Pose2> poses;
   for (std::size_t i = 0; i < path.odom_from_robot.size(); ++i) {

@@ -19,6 +19,13 @@ struct DrivenPath {
                                      const DriveDirections& directions,
                                      const OdometryHabits& habits);
 
+/// Habits with which odometry comes nearest to poses that were found otherwise; without lag.
+/// @param odom_from_robot,map_from_robot one a reading
+/// @param are_lengths_seen whether walls told the poses' lengths
+[[nodiscard]] OdometryHabits habits_between(std::span<const Pose2> odom_from_robot,
+                                            std::span<const Pose2> map_from_robot,
+                                            bool are_lengths_seen);
+
 /// Turns the headings of a path by an angle for each reading; the steps in between are driven at
 /// the mean of the turns at their ends.
 [[nodiscard]] std::vector<Pose2> with_headings(const DrivenPath& path,

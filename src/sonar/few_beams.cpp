@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "driven_path.hpp"
-#include "roomatlas/odometry/habits.hpp"
 #include "roomatlas/odometry/lag_learner.hpp"
 #include "roomatlas/odometry/late_odometry.hpp"
 #include "roomatlas/sonar/contradiction.hpp"
@@ -20,8 +19,7 @@ namespace {
 constexpr double kHalfConeRad = radians(0.5);  // of a beam: as good as none
 /// Of a mission, whose time grows with them: of more some beams are left out.
 constexpr std::size_t kMostRanges = 400'000;
-/// Farther walls bend by what the heading drifts from reading to reading; a sonar's are heard to 4
-/// m.
+/// Farther walls bend by what the heading drifts from reading to reading. A sonar hears to 4 m.
 constexpr double kFarthestM = 8.0;
 constexpr std::size_t kFewestBeams = 8;  // left of each reading; a longer mission stays as it is
 
@@ -99,39 +97,6 @@ std::vector<RangeReading> with_turns_of(std::span<const Pose2> matched,
   return readings;
 }
 
-/// With which odometry comes nearest to a trajectory; without lag.
-OdometryHabits habits_of(std::span<const RangeReading> readings, const DriveDirections& directions,
-                         std::span<const Pose2> map_from_robot) {
-  HabitLearner learner;
-  for (std::size_t i = 1; i < readings.size(); ++i) {
-    const Pose2 step = inverse(readings[i - 1].odom_from_robot) * readings[i].odom_from_robot;
-    learner.add(driven(step, directions.of_step[i]),
-                inverse(map_from_robot[i - 1]) * map_from_robot[i], true);
-  }
-  return learner.habits();
-}
-
-/// What speaks for a trajectory, in metres of wall. Walls are found once, along the matched sweeps,
-/// which are smoothest from one reading to the next: along each trajectory by itself the smoother
-/// one has the more of them.
-class WallScore {
- public:
-  WallScore(std::span<const RangeReading> readings, const DriveDirections& directions,
-            std::span<const Pose2> matched, const WallSegmentOptions& options, int jobs)
-      : readings_(readings),
-        path_m_(driven_path(readings, directions, {}).path_m),
-        walls_(wall_segments(readings, matched, path_m_, options, jobs)) {}
-
-  double operator()(std::span<const Pose2> map_from_robot) const {
-    return score_of(contradiction_of(readings_, map_from_robot, path_m_, walls_, {}));
-  }
-
- private:
-  std::span<const RangeReading> readings_;
-  std::vector<double> path_m_;
-  std::vector<WallSegment> walls_;
-};
-
 }  // namespace
 
 bool all_of_few_beams(std::span<const RangeReading> readings) {
@@ -158,9 +123,16 @@ std::optional<SonarTrajectory> correct_few_beams(std::vector<RangeReading> readi
   const DriveDirections driven = find_drive_directions(readings, directions);
   SonarTrajectory found = correct_sonar_trajectory(with_turns_of(matched, readings), driven,
                                                    options, before_attempt, jobs);
-  const WallScore score_of_walls(readings, driven, matched, options.segments, jobs);
-  if (score_of_walls(found.map_from_robot) <= score_of_walls(matched)) return std::nullopt;
-  found.habits = habits_of(readings, driven, found.map_from_robot);
+  const DrivenPath path = driven_path(readings, driven, {});
+  // Along the sweeps, which are smoothest from one reading to the next: along each trajectory by
+  // itself the smoother one has the more of them.
+  const std::vector<WallSegment> walls =
+      wall_segments(readings, matched, path.path_m, options.segments, jobs);
+  const auto score_m = [&](std::span<const Pose2> poses) {
+    return score_of(contradiction_of(readings, poses, path.path_m, walls, {}));
+  };
+  if (score_m(found.map_from_robot) <= score_m(matched)) return std::nullopt;
+  found.habits = habits_between(path.odom_from_robot, found.map_from_robot, true);
   found.habits.lag_s = lag_s;
   return found;
 }

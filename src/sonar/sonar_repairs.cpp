@@ -49,13 +49,9 @@ OdometryHabits learnt_habits(const SonarMission& mission, const Idea& idea) {
   habits.bias_rad_per_m = 0.0;
   habits.turn_gain = 1.0;
   const auto driven = driven_path(mission.readings, mission.directions, habits).odom_from_robot;
-  const std::vector<Pose2>& found = idea.attempt.map_from_robot;
-  HabitLearner learner;
-  for (std::size_t i = 1; i < driven.size(); ++i) {
-    learner.add(inverse(driven[i - 1]) * driven[i], inverse(found[i - 1]) * found[i], false);
-  }
-  habits.bias_rad_per_m = learner.habits().bias_rad_per_m;
-  habits.turn_gain = learner.habits().turn_gain;
+  const OdometryHabits learnt = habits_between(driven, idea.attempt.map_from_robot, false);
+  habits.bias_rad_per_m = learnt.bias_rad_per_m;
+  habits.turn_gain = learnt.turn_gain;
   return habits;
 }
 

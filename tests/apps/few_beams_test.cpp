@@ -73,15 +73,22 @@ TEST_F(FewBeams, AreAssembledAgainToTheSameBytes) {
   EXPECT_TRUE(content_of(store) == content_of(path("whole/building.gpkg")));
 }
 
-TEST_F(FewBeams, LieWhereTheirMatchesPutThemWhereSomebodyDecidedOnThese) {
-  const std::string store = path("pinned.gpkg");
+TEST_F(FewBeams, LieWhereTheirMatchesPutThemWhereSomebodyPinnedVisits) {
+  const std::string visits = R"("from_time_s":1000000001.0,"to_time_s":1000000150.0)";
+  const std::string edits =
+      R"({"format":"roomatlas-edits","version":1,"frame":"building","edits":[)";
+  const auto rejected =
+      folder_->write("rejected.json", edits + R"({"edit":"reject_closure",)" + visits + "}]}");
+  const auto pinned = folder_->write(
+      "pinned.json", edits + R"({"edit":"pin_visits",)" + visits +
+                         R"(,"from_from_to":{"x_m":0.0,"y_m":0.0,"theta_rad":0.0}}]})");
+  const std::string store = path("edited.gpkg");
   std::filesystem::copy_file(path("whole/building.gpkg"), store);
-  const auto edits = folder_->write("edits.json", R"({"format":"roomatlas-edits","version":1,
-  "frame":"building","edits":[
-  {"edit":"reject_closure","from_time_s":1000000001.0,"to_time_s":1000000150.0}]})");
-  const Outcome assembled = run("assemble " + store + " --edits " + edits.string());
-  EXPECT_EQ(assembled.exit_code, 0) << assembled.err;
-  EXPECT_THAT(assembled.err, Not(HasSubstr("corrected as a whole")));
+  EXPECT_THAT(run("assemble " + store + " --edits " + rejected.string()).err,
+              HasSubstr("corrected as a whole"));
+  const Outcome outcome = run("assemble " + store + " --edits " + pinned.string());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, Not(HasSubstr("corrected as a whole")));
 }
 
 }  // namespace

@@ -26,11 +26,9 @@ inline constexpr std::size_t kFewBeams = 64;
 /// knows its turns better than how far it went.
 /// @param readings of lasers alone, with odometry as reported
 /// @param matched poses of the same readings as they were found sweep by sweep
-/// @param before_attempt see `correct_sonar_trajectory`
 /// @param options of the batch; how far walls are heard is that of beams
-/// @returns nothing where walls do not speak for it more than for `matched`, and of missions that
-/// are
-///   too long
+/// @param before_attempt,jobs see `correct_sonar_trajectory`
+/// @returns nothing where walls speak for `matched` as much, and of missions that are too long
 /// @throws std::invalid_argument where there is not one pose a reading
 [[nodiscard]] std::optional<SonarTrajectory> correct_few_beams(
     std::vector<RangeReading> readings, std::span<const Pose2> matched,
