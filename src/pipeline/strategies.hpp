@@ -76,8 +76,9 @@ struct CorrectedMission {
 /// all its readings as one trajectory, as those of sonars are. Which visits are of one room stays
 /// as it was.
 /// @param doubted its map by matched rooms, judged
-/// @returns nothing where the laser has many beams, where walls do not speak for it, and where
-///   somebody said how visits lie or asked for another answer: then matches decide
+/// @returns nothing where walls do not speak for it, where readings were not kept, are not all of
+///   lasers, or too many (`SingleBeams`), and where somebody said how visits lie or asked for
+///   another answer: then matches decide
 [[nodiscard]] std::optional<CorrectedMission> correct_as_a_whole(const AsrSource& source,
                                                                  const Assembly& doubted,
                                                                  const Options& options,

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mission with a laser of few beams: its sweeps tell little each, its walls as a whole more.
+// A mission with a laser whose map is doubted: where sweeps, matched one by one, lost their way,
+// its walls as a whole know more.
 #include <algorithm>
 #include <span>
 #include <utility>
 
 #include "roomatlas/asr/load.hpp"
 #include "roomatlas/asr/with_paths.hpp"
-#include "roomatlas/sonar/few_beams.hpp"
+#include "roomatlas/sonar/single_beams.hpp"
 #include "strategies.hpp"
 
 namespace roomatlas {
@@ -21,13 +22,22 @@ bool are_matches_told(const AssembleOptions& options) {
                      [](const Edit& edit) { return edit.kind == EditKind::pin_visits; });
 }
 
-bool all_by_few_beams(const AsrSource& source) {
-  const std::vector<AsrId> ids = source.ids();
-  return std::all_of(ids.begin(), ids.end(), [&](AsrId id) {
-    const Asr asr = source.get(id, AsrDetail::readings);
-    return !asr.readings.empty() && asr.readings.size() == asr.path.size() &&
-           all_of_few_beams(asr.readings);
-  });
+/// Nothing where readings are of another sensor, not kept, or too many.
+std::optional<std::vector<RangeReading>> single_beams_of(const AsrSource& source,
+                                                         std::size_t count) {
+  if (count == 0 || count > SingleBeams::kMostReadings) return {};
+  SingleBeams beams(count);
+  std::vector<RangeReading> readings;
+  readings.reserve(count);
+  for (const AsrId id : source.ids()) {
+    Asr asr = source.get(id, AsrDetail::readings);
+    if (asr.readings.empty() || asr.readings.size() != asr.path.size()) return {};
+    for (RangeReading& reading : asr.readings) {
+      if (reading.sensor->kind != SensorKind::laser) return {};
+      readings.push_back(beams.of(std::move(reading)));
+    }
+  }
+  return readings;
 }
 
 /// Of each reading, where matched rooms put it.
@@ -66,12 +76,14 @@ std::optional<CorrectedMission> correct_as_a_whole(const AsrSource& source, cons
                                                    const Options& options,
                                                    const Progress& progress) {
   const AssembleOptions& assemble = options.assemble;
-  const bool may_be = assemble.correct_sonars && !are_matches_told(assemble);
-  if (!may_be || !all_by_few_beams(source)) return {};
+  if (!assemble.correct_sonars || are_matches_told(assemble)) return {};
+  const std::vector<Pose2> matched = matched_poses(source, doubted);
+  auto readings = single_beams_of(source, matched.size());
+  if (!readings) return {};
   const auto tell = [&] { report(progress, "correct as a whole", -1.0); };
   tell();
-  auto whole = correct_few_beams(readings_of(source), matched_poses(source, doubted),
-                                 options.map.directions, assemble.sonars, tell, options.jobs);
+  auto whole = correct_single_beams(std::move(*readings), matched, options.map.directions,
+                                    assemble.sonars, tell, options.jobs);
   if (!whole) return {};
   const std::vector<Asr> asrs = load(source, AsrDetail::path);
   auto [placement, paths] = placed_along(asrs, whole->map_from_robot);

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "roomatlas/sonar/few_beams.hpp"
+#include "roomatlas/sonar/single_beams.hpp"
 
 #include <algorithm>
-#include <map>
-#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -17,48 +15,9 @@ namespace roomatlas {
 namespace {
 
 constexpr double kHalfConeRad = radians(0.5);  // of a beam: as good as none
-/// Of a mission, whose time grows with them: of more some beams are left out.
-constexpr std::size_t kMostRanges = 400'000;
+constexpr std::size_t kMostRanges = 400'000;   // of a mission: its time grows with them
 /// Farther walls bend by what the heading drifts from reading to reading. A sonar hears to 4 m.
 constexpr double kFarthestM = 8.0;
-constexpr std::size_t kFewestBeams = 8;  // left of each reading; a longer mission stays as it is
-
-/// Some of a laser's beams, each a sonar of its own.
-struct Ring {
-  std::shared_ptr<const RangeSensor> laser;  ///< whose address is the key
-  std::shared_ptr<const RangeSensor> sonars;
-  std::size_t every = 1;  ///< beam that is taken
-};
-
-Ring ring_of(const std::shared_ptr<const RangeSensor>& laser, std::size_t readings) {
-  const std::vector<Pose2>& beams = laser->robot_from_beam;
-  const std::size_t most = std::max<std::size_t>(1, kMostRanges / readings);
-  Ring ring{laser, nullptr, std::max<std::size_t>(1, (beams.size() + most - 1) / most)};
-  RangeSensor sonars{SensorKind::sonar, {}, kHalfConeRad, laser->max_range_m};
-  for (std::size_t i = ring.every / 2; i < beams.size(); i += ring.every) {
-    sonars.robot_from_beam.push_back(beams[i]);
-  }
-  ring.sonars = std::make_shared<const RangeSensor>(std::move(sonars));
-  return ring;
-}
-
-void take_for_sonars(std::vector<RangeReading>& readings) {
-  std::map<const RangeSensor*, Ring> rings;
-  for (RangeReading& reading : readings) {
-    auto known = rings.find(reading.sensor.get());
-    if (known == rings.end()) {
-      known = rings.emplace(reading.sensor.get(), ring_of(reading.sensor, readings.size())).first;
-    }
-    const Ring& ring = known->second;
-    std::vector<float> ranges_m;
-    ranges_m.reserve(ring.sonars->robot_from_beam.size());
-    for (std::size_t i = ring.every / 2; i < reading.ranges_m.size(); i += ring.every) {
-      ranges_m.push_back(reading.ranges_m[i]);
-    }
-    reading.ranges_m = std::move(ranges_m);
-    reading.sensor = ring.sonars;
-  }
-}
 
 double lag_of(std::span<const RangeReading> readings, std::span<const Pose2> matched) {
   LagLearner lag;
@@ -99,25 +58,51 @@ std::vector<RangeReading> with_turns_of(std::span<const Pose2> matched,
 
 }  // namespace
 
-bool all_of_few_beams(std::span<const RangeReading> readings) {
-  return std::all_of(readings.begin(), readings.end(), [](const RangeReading& reading) {
-    return reading.sensor->kind == SensorKind::laser &&
-           reading.sensor->robot_from_beam.size() <= kFewBeams;
-  });
+SingleBeams::SingleBeams(std::size_t readings)
+    : most_(kMostRanges / std::max<std::size_t>(1, readings)) {
+  if (readings == 0 || readings > kMostReadings) {
+    throw std::invalid_argument("SingleBeams: of so many readings there are none");
+  }
 }
 
-std::optional<SonarTrajectory> correct_few_beams(std::vector<RangeReading> readings,
-                                                 std::span<const Pose2> matched,
-                                                 const DriveDirectionOptions& directions,
-                                                 SonarTrajectoryOptions options,
-                                                 const std::function<void()>& before_attempt,
-                                                 int jobs) {
-  if (readings.size() != matched.size()) {
-    throw std::invalid_argument("correct_few_beams: not one pose a reading");
+SingleBeams::Ring SingleBeams::ring_of(const std::shared_ptr<const RangeSensor>& laser) const {
+  const std::vector<Pose2>& beams = laser->robot_from_beam;
+  Ring ring{laser, nullptr, std::max<std::size_t>(1, (beams.size() + most_ - 1) / most_)};
+  RangeSensor sonars{SensorKind::sonar, {}, kHalfConeRad, laser->max_range_m};
+  for (std::size_t i = ring.every / 2; i < beams.size(); i += ring.every) {
+    sonars.robot_from_beam.push_back(beams[i]);
   }
-  if (readings.empty() || readings.size() * kFewestBeams > kMostRanges) return std::nullopt;
+  ring.sonars = std::make_shared<const RangeSensor>(std::move(sonars));
+  return ring;
+}
+
+RangeReading SingleBeams::of(RangeReading reading) {
+  auto known = rings_.find(reading.sensor.get());
+  if (known == rings_.end()) {
+    known = rings_.emplace(reading.sensor.get(), ring_of(reading.sensor)).first;
+  }
+  const Ring& ring = known->second;
+  std::vector<float> ranges_m;
+  ranges_m.reserve(ring.sonars->robot_from_beam.size());
+  for (std::size_t i = ring.every / 2; i < reading.ranges_m.size(); i += ring.every) {
+    ranges_m.push_back(reading.ranges_m[i]);
+  }
+  reading.ranges_m = std::move(ranges_m);
+  reading.sensor = ring.sonars;
+  return reading;
+}
+
+std::optional<SonarTrajectory> correct_single_beams(std::vector<RangeReading> readings,
+                                                    std::span<const Pose2> matched,
+                                                    const DriveDirectionOptions& directions,
+                                                    SonarTrajectoryOptions options,
+                                                    const std::function<void()>& before_attempt,
+                                                    int jobs) {
+  if (readings.size() != matched.size()) {
+    throw std::invalid_argument("correct_single_beams: not one pose a reading");
+  }
+  if (readings.empty()) return std::nullopt;
   options.segments.max_range_m = kFarthestM;
-  take_for_sonars(readings);
   const double lag_s = lag_of(readings, matched);
   make_timely(readings, lag_s);
   const DriveDirections driven = find_drive_directions(readings, directions);
