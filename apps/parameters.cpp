@@ -119,7 +119,7 @@ void add_correction(Parameters& all, Settings& settings) {
   stage.flag(
       "correct-sonars", assemble.correct_sonars,
       "correct a mission with sonars as a whole, by its walls, before its rooms are mapped; one "
-      "with a laser where its map would be doubted");
+      "with a laser where its map would be doubtful");
   stage.add("without-closures", assemble.closures.without_best,
             "leave out this many of the best matches of rooms, to see what depends on them", 0,
             1e6);

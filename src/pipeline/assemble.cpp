@@ -117,8 +117,8 @@ MappedBuilding outlined_of(const AsrSource& source, const RobotFootprint& footpr
       {options.assemble.rooms, options.map.record.map, options.assemble.map_again}, progress);
 }
 
-bool is_more_likely_wrong(const Assembly& assembly) {
-  return assembly.judgement && assembly.judgement->probability < 0.5;
+bool is_doubtful(const Assembly& assembly) {
+  return assembly.judgement && assembly.judgement->probability < kTrusted;
 }
 
 /// Which of two, both judged, is more likely right; the first where none is.
@@ -273,7 +273,7 @@ Assembly assemble(const AsrSource& source, const RobotFootprint& footprint, cons
   Assembly assembly =
       assemble_corrected(kind, source, correct_mission(kind, source, footprint, options, progress),
                          footprint, options, progress);
-  if (kind != MissionKind::laser || !is_more_likely_wrong(assembly)) return assembly;
+  if (kind != MissionKind::laser || !is_doubtful(assembly)) return assembly;
   auto corrected = correct_as_a_whole(source, assembly, options, progress);
   if (!corrected) return assembly;
   return likelier(std::move(assembly), assemble_corrected(kind, source, std::move(*corrected),

@@ -72,7 +72,7 @@ struct CorrectedMission {
                                                const RobotFootprint& footprint,
                                                const Options& options, const Progress& progress);
 
-/// A mission with a laser whose map is more likely wrong than right, corrected anew: the poses of
+/// A mission with a laser whose map is doubtful, corrected anew: the poses of
 /// all its readings as one trajectory, as those of sonars are. Which visits are of one room stays
 /// as it was.
 /// @param doubted its map by matched rooms, judged

@@ -13,7 +13,7 @@ namespace roomatlas {
 enum class MissionKind {
   laser,  ///< the robot was found in its rooms: rooms are matched with each other by their walls
           ///< (`match_rooms` off: by doorways, as the paper's, but decided on all readings). One
-          ///< whose map is more likely wrong than right is corrected as a whole then
+          ///< whose map is doubtful (`kTrusted`) is corrected as a whole then
   sonar,  ///< sonars alone: the mission is corrected as a whole, and its rooms recorded again
   paper,  ///< nothing but odometry and doorways, as the paper has it: where the robot was not found
           ///< in its rooms, where readings were not kept, and where `correct_sonars` is off

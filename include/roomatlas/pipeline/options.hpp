@@ -43,7 +43,7 @@ enum class PlanStyle {
 /// How ASRs become a floor plan.
 struct AssembleOptions {
   bool correct_sonars = true;  ///< a mission with sonars alone is corrected as a whole first, one
-                               ///< with a laser where its map is doubted; off: rooms of sonars as
+                               ///< with a laser where its map is doubtful; off: rooms of sonars as
                                ///< odometry bent them
   SonarTrajectoryOptions sonars;
   std::vector<std::string> missions;  ///< of several, by name or number: those that are drawn;
