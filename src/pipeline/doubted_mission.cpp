@@ -13,11 +13,12 @@
 namespace roomatlas {
 namespace {
 
-/// Whether somebody said how visits lie, or which answer is meant. A match that is rejected says
-/// neither: the whole does without any.
-bool are_matches_told(const AssembleOptions& options) {
+/// Whether somebody said how visits lie, by what they are held, or which answer is meant. A match
+/// that is rejected says none of it: the whole does without any.
+bool is_decided(const AssembleOptions& options) {
   const ClosureOptions& closures = options.closures;
-  return options.answer != 1 || !closures.given.empty() || closures.without_best > 0 ||
+  return options.answer != 1 || !options.match_rooms || !closures.given.empty() ||
+         closures.without_best > 0 ||
          std::any_of(options.edits.begin(), options.edits.end(),
                      [](const Edit& edit) { return edit.kind == EditKind::pin_visits; });
 }
@@ -76,7 +77,7 @@ std::optional<CorrectedMission> correct_as_a_whole(const AsrSource& source, cons
                                                    const Options& options,
                                                    const Progress& progress) {
   const AssembleOptions& assemble = options.assemble;
-  if (!assemble.correct_sonars || are_matches_told(assemble)) return {};
+  if (!assemble.correct_sonars || is_decided(assemble)) return {};
   const std::vector<Pose2> matched = matched_poses(source, doubted);
   auto readings = single_beams_of(source, matched.size());
   if (!readings) return {};
