@@ -2,6 +2,7 @@
 #include "roomatlas/sonar/single_beams.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -18,6 +19,9 @@ constexpr double kHalfConeRad = radians(0.5);  // of a beam: as good as none
 constexpr std::size_t kMostRanges = 400'000;   // of a mission: its time grows with them
 /// Farther walls bend by what the heading drifts from reading to reading. A sonar hears to 4 m.
 constexpr double kFarthestM = 8.0;
+/// Of the sweeps' score, by which the batch's must be better. Where both are alike the sweeps lie
+/// more exactly: they are of all beams.
+constexpr double kBetterThanSweeps = 0.005;
 
 double lag_of(std::span<const RangeReading> readings, std::span<const Pose2> matched) {
   LagLearner lag;
@@ -116,7 +120,10 @@ std::optional<SonarTrajectory> correct_single_beams(std::vector<RangeReading> re
   const auto score_m = [&](std::span<const Pose2> poses) {
     return score_of(contradiction_of(readings, poses, path.path_m, walls, {}));
   };
-  if (score_m(found.map_from_robot) <= score_m(matched)) return std::nullopt;
+  const double matched_m = score_m(matched);
+  if (score_m(found.map_from_robot) <= matched_m + kBetterThanSweeps * std::abs(matched_m)) {
+    return std::nullopt;
+  }
   found.habits = habits_between(path.odom_from_robot, found.map_from_robot, true);
   found.habits.lag_s = lag_s;
   return found;

@@ -49,7 +49,7 @@ class SingleBeams {
 /// @param matched poses of the same readings as they were found sweep by sweep
 /// @param options of the batch; how far walls are heard is that of beams
 /// @param before_attempt,jobs see `correct_sonar_trajectory`
-/// @returns nothing where walls speak for `matched` as much, and where there are no readings
+/// @returns nothing where walls speak for `matched` nearly as much, and where there are no readings
 /// @throws std::invalid_argument where there is not one pose a reading
 [[nodiscard]] std::optional<SonarTrajectory> correct_single_beams(
     std::vector<RangeReading> readings, std::span<const Pose2> matched,
