@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kHalfConeRad = radians(0.5);  // of a beam: as good as none
 constexpr std::size_t kMostRanges = 400'000;   // of a mission: its time grows with them ...
-constexpr std::size_t kMostBeams = 64;  // ... and with the pairs of what they see: their square
+constexpr std::size_t kMostBeams = 96;  // ... and with the pairs of what they see: their square
 /// Farther walls bend by what the heading drifts from reading to reading. A sonar hears to 4 m.
 constexpr double kFarthestM = 8.0;
 /// Of the sweeps' score, by which the batch's must be better. Where both are alike the sweeps lie
@@ -63,11 +63,11 @@ std::vector<RangeReading> with_turns_of(std::span<const Pose2> matched,
 
 }  // namespace
 
-SingleBeams::SingleBeams(std::size_t readings)
-    : most_(std::min(kMostBeams, kMostRanges / std::max<std::size_t>(1, readings))) {
+SingleBeams::SingleBeams(std::size_t readings) {
   if (readings == 0 || readings > kMostReadings) {
     throw std::invalid_argument("SingleBeams: of so many readings there are none");
   }
+  most_ = std::min(kMostBeams, kMostRanges / readings);
 }
 
 SingleBeams::Ring SingleBeams::ring_of(const std::shared_ptr<const RangeSensor>& laser) const {

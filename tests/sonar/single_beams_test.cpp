@@ -82,7 +82,7 @@ std::vector<RangeReading> numbered(std::size_t beams, std::size_t readings) {
 }
 
 TEST(SingleBeams, AreAllOfASweepOfFew) {
-  const RangeReading given = numbered(64, 1).front();
+  const RangeReading given = numbered(96, 1).front();
   const RangeReading taken = SingleBeams(1000).of(given);
   EXPECT_EQ(taken.ranges_m, given.ranges_m);
   EXPECT_EQ(taken.sensor->kind, SensorKind::sonar);
@@ -96,7 +96,7 @@ TEST(SingleBeams, LieEvenlyOverASweepOfMore) {
     const RangeReading taken = SingleBeams(readings).of(given);
     ASSERT_EQ(taken.ranges_m.size(), taken.sensor->robot_from_beam.size());
     EXPECT_LE(taken.ranges_m.size() * readings, 400'000U);
-    EXPECT_LE(taken.ranges_m.size(), 64U);
+    EXPECT_LE(taken.ranges_m.size(), 96U);
     EXPECT_GE(taken.ranges_m.size(), 7U);
     const float apart = taken.ranges_m[1] - taken.ranges_m[0];
     for (std::size_t i = 0; i < taken.ranges_m.size(); ++i) {

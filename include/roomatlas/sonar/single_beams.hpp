@@ -17,7 +17,7 @@ namespace roomatlas {
 
 /// Some of the beams of a mission's lasers, each a sonar of its own with a cone that is next to
 /// none: walls that it passes along in consecutive readings are what a sonar hears of them, only
-/// sharper. At most 64, evenly over the sweep, and of a long mission fewer: what they cost grows
+/// sharper. At most 96, evenly over the sweep, and of a long mission fewer: what they cost grows
 /// with their square and with the mission.
 class SingleBeams {
  public:
@@ -39,7 +39,7 @@ class SingleBeams {
   };
   [[nodiscard]] Ring ring_of(const std::shared_ptr<const RangeSensor>& laser) const;
 
-  std::size_t most_;  ///< beams of a sweep
+  std::size_t most_ = 0;  ///< beams of a sweep
   std::map<const RangeSensor*, Ring> rings_;
 };
 

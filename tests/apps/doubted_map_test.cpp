@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-class Doubted : public ::testing::Test {
+class DoubtedMap : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new Folder;
@@ -52,7 +52,7 @@ class Doubted : public ::testing::Test {
   static inline Outcome sweeps_;  ///< of its sweeps, matched one by one
 };
 
-TEST_F(Doubted, OfADoubtedMapAreCorrectedAsAWhole) {
+TEST_F(DoubtedMap, IsCorrectedAsAWhole) {
   EXPECT_GT(off_m(sweeps_), 1.0);
   EXPECT_LT(probability(sweeps_), 0.5);
   EXPECT_THAT(sweeps_.err, Not(HasSubstr("corrected as a whole")));
@@ -60,20 +60,20 @@ TEST_F(Doubted, OfADoubtedMapAreCorrectedAsAWhole) {
   EXPECT_THAT(whole_.err, HasSubstr("corrected as a whole"));
 }
 
-TEST_F(Doubted, SayThatTheirMapWasDoubted) {
+TEST_F(DoubtedMap, SaysThatItWasDoubted) {
   EXPECT_GT(probability(whole_), probability(sweeps_));
   EXPECT_LT(probability(whole_), 0.9);
   EXPECT_THAT(whole_.err, HasSubstr("its sweeps, matched one by one, made another map"));
 }
 
-TEST_F(Doubted, AreAssembledAgainToTheSameBytes) {
+TEST_F(DoubtedMap, IsAssembledAgainToTheSameBytes) {
   const std::string store = path("again.gpkg");
   std::filesystem::copy_file(path("whole/building.gpkg"), store);
   ASSERT_EQ(run("-q assemble " + store + " --jobs 3").exit_code, 0);
   EXPECT_TRUE(content_of(store) == content_of(path("whole/building.gpkg")));
 }
 
-TEST_F(Doubted, LieWhereTheirMatchesPutThemWhereSomebodyPinnedVisits) {
+TEST_F(DoubtedMap, StaysAsItsMatchesMakeItWhereSomebodyPinnedVisits) {
   const std::string visits = R"("from_time_s":1000000001.0,"to_time_s":1000000150.0)";
   const std::string edits =
       R"({"format":"roomatlas-edits","version":1,"frame":"building","edits":[)";
