@@ -8,83 +8,16 @@
 #include <vector>
 
 #include "roomatlas/core/for_each_index.hpp"
-#include "square_index.hpp"
+#include "wall_stretches.hpp"
 
 namespace roomatlas {
 namespace {
 
-constexpr double kTileM = 1.0;      // of the index of walls: time alone
-constexpr double kMinRangeM = 0.2;  // nearer, a sonar hears its own ringing
-constexpr double kMaxRangeM = 3.0;  // farther returns come from many things at once
-constexpr double kGateM = 0.15;     // a return farther off comes from something else
-constexpr double kBesideM = 0.1;    // beyond the ends of the stretch of wall that was seen
-constexpr double kMaxOffRad = 1.0;  // of a wall's normal from a sonar's axis: flatter ones send no
-                                    // echo back
+constexpr double kMinRangeM = 0.2;    // nearer, a sonar hears its own ringing
+constexpr double kMaxRangeM = 3.0;    // farther returns come from many things at once
 constexpr double kLeastSlopeM = 0.1;  // a radian: less says nothing of the heading
 constexpr double kSigmaM = 0.06;      // of a range, and of where the wall is
 constexpr double kShare = 0.2;        // of what a return would say alone: neighbours say the same
-
-struct Wall {
-  Point2 middle;
-  Point2 along;
-  double half_length_m = 0.0;
-  ConeLine line;
-};
-
-/// The walls as the batch left them, by the squares that they pass through.
-class Walls {
- public:
-  Walls(std::span<const SeenWall> walls, std::span<const Pose2> map_from_node)
-      : walls_(placed(walls, map_from_node)), near_(squares_of(walls_)) {}
-
-  template <typename Visit>
-  void for_each_near(const Point2& at, Visit visit) const {
-    const Square square = square_of(at, kTileM);
-    for (int dx = -1; dx <= 1; ++dx) {
-      for (int dy = -1; dy <= 1; ++dy) {
-        for (const std::uint32_t i : near_.at({square.x + dx, square.y + dy})) visit(walls_[i]);
-      }
-    }
-  }
-
- private:
-  static std::vector<Wall> placed(std::span<const SeenWall> walls,
-                                  std::span<const Pose2> map_from_node) {
-    std::vector<Wall> result;
-    for (const SeenWall& seen : walls) {
-      const Pose2& node = map_from_node[seen.node];
-      Wall wall;
-      wall.middle = node * seen.middle_node;
-      wall.line = {wrap_angle(node.theta_rad + seen.normal_rad)};
-      wall.along = {-wall.line.normal.y(), wall.line.normal.x()};
-      wall.line.offset_m = wall.line.normal.dot(wall.middle);
-      wall.half_length_m = seen.length_m / 2.0;
-      result.push_back(wall);
-    }
-    return result;
-  }
-  static std::vector<SquareIndex::Entry> squares_of(const std::vector<Wall>& walls) {
-    std::vector<SquareIndex::Entry> entries;
-    for (std::uint32_t i = 0; i < walls.size(); ++i) add_squares(walls[i], i, entries);
-    return entries;
-  }
-  static void add_squares(const Wall& wall, std::uint32_t item,
-                          std::vector<SquareIndex::Entry>& entries) {
-    const int steps = static_cast<int>(std::ceil(2.0 * wall.half_length_m / (kTileM / 2.0))) + 1;
-    const std::size_t first = entries.size();
-    for (int i = 0; i <= steps; ++i) {
-      const double at_m = wall.half_length_m * (2.0 * i / steps - 1.0);
-      const Square square = square_of(wall.middle + at_m * wall.along, kTileM);
-      const bool is_there =
-          std::any_of(entries.begin() + static_cast<std::ptrdiff_t>(first), entries.end(),
-                      [&](const SquareIndex::Entry& entry) { return entry.square == square; });
-      if (!is_there) entries.push_back({square, item});
-    }
-  }
-
-  std::vector<Wall> walls_;
-  SquareIndex near_;
-};
 
 /// What a return says of the heading: how much too long it is, and how that grows with a turn.
 struct Evidence {
@@ -94,22 +27,17 @@ struct Evidence {
 
 /// The mean over all stretches of wall that the return may come from: mostly one wall, seen often.
 std::optional<Evidence> evidence_of(const ConeReturn& heard, double half_cone_rad,
-                                    const Walls& walls) {
+                                    const WallStretches& walls) {
   Evidence sum;
   int count = 0;
-  walls.for_each_near(heard.sonar + heard.range_m * heard.axis, [&](const Wall& wall) {
-    // a wall is heard at its distance or farther: most are ruled out without its sines
-    const double distance_m = wall.line.offset_m - wall.line.normal.dot(heard.sonar);
-    if (distance_m <= 0.0 || distance_m > heard.range_m + kGateM) return;
-    if (std::abs(wrap_angle(wall.line.normal_rad - heard.axis_rad)) > kMaxOffRad) return;
-    const auto expected_m = range_to_line(heard, half_cone_rad, wall.line);
-    if (!expected_m || std::abs(heard.range_m - *expected_m) > kGateM) return;
-    const Point2 foot = foot_of(heard, half_cone_rad, wall.line);
-    if (std::abs(wall.along.dot(foot - wall.middle)) > wall.half_length_m + kBesideM) return;
-    sum.residual_m += heard.range_m - *expected_m;
-    sum.slope_m_per_rad += range_by_heading(heard, half_cone_rad, wall.line);
-    ++count;
-  });
+  walls.for_each_near(heard.sonar + heard.range_m * heard.axis,
+                      [&](std::uint32_t, const WallStretch& wall) {
+                        const auto expected_m = range_to_stretch(heard, half_cone_rad, wall);
+                        if (!expected_m) return;
+                        sum.residual_m += heard.range_m - *expected_m;
+                        sum.slope_m_per_rad += range_by_heading(heard, half_cone_rad, wall.line);
+                        ++count;
+                      });
   if (count == 0) return std::nullopt;
   const Evidence mean{sum.residual_m / count, sum.slope_m_per_rad / count};
   if (std::abs(mean.slope_m_per_rad) < kLeastSlopeM) return std::nullopt;
@@ -123,7 +51,7 @@ struct NodeEvidence {
 
 /// What the returns of one reading say.
 void add_evidence(const RangeReading& reading, const Pose2& map_from_robot, std::size_t node,
-                  const Walls& walls, std::vector<NodeEvidence>& found) {
+                  const WallStretches& walls, std::vector<NodeEvidence>& found) {
   const RangeSensor& sensor = *reading.sensor;
   if (sensor.kind != SensorKind::sonar) return;
   const PointTransform place(map_from_robot);
@@ -199,7 +127,7 @@ std::vector<Pose2> with_headings_of_returns(std::span<const RangeReading> readin
                                             std::span<const Pose2> map_from_robot,
                                             std::vector<Pose2> map_from_node,
                                             const SonarBatchOptions& options, int jobs) {
-  const Walls walls(problem.batch.walls, map_from_node);
+  const WallStretches walls(problem.batch.walls, map_from_node);
   Turns turns(map_from_node.size());
   turns.add_batch(problem.batch, options);
   constexpr std::size_t kBlock = 256;  // readings: enough work to be handed out

@@ -19,15 +19,27 @@ constexpr double kContradictedCounts = 3.0;  // metres confirmed that one contra
 constexpr double kBetterShare = 0.02;
 constexpr double kBetterM = 10.0;
 
+SonarProblem problem_of(const SonarMission& mission, const Idea& idea,
+                        const std::vector<Pose2>& start) {
+  SonarProblem problem =
+      sonar_problem(mission.readings, idea.problem.path, mission.directions, start,
+                    idea.directions_rad, mission.options.segments, mission.jobs);
+  for (DrivenStep& step : problem.batch.steps) step.turn_sigma_rad *= idea.doubt;
+  return problem;
+}
+
+SonarBatchOptions options_of(const Idea& idea, SonarBatchOptions options) {
+  if (idea.is_odometry || idea.is_free) options.heading_weight = 0.0;
+  return options;
+}
+
 /// One batch from the given poses, and its score.
 Attempt solve_from(const SonarMission& mission, const Idea& idea, const std::vector<Pose2>& start,
                    SonarBatchOptions batch_options) {
   Attempt attempt;
   const DrivenPath& path = idea.problem.path;
-  SonarProblem problem = sonar_problem(mission.readings, path, mission.directions, start,
-                                       idea.directions_rad, mission.options.segments, mission.jobs);
-  for (DrivenStep& step : problem.batch.steps) step.turn_sigma_rad *= idea.doubt;
-  if (idea.is_odometry || idea.is_free) batch_options.heading_weight = 0.0;
+  SonarProblem problem = problem_of(mission, idea, start);
+  batch_options = options_of(idea, batch_options);
   SonarBatchResult solved = solve_sonar_batch(problem.batch, batch_options);
   attempt.length_scale = solved.length_scale;
   attempt.length_scale_sigma = solved.length_scale_sigma;
@@ -118,6 +130,17 @@ Attempt solve_again(const SonarMission& mission, const Idea& idea, std::string n
   attempt.variant.name = std::move(name);
   attempt.correction_rad = idea.attempt.correction_rad;
   return attempt;
+}
+
+Sharpened with_returns(const SonarMission& mission, const Idea& idea) {
+  const std::vector<Pose2>& start = idea.attempt.map_from_robot;
+  SonarProblem problem = problem_of(mission, idea, start);
+  problem.batch.returns = seen_returns(mission.readings, idea.problem.path, problem);
+  SonarBatchOptions options = options_of(idea, {});
+  options.is_settled = true;
+  const SonarBatchResult solved = solve_sonar_batch(problem.batch, options);
+  if (!solved.solved) return {start, idea.attempt.length_scale};
+  return {poses_of(idea.problem.path, problem, solved.map_from_node), solved.length_scale};
 }
 
 Idea idea_of(const SonarMission& mission, const Calibration& calibration,

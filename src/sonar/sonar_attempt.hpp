@@ -110,6 +110,17 @@ struct Idea {
 [[nodiscard]] Attempt solve_again(const SonarMission& mission, const Idea& idea, std::string name,
                                   const SonarBatchOptions& batch_options);
 
+/// Poses of which single returns are a part, beside the stretches of wall that they make.
+struct Sharpened {
+  std::vector<Pose2> map_from_robot;
+  double length_scale = 1.0;  ///< as the attempt's
+};
+
+/// Solves once more from where the idea's attempt ended, with single returns: each is held against
+/// walls that other visits saw. They say most where few stretches were heard: with three to seven
+/// sonars.
+[[nodiscard]] Sharpened with_returns(const SonarMission& mission, const Idea& idea);
+
 /// The chain's values by node as values by reading, those between nodes by way and turn.
 [[nodiscard]] std::vector<double> by_reading(const HeadingProblem& problem,
                                              const std::vector<double>& by_node);

@@ -14,8 +14,9 @@ namespace {
 /// How far each round's scale has gone from the start's to the end's, on a logarithmic scale.
 constexpr std::array kShrunk = {0.0, 0.0,  0.0,  0.1, 0.1, 0.22, 0.22, 0.3, 0.3, 0.4,
                                 0.4, 0.52, 0.52, 0.7, 0.7, 0.82, 0.92, 1.0, 1.0};
-constexpr int kStepsARound = 3;       // more settle on pairs that the next round drops
-constexpr double kFineScaleM = 0.15;  // below it walls count in full
+constexpr std::size_t kWithReturns = 4;  // rounds at the end in which single returns count
+constexpr int kStepsARound = 3;          // more settle on pairs that the next round drops
+constexpr double kFineScaleM = 0.15;     // below it walls count in full
 constexpr double kFirmly = 1e6;   // weight that holds the first node: more than all walls together
 constexpr double kStillM = 1e-4;  // root mean square of the moves at which a round ends
 constexpr double kEndsM = radians(1.0);  // over a wall's length: sigma of its direction by its ends
@@ -28,7 +29,8 @@ struct Round {
   double length_sigma = 0.0;  ///< of odometry's lengths as a whole, as a share
   std::vector<WallPair> pairs;
   std::vector<int> partners;  ///< of each wall
-  double clutter_m = 0.0;     ///< of the last rounds, as the poses stand when they begin
+  std::vector<ReturnMatch> returns;
+  double clutter_m = 0.0;  ///< of the last rounds, as the poses stand when they begin
   bool is_last = false;
 };
 
@@ -189,6 +191,21 @@ void add_pairs(const SonarBatch& batch, const SonarBatchOptions& options, const 
   }
 }
 
+void add_returns(const SonarBatch& batch, const SonarBatchOptions& options, const Round& round,
+                 const std::vector<Pose2>& poses, SonarEquations& equations) {
+  constexpr double kRobust = 4.0;  // squared sigmas: returns off by more lose weight
+  const double variance = options.return_sigma_m * options.return_sigma_m;
+  for (const ReturnMatch& match : round.returns) {
+    const SeenReturn& seen = batch.returns[match.heard];
+    const SeenWall& wall = batch.walls[match.wall];
+    const auto residual = range_residual(poses[seen.node], seen, poses[wall.node], wall);
+    if (!residual) continue;
+    const double chi = residual->value * residual->value / variance;
+    equations.add(equations.places_of(seen.node, wall.node), *residual,
+                  options.return_share * match.share / (variance * (1.0 + chi / kRobust)));
+  }
+}
+
 /// Of odometry's lengths as a whole, once it is known which walls are one.
 double length_sigma_in(double clutter_m, const SonarBatchOptions& options) {
   const double share = options.clutter_m / std::max(options.clutter_m, clutter_m);
@@ -229,6 +246,10 @@ bool settle(const SonarBatch& batch, const SonarBatchOptions& options,
     coupled.emplace_back(static_cast<std::int32_t>(batch.walls[pair.first].node),
                          static_cast<std::int32_t>(batch.walls[pair.second].node));
   }
+  for (const ReturnMatch& match : round.returns) {
+    coupled.emplace_back(static_cast<std::int32_t>(batch.returns[match.heard].node),
+                         static_cast<std::int32_t>(batch.walls[match.wall].node));
+  }
   SonarEquations equations(nodes, coupled);
   std::vector<PairPlaces> into_node;
   for (std::size_t k = 1; k < nodes; ++k) into_node.push_back(equations.places_of(k - 1, k));
@@ -239,6 +260,7 @@ bool settle(const SonarBatch& batch, const SonarBatchOptions& options,
     add_steps(batch, options, round.length_sigma, unknowns, into_node, equations);
     add_headings(batch, headings, unknowns.map_from_node, equations);
     add_pairs(batch, options, round, pairs, unknowns.map_from_node, equations);
+    add_returns(batch, options, round, unknowns.map_from_node, equations);
     Unknowns moved = unknowns;
     const double move = equations.solve(moved.map_from_node, moved.length_scale);
     moved.length_scale_sigma = equations.scale_sigma();
@@ -281,9 +303,15 @@ SonarBatchResult solve_sonar_batch(const SonarBatch& batch, const SonarBatchOpti
   unknowns.map_from_node = batch.map_from_node;
   result.solved = true;
   const std::vector<WallHeading> headings = headings_of(batch, options);
-  for (std::size_t i = 0; i < kShrunk.size(); ++i) {
-    Round round = round_at(kShrunk[i], batch, options, unknowns.map_from_node);
-    round.is_last = i + 1 == kShrunk.size();
+  const std::size_t past = kShrunk.size() + (batch.returns.empty() ? 0 : kWithReturns);
+  for (std::size_t i = options.is_settled ? kShrunk.size() - 1 : 0; i < past; ++i) {
+    const bool are_pairs_known = i >= kShrunk.size();
+    Round round =
+        round_at(are_pairs_known ? 1.0 : kShrunk[i], batch, options, unknowns.map_from_node);
+    if (are_pairs_known) {
+      round.returns = find_return_matches(batch.returns, batch.walls, unknowns.map_from_node);
+    }
+    round.is_last = i + 1 == past;
     result.pairs = round.pairs.size();
     result.clutter_m = round.clutter_m;
     if (!settle(batch, options, headings, round, unknowns)) {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "return_matches.hpp"
 #include "roomatlas/core/pose2.hpp"
 #include "roomatlas/sonar/sonar_trajectory.hpp"
 #include "wall_pairs.hpp"
@@ -24,9 +25,11 @@ struct SonarBatch {
   std::vector<SeenWall> walls;
   std::vector<double> direction_rad;  ///< of each wall: the building's direction that it follows,
                                       ///< modulo 90 degrees
+  std::vector<SeenReturn> returns;    ///< taken once it is known which walls are one; may be none
 };
 
 struct SonarBatchOptions {
+  bool is_settled = false;  ///< the poses are those of an earlier solution: the last rounds alone
   WallPairOptions pairs;
   double start_scale_m = 1.5;       ///< smaller misses loops that are farther apart
   double end_scale_m = 0.1;         ///< smaller lets noise decide which walls are one
@@ -45,6 +48,8 @@ struct SonarBatchOptions {
   double length_sigma = 0.03;  ///< and from then on, as recorded and drawn odometry has it ...
   double clutter_m = 0.01;  ///< ... at so much clutter or less, and smaller by its square beyond:
                             ///< cones full of clutter make rooms look smaller
+  double return_sigma_m = 0.025;    ///< of a return's range and of where its walls are
+  double return_share = 0.035;      ///< of what a return would say alone: neighbours say the same
   double wall_heading_rad = 0.035;  ///< sigma of a wall's direction, and one over its length more
 };
 

@@ -13,8 +13,8 @@ namespace {
 
 // Nodes of the heading's chain: farther apart, odometry drifts by more than a state's width between
 // them; nearer costs time alone.
-constexpr double kNodeM = 0.3;
-constexpr double kNodeRad = 0.25;
+constexpr double kChainNodeM = 0.3;
+constexpr double kChainNodeRad = 0.25;
 
 // Sigmas of a weak prior at no habits, which decides where the walls do not.
 constexpr double kBiasSigma = 2.0;   // degrees a metre
@@ -129,7 +129,7 @@ HeadingProblem heading_problem(std::span<const RangeReading> readings,
   problem.path = driven_path(readings, directions, habits);
   const DrivenPath& path = problem.path;
   problem.segments = wall_segments(readings, path.odom_from_robot, path.path_m, segments, jobs);
-  problem.node_readings = nodes_along(path, kNodeM, kNodeRad);
+  problem.node_readings = nodes_along(path, kChainNodeM, kChainNodeRad);
   for (const std::size_t i : problem.node_readings) {
     problem.nodes.push_back({path.path_m[i], path.turned_rad[i]});
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sonar_factors.hpp"
 
+#include "node_headings.hpp"
+
 namespace roomatlas {
 namespace {
 
@@ -59,6 +61,32 @@ PairResidual across_residual(const Pose2& map_from_first, const SeenWall& first,
                              const Pose2& map_from_second, const SeenWall& second, double along_m) {
   return across_residual(placed(first, map_from_first, PointTransform(map_from_first)),
                          map_from_second.position(), map_from_second * point_on(second, along_m));
+}
+
+std::optional<PairResidual> range_residual(const Pose2& map_from_first, const SeenReturn& seen,
+                                           const Pose2& map_from_second, const SeenWall& wall) {
+  const Pose2 sonar = map_from_first * seen.node_from_sonar;
+  const ConeReturn heard{sonar.position(), sonar.theta_rad, seen.range_m};
+  const PlacedWall placed_wall = placed(wall, map_from_second, PointTransform(map_from_second));
+  const Point2& normal = placed_wall.normal;
+  ConeLine line{wrap_angle(placed_wall.normal_rad)};
+  line.offset_m = normal.dot(Point2(placed_wall.node + placed_wall.to_middle));
+  const auto expected_m = range_to_line(heard, seen.half_cone_rad, line);
+  if (!expected_m) return std::nullopt;
+  const double distance_m = line.offset_m - normal.dot(heard.sonar);
+  const double per_distance = *expected_m / distance_m;
+  const double by_turn =
+      range_by_heading({heard.sonar, heard.axis_rad, *expected_m}, seen.half_cone_rad, line);
+  const Point2 arm = heard.sonar - map_from_first.position();
+  const Point2 between = placed_wall.node + placed_wall.to_middle - heard.sonar;
+  PairResidual residual;
+  residual.value = *expected_m - seen.range_m;
+  residual.by_first = {-normal.x() * per_distance, -normal.y() * per_distance,
+                       -normal.dot(turned_left(arm)) * per_distance + by_turn};
+  residual.by_second = {
+      normal.x() * per_distance, normal.y() * per_distance,
+      (turned_left(normal).dot(between) + placed_wall.turned) * per_distance - by_turn};
+  return residual;
 }
 
 }  // namespace roomatlas

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
+#include "return_matches.hpp"
 #include "roomatlas/core/pose2.hpp"
 #include "wall_pairs.hpp"
 
@@ -47,5 +49,14 @@ struct PlacedWall {
 [[nodiscard]] PairResidual across_residual(const Pose2& map_from_first, const SeenWall& first,
                                            const Pose2& map_from_second, const SeenWall& second,
                                            double along_m);
+
+/// How much too far off a wall stands for a return to have come from it, by the model of a cone
+/// (`range_to_line`), metres: the range expected less the one heard. Nothing where it cannot have.
+/// @param map_from_first node of the return
+/// @param map_from_second node of the wall
+[[nodiscard]] std::optional<PairResidual> range_residual(const Pose2& map_from_first,
+                                                         const SeenReturn& seen,
+                                                         const Pose2& map_from_second,
+                                                         const SeenWall& wall);
 
 }  // namespace roomatlas

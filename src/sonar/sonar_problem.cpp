@@ -79,6 +79,29 @@ SonarProblem sonar_problem(Readings readings, const DrivenPath& path,
   return problem;
 }
 
+std::vector<SeenReturn> seen_returns(std::span<const RangeReading> readings, const DrivenPath& path,
+                                     const SonarProblem& problem) {
+  constexpr double kApartM = 0.08;
+  constexpr double kApartRad = 0.08;
+  constexpr double kMinRangeM = 0.2;  // nearer, a sonar hears its own ringing
+  constexpr double kMaxRangeM = 3.0;  // farther returns come from many things at once
+  std::vector<SeenReturn> returns;
+  for (const std::size_t i : nodes_along(path, kApartM, kApartRad)) {
+    const RangeSensor& sensor = *readings[i].sensor;
+    if (sensor.kind != SensorKind::sonar) continue;
+    const std::size_t node = problem.node_of[i];
+    const Pose2 node_from_robot =
+        inverse(path.odom_from_robot[problem.node_readings[node]]) * path.odom_from_robot[i];
+    for (std::size_t beam = 0; beam < sensor.robot_from_beam.size(); ++beam) {
+      const double range_m = readings[i].ranges_m[beam];
+      if (!(range_m > kMinRangeM && range_m < std::min(kMaxRangeM, sensor.max_range_m))) continue;
+      returns.push_back({node, node_from_robot * sensor.robot_from_beam[beam], range_m,
+                         sensor.half_cone_rad, path.path_m[i]});
+    }
+  }
+  return returns;
+}
+
 std::vector<Pose2> poses_of(const DrivenPath& path, const SonarProblem& problem,
                             const std::vector<Pose2>& map_from_node) {
   const auto& nodes = problem.node_readings;

@@ -28,6 +28,11 @@ struct SonarProblem {
                                          const std::vector<double>& directions_rad,
                                          const WallSegmentOptions& options, int jobs = 1);
 
+/// The returns of readings that are some way apart: nearer ones hear the same noise again.
+[[nodiscard]] std::vector<SeenReturn> seen_returns(std::span<const RangeReading> readings,
+                                                   const DrivenPath& path,
+                                                   const SonarProblem& problem);
+
 /// Poses of all readings from those of the nodes: as driven, and what is missing at the next node
 /// spread over the way there.
 [[nodiscard]] std::vector<Pose2> poses_of(const DrivenPath& path, const SonarProblem& problem,

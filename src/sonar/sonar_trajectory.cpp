@@ -244,7 +244,6 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
     tell_directed(mission, best);
   }
   result.habits = best.habits;
-  result.habits.length_scale *= best.attempt.length_scale;
   result.length_scale_sigma = best.attempt.length_scale_sigma;
   result.clutter_m = best.attempt.clutter_m;
   result.wall_directions_rad = best.directions_rad;
@@ -257,7 +256,10 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
   result.loops_verified = is_verified(best, choice.others, options);
   result.spread = std::move(best.attempt.spread);
   result.drawn = std::move(best.attempt.drawn);
-  result.map_from_robot = std::move(best.attempt.map_from_robot);
+  if (before_attempt) before_attempt();
+  Sharpened sharpened = with_returns(mission, best);
+  result.map_from_robot = std::move(sharpened.map_from_robot);
+  result.habits.length_scale *= sharpened.length_scale;
   const double turn_rad = begin_at(readings.front().odom_from_robot, result.map_from_robot);
   if (!best.is_odometry && !best.is_free) result.walls_rad = wrap_quarter(turn_rad);
   return result;

@@ -50,6 +50,39 @@ TEST(SonarBatch, FindsTheScaleOfOdometrysLengths) {
   }
 }
 
+/// What the forward and the backward sonar hear from the nodes from `first` on.
+std::vector<SeenReturn> returns_from(std::size_t first, const std::vector<Pose2>& truth,
+                                     double wall_m) {
+  std::vector<SeenReturn> returns;
+  for (std::size_t k = first; k < truth.size(); ++k) {
+    const double path_m = 0.4 * static_cast<double>(k);
+    returns.push_back({k, {}, wall_m - truth[k].x_m, radians(10.0), path_m});
+    returns.push_back({k, {0.0, 0.0, kPi}, wall_m + truth[k].x_m, radians(10.0), path_m});
+  }
+  return returns;
+}
+
+TEST(SonarBatch, ReturnsHoldNodesThatHeardNoStretch) {
+  constexpr std::size_t kFirst = 75;  // half of the drive
+  constexpr double kDriftM = 0.002;   // a step
+  SonarBatch batch = to_and_fro(1.0);
+  const std::vector<Pose2> truth = batch.map_from_node;
+  std::erase_if(batch.walls, [](const SeenWall& wall) { return wall.node >= kFirst; });
+  batch.direction_rad.resize(batch.walls.size());
+  for (std::size_t k = kFirst; k < truth.size(); ++k) {
+    batch.map_from_node[k].x_m += kDriftM * static_cast<double>(k + 1 - kFirst);
+    batch.steps[k].before_from_here.x_m += kDriftM;
+  }
+  const auto off_m = [&] {
+    const SonarBatchResult result = solve_sonar_batch(batch, {});
+    EXPECT_TRUE(result.solved);
+    return std::abs(result.map_from_node.back().x_m - truth.back().x_m);
+  };
+  EXPECT_GT(off_m(), 0.1);
+  batch.returns = returns_from(kFirst, truth, 6.0);
+  EXPECT_LT(off_m(), 0.03);
+}
+
 TEST(SonarBatch, KnowsNoScaleWithoutWallsSeenFromBothEnds) {
   SonarBatch beside = to_and_fro(1.02);
   for (std::size_t i = 0; i < beside.walls.size(); ++i) {  // along the way: they hold it across

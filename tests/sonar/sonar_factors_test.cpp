@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/numeric_derivative.hpp"
+#include "support/sonar_world.hpp"
 
 namespace roomatlas {
 namespace {
@@ -59,6 +60,56 @@ TEST(AcrossResidual, HasTheDerivativesOfItsValue) {
   };
   expect_derivatives(across_residual(pose_of(at, 0), first, pose_of(at, 3), second, 0.35),
                      test::numeric_jacobian(value, at));
+}
+
+/// A return of a first node's sonar, and a wall in a second node's frame, 2 m before the sonar.
+struct HeardWall {
+  SeenReturn seen;
+  SeenWall wall;
+  test::WallLine line;  ///< the wall in the map, wide
+};
+HeardWall heard_wall(const Pose2& first, const Pose2& second, double off_axis_rad) {
+  HeardWall heard;
+  heard.seen = {0, {0.15, -0.1, 0.6}, 2.1, radians(12.0), 0.0};
+  const Pose2 sonar = first * heard.seen.node_from_sonar;
+  const double normal_rad = sonar.theta_rad + off_axis_rad;
+  const Point2 along = direction(normal_rad + kPi / 2.0);
+  const Point2 middle = sonar.position() + 2.0 * direction(normal_rad) + 0.3 * along;
+  heard.wall = {1, wrap_angle(normal_rad - second.theta_rad), inverse(second) * middle, 1.0, 20.0};
+  heard.line = {middle - 9.0 * along, middle + 9.0 * along};
+  return heard;
+}
+
+TEST(RangeResidual, HasTheDerivativesOfItsValue) {
+  const auto at = two_poses();
+  for (const double off_deg : {-40.0, -5.0, 3.0, 31.0}) {  // in the cone, and on either edge
+    const HeardWall heard = heard_wall(pose_of(at, 0), pose_of(at, 3), radians(off_deg));
+    const auto value = [&](const Eigen::VectorXd& v) {
+      const auto now = range_residual(pose_of(v, 0), heard.seen, pose_of(v, 3), heard.wall);
+      return Eigen::VectorXd(Eigen::VectorXd::Constant(1, now.value().value));
+    };
+    expect_derivatives(
+        range_residual(pose_of(at, 0), heard.seen, pose_of(at, 3), heard.wall).value(),
+        test::numeric_jacobian(value, at));
+  }
+}
+
+TEST(RangeResidual, IsWhatTheNearestOfManyRaysIsLongerThanTheReturn) {
+  const auto at = two_poses();
+  for (const double off_deg : {-40.0, -5.0, 3.0, 31.0}) {
+    const HeardWall heard = heard_wall(pose_of(at, 0), pose_of(at, 3), radians(off_deg));
+    const double ray_m = test::cone_range({heard.line}, pose_of(at, 0) * heard.seen.node_from_sonar,
+                                          heard.seen.half_cone_rad);
+    EXPECT_NEAR(
+        range_residual(pose_of(at, 0), heard.seen, pose_of(at, 3), heard.wall).value().value,
+        ray_m - heard.seen.range_m, 1e-4);
+  }
+}
+
+TEST(RangeResidual, IsNoneOfAWallBehindTheSonar) {
+  const auto at = two_poses();
+  const HeardWall heard = heard_wall(pose_of(at, 0), pose_of(at, 3), radians(170.0));
+  EXPECT_FALSE(range_residual(pose_of(at, 0), heard.seen, pose_of(at, 3), heard.wall));
 }
 
 TEST(AcrossResidual, IsHowFarTheSecondWallLiesBehindTheFirst) {
