@@ -236,7 +236,8 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
   if (second != nullptr) {
     result.second = SecondAnswer{second->variant.name, second->score_m, best.attempt.score_m};
   }
-  if (options.take_second && second != nullptr) {
+  const bool is_second = options.take_second && second != nullptr;
+  if (is_second) {
     take(static_cast<std::size_t>(second - choice.others.data()), choice, result);
   } else {
     refine(mission, best, result);
@@ -257,7 +258,9 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
   result.spread = std::move(best.attempt.spread);
   result.drawn = std::move(best.attempt.drawn);
   if (before_attempt) before_attempt();
-  Sharpened sharpened = with_returns(mission, best);
+  const Attempt& kept = best.attempt;
+  Sharpened sharpened =
+      is_second ? Sharpened{kept.map_from_robot, kept.length_scale} : with_returns(mission, best);
   result.map_from_robot = std::move(sharpened.map_from_robot);
   result.habits.length_scale *= sharpened.length_scale;
   const double turn_rad = begin_at(readings.front().odom_from_robot, result.map_from_robot);
