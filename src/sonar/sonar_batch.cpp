@@ -201,8 +201,9 @@ void add_returns(const SonarBatch& batch, const SonarBatchOptions& options, cons
     const auto residual = range_residual(poses[seen.node], seen, poses[wall.node], wall);
     if (!residual) continue;
     const double chi = residual->value * residual->value / variance;
+    const double share = options.return_share * seen.share * match.share;
     equations.add(equations.places_of(seen.node, wall.node), *residual,
-                  options.return_share * match.share / (variance * (1.0 + chi / kRobust)));
+                  share / (variance * (1.0 + chi / kRobust)));
   }
 }
 

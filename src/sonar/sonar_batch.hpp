@@ -49,7 +49,8 @@ struct SonarBatchOptions {
   double clutter_m = 0.01;  ///< ... at so much clutter or less, and smaller by its square beyond:
                             ///< cones full of clutter make rooms look smaller
   double return_sigma_m = 0.025;    ///< of a return's range and of where its walls are
-  double return_share = 0.035;      ///< of what a return would say alone: neighbours say the same
+  double return_share = 0.4;        ///< of all sonars' returns together: what one would say alone;
+                                    ///< they hear the same walls, a step apart
   double wall_heading_rad = 0.035;  ///< sigma of a wall's direction, and one over its length more
 };
 

@@ -89,6 +89,7 @@ std::vector<SeenReturn> seen_returns(std::span<const RangeReading> readings, con
   for (const std::size_t i : nodes_along(path, kApartM, kApartRad)) {
     const RangeSensor& sensor = *readings[i].sensor;
     if (sensor.kind != SensorKind::sonar) continue;
+    const double share = 1.0 / static_cast<double>(sensor.robot_from_beam.size());
     const std::size_t node = problem.node_of[i];
     const Pose2 node_from_robot =
         inverse(path.odom_from_robot[problem.node_readings[node]]) * path.odom_from_robot[i];
@@ -96,7 +97,7 @@ std::vector<SeenReturn> seen_returns(std::span<const RangeReading> readings, con
       const double range_m = readings[i].ranges_m[beam];
       if (!(range_m > kMinRangeM && range_m < std::min(kMaxRangeM, sensor.max_range_m))) continue;
       returns.push_back({node, node_from_robot * sensor.robot_from_beam[beam], range_m,
-                         sensor.half_cone_rad, path.path_m[i]});
+                         sensor.half_cone_rad, path.path_m[i], share});
     }
   }
   return returns;

@@ -56,8 +56,8 @@ std::vector<SeenReturn> returns_from(std::size_t first, const std::vector<Pose2>
   std::vector<SeenReturn> returns;
   for (std::size_t k = first; k < truth.size(); ++k) {
     const double path_m = 0.4 * static_cast<double>(k);
-    returns.push_back({k, {}, wall_m - truth[k].x_m, radians(10.0), path_m});
-    returns.push_back({k, {0.0, 0.0, kPi}, wall_m + truth[k].x_m, radians(10.0), path_m});
+    returns.push_back({k, {}, wall_m - truth[k].x_m, radians(10.0), path_m, 0.5});
+    returns.push_back({k, {0.0, 0.0, kPi}, wall_m + truth[k].x_m, radians(10.0), path_m, 0.5});
   }
   return returns;
 }
