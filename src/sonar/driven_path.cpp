@@ -27,6 +27,7 @@ Pose2 pose_at(std::span<const RangeReading> readings, std::size_t reading, doubl
 DrivenPath driven_path(std::span<const RangeReading> readings, const DriveDirections& directions,
                        const OdometryHabits& habits) {
   DrivenPath path;
+  path.undecided_m = directions.undecided_m;
   Pose2 reported_before;
   for (std::size_t i = 0; i < readings.size(); ++i) {
     const Pose2 reported = habits.lag_s == 0.0

@@ -13,6 +13,7 @@ struct DrivenPath {
   std::vector<Pose2> odom_from_robot;  ///< one a reading, from odometry's first pose
   std::vector<double> path_m;          ///< length of the path up to each
   std::vector<double> turned_rad;      ///< sum of the sizes of the turns up to each
+  std::vector<double> undecided_m;     ///< path up to each that could have gone either way
 };
 
 [[nodiscard]] DrivenPath driven_path(std::span<const RangeReading> readings,

@@ -21,9 +21,8 @@ constexpr double kBetterM = 10.0;
 
 SonarProblem problem_of(const SonarMission& mission, const Idea& idea,
                         const std::vector<Pose2>& start) {
-  SonarProblem problem =
-      sonar_problem(mission.readings, idea.problem.path, mission.directions, start,
-                    idea.directions_rad, mission.options.segments, mission.jobs);
+  SonarProblem problem = sonar_problem(mission.readings, idea.problem.path, start,
+                                       idea.directions_rad, mission.options.segments, mission.jobs);
   for (DrivenStep& step : problem.batch.steps) step.turn_sigma_rad *= idea.doubt;
   return problem;
 }

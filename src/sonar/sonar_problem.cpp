@@ -24,8 +24,7 @@ using Readings = std::span<const RangeReading>;
 
 /// The parts are independent. Their squares are written out and not left to `sum_of_squares`: the
 /// last digits of poses hang on the order in which they are added.
-DrivenStep step_between(const DrivenPath& path, const std::vector<double>& undecided_m,
-                        std::size_t from, std::size_t to) {
+DrivenStep step_between(const DrivenPath& path, std::size_t from, std::size_t to) {
   const MotionSigma& position = kStepNoise.position;
   const MotionSigma& heading = kStepNoise.heading;
   const double way_m = path.path_m[to] - path.path_m[from];
@@ -33,7 +32,7 @@ DrivenStep step_between(const DrivenPath& path, const std::vector<double>& undec
   const double across_variance = position.per_sqrt_m * position.per_sqrt_m * way_m +
                                  position.still * position.still +
                                  (position.per_rad * turn_rad) * (position.per_rad * turn_rad);
-  const double either_way_m = undecided_m[to] - undecided_m[from];
+  const double either_way_m = path.undecided_m[to] - path.undecided_m[from];
   DrivenStep step;
   step.before_from_here = inverse(path.odom_from_robot[from]) * path.odom_from_robot[to];
   step.across_sigma_m = std::sqrt(across_variance);
@@ -47,7 +46,7 @@ DrivenStep step_between(const DrivenPath& path, const std::vector<double>& undec
 }  // namespace
 
 SonarProblem sonar_problem(Readings readings, const DrivenPath& path,
-                           const DriveDirections& directions, const std::vector<Pose2>& start,
+                           const std::vector<Pose2>& start,
                            const std::vector<double>& directions_rad,
                            const WallSegmentOptions& options, int jobs) {
   SonarProblem problem;
@@ -55,8 +54,8 @@ SonarProblem sonar_problem(Readings readings, const DrivenPath& path,
   const auto& nodes = problem.node_readings;
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     problem.batch.map_from_node.push_back(start[nodes[k]]);
-    problem.batch.steps.push_back(
-        k == 0 ? DrivenStep{} : step_between(path, directions.undecided_m, nodes[k - 1], nodes[k]));
+    problem.batch.steps.push_back(k == 0 ? DrivenStep{}
+                                         : step_between(path, nodes[k - 1], nodes[k]));
   }
   for (std::size_t i = 0, node = 0; i < readings.size(); ++i) {
     if (node + 1 < nodes.size() && nodes[node + 1] <= i) ++node;

@@ -23,8 +23,7 @@ struct SonarProblem {
 ///   the nearest
 /// @param jobs threads at once, see `for_each_index`
 [[nodiscard]] SonarProblem sonar_problem(std::span<const RangeReading> readings,
-                                         const DrivenPath& path, const DriveDirections& directions,
-                                         const std::vector<Pose2>& start,
+                                         const DrivenPath& path, const std::vector<Pose2>& start,
                                          const std::vector<double>& directions_rad,
                                          const WallSegmentOptions& options, int jobs = 1);
 

@@ -184,8 +184,7 @@ TEST(HeadingsOfReturns, TurnANodeBackThatOdometryLeavesFree) {
   const DrivenWorld mission = square_corridor(0.0);
   const auto directions = find_drive_directions(mission.readings, {});
   const DrivenPath path = driven_path(mission.readings, directions, {});
-  SonarProblem problem =
-      sonar_problem(mission.readings, path, directions, mission.truth, {0.0}, {});
+  SonarProblem problem = sonar_problem(mission.readings, path, mission.truth, {0.0}, {});
   for (DrivenStep& step : problem.batch.steps) step.turn_sigma_rad = 0.5;
   SonarBatchOptions free;
   free.heading_weight = 0.0;
