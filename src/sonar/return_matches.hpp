@@ -18,7 +18,7 @@ struct SeenReturn {
   double range_m = 0.0;
   double half_cone_rad = 0.0;
   double path_m = 0.0;  ///< where on its way the robot heard it
-  double share = 1.0;   ///< one over the number of the ring's sonars
+  double share = 1.0;   ///< one over the number of the robot's sonars
 };
 
 /// A return, and a stretch of wall of another visit that it may have come from.

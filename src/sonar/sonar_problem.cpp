@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "roomatlas/odometry/noise.hpp"
 
@@ -43,6 +44,32 @@ DrivenStep step_between(const DrivenPath& path, std::size_t from, std::size_t to
   return step;
 }
 
+/// Readings of each ring that are some way apart, or of each sonar where it is a sensor of its own.
+struct SonarReadings {
+  std::vector<std::size_t> apart;
+  std::size_t sonars = 0;  ///< of all rings together
+};
+SonarReadings sonar_readings(Readings readings, const DrivenPath& path) {
+  constexpr double kApartM = 0.08;
+  constexpr double kApartRad = 0.08;
+  SonarReadings result;
+  std::map<const RangeSensor*, std::size_t> last;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const RangeSensor& sensor = *readings[i].sensor;
+    if (sensor.kind != SensorKind::sonar) continue;
+    const auto [before, is_first] = last.try_emplace(&sensor, i);
+    if (is_first) {
+      result.sonars += sensor.robot_from_beam.size();
+    } else if (path.path_m[i] - path.path_m[before->second] <= kApartM &&
+               path.turned_rad[i] - path.turned_rad[before->second] <= kApartRad) {
+      continue;
+    }
+    before->second = i;
+    result.apart.push_back(i);
+  }
+  return result;
+}
+
 }  // namespace
 
 SonarProblem sonar_problem(Readings readings, const DrivenPath& path,
@@ -80,15 +107,13 @@ SonarProblem sonar_problem(Readings readings, const DrivenPath& path,
 
 std::vector<SeenReturn> seen_returns(std::span<const RangeReading> readings, const DrivenPath& path,
                                      const SonarProblem& problem) {
-  constexpr double kApartM = 0.08;
-  constexpr double kApartRad = 0.08;
   constexpr double kMinRangeM = 0.2;  // nearer, a sonar hears its own ringing
   constexpr double kMaxRangeM = 3.0;  // farther returns come from many things at once
+  const SonarReadings heard = sonar_readings(readings, path);
+  const double share = 1.0 / static_cast<double>(std::max<std::size_t>(1, heard.sonars));
   std::vector<SeenReturn> returns;
-  for (const std::size_t i : nodes_along(path, kApartM, kApartRad)) {
+  for (const std::size_t i : heard.apart) {
     const RangeSensor& sensor = *readings[i].sensor;
-    if (sensor.kind != SensorKind::sonar) continue;
-    const double share = 1.0 / static_cast<double>(sensor.robot_from_beam.size());
     const std::size_t node = problem.node_of[i];
     const Pose2 node_from_robot =
         inverse(path.odom_from_robot[problem.node_readings[node]]) * path.odom_from_robot[i];

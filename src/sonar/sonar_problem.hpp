@@ -27,7 +27,8 @@ struct SonarProblem {
                                          const std::vector<double>& directions_rad,
                                          const WallSegmentOptions& options, int jobs = 1);
 
-/// The returns of readings that are some way apart: nearer ones hear the same noise again.
+/// The returns of readings that are some way apart, of each sensor by itself: nearer ones hear the
+/// same noise again.
 [[nodiscard]] std::vector<SeenReturn> seen_returns(std::span<const RangeReading> readings,
                                                    const DrivenPath& path,
                                                    const SonarProblem& problem);

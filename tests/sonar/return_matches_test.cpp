@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Returns and walls against each other, one by one.
+// Returns, and walls against them, one by one.
 #include "../../src/sonar/return_matches.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
+#include <memory>
 #include <random>
 #include <set>
 
-#include "roomatlas/sonar/wall_segments.hpp"
+#include "../../src/sonar/sonar_problem.hpp"
+#include "roomatlas/odometry/drive_directions.hpp"
+#include "support/sonar_world.hpp"
 
 namespace roomatlas {
 namespace {
@@ -60,6 +63,46 @@ bool may_come_from(const SeenReturn& seen, const SeenWall& wall, const std::vect
   const double beside_m = (foot_of(heard, seen.half_cone_rad, line) - middle).norm();
   const double across_m = line.normal.dot(foot_of(heard, seen.half_cone_rad, line)) - line.offset_m;
   return std::sqrt(beside_m * beside_m - across_m * across_m) <= wall.length_m / 2.0 + 0.1;
+}
+
+/// The same mission with each sonar as a sensor of its own, as ROS has them.
+std::vector<RangeReading> one_by_one(const std::vector<RangeReading>& readings) {
+  const RangeSensor& ring = *readings.front().sensor;
+  std::vector<std::shared_ptr<const RangeSensor>> sonars;
+  for (const Pose2& beam : ring.robot_from_beam) {
+    sonars.push_back(std::make_shared<const RangeSensor>(
+        RangeSensor{ring.kind, {beam}, ring.half_cone_rad, ring.max_range_m}));
+  }
+  std::vector<RangeReading> result;
+  for (const RangeReading& reading : readings) {
+    for (std::size_t i = 0; i < sonars.size(); ++i) {
+      result.push_back(
+          {reading.timestamp_s, reading.odom_from_robot, sonars[i], {reading.ranges_m[i]}});
+    }
+  }
+  return result;
+}
+
+std::vector<SeenReturn> returns_of(const std::vector<RangeReading>& readings) {
+  const DriveDirections directions = find_drive_directions(readings, {});
+  const DrivenPath path = driven_path(readings, directions, {});
+  return seen_returns(readings, path,
+                      sonar_problem(readings, path, path.odom_from_robot, {0.0}, {}));
+}
+
+TEST(SeenReturns, OfSonarsThatAreSensorsOfTheirOwnAreThoseOfTheRing) {
+  const auto ring = returns_of(test::bent_corridor(30.0).readings);
+  const auto alone = returns_of(one_by_one(test::bent_corridor(30.0).readings));
+  ASSERT_EQ(alone.size(), ring.size());
+  ASSERT_GT(ring.size(), 1000U);
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    EXPECT_EQ(alone[i].node, ring[i].node);
+    EXPECT_EQ(alone[i].range_m, ring[i].range_m);
+    EXPECT_EQ(alone[i].share, ring[i].share);
+    EXPECT_NEAR(alone[i].node_from_sonar.x_m, ring[i].node_from_sonar.x_m, 1e-9);
+    EXPECT_NEAR(alone[i].node_from_sonar.theta_rad, ring[i].node_from_sonar.theta_rad, 1e-9);
+  }
+  EXPECT_EQ(ring.front().share, 1.0 / 8.0);
 }
 
 TEST(ReturnMatches, AreThoseOfAllPairsThreeOfAReturnAtMost) {
