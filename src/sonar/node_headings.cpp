@@ -8,13 +8,12 @@
 #include <vector>
 
 #include "roomatlas/core/for_each_index.hpp"
+#include "sonar_factors.hpp"
 #include "wall_stretches.hpp"
 
 namespace roomatlas {
 namespace {
 
-constexpr double kMinRangeM = 0.2;    // nearer, a sonar hears its own ringing
-constexpr double kMaxRangeM = 3.0;    // farther returns come from many things at once
 constexpr double kLeastSlopeM = 0.1;  // a radian: less says nothing of the heading
 constexpr double kSigmaM = 0.06;      // of a range, and of where the wall is
 constexpr double kShare = 0.2;        // of what a return would say alone: neighbours say the same
@@ -57,7 +56,7 @@ void add_evidence(const RangeReading& reading, const Pose2& map_from_robot, std:
   const PointTransform place(map_from_robot);
   for (std::size_t beam = 0; beam < sensor.robot_from_beam.size(); ++beam) {
     const double range_m = reading.ranges_m[beam];
-    if (!(range_m > kMinRangeM && range_m < std::min(kMaxRangeM, sensor.max_range_m))) continue;
+    if (!tells_of_walls(range_m, sensor)) continue;
     const Pose2 pose = place.pose(map_from_robot, sensor.robot_from_beam[beam]);
     const ConeReturn heard{pose.position(), pose.theta_rad, range_m};
     const auto evidence = evidence_of(heard, sensor.half_cone_rad, walls);
@@ -114,13 +113,6 @@ class Turns {
 };
 
 }  // namespace
-
-double range_by_heading(const ConeReturn& from, double half_cone_rad, const ConeLine& line) {
-  const double off = wrap_angle(line.normal_rad - from.axis_rad);
-  const double beyond = std::abs(off) - half_cone_rad;
-  if (beyond <= 0.0) return 0.0;
-  return (off > 0.0 ? -1.0 : 1.0) * from.range_m * std::tan(beyond);
-}
 
 std::vector<Pose2> with_headings_of_returns(std::span<const RangeReading> readings,
                                             const SonarProblem& problem,

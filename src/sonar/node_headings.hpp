@@ -9,11 +9,6 @@
 
 namespace roomatlas {
 
-/// How the range at which a sonar hears a wall grows as the sonar turns left, metres per radian:
-/// 0 where the wall's perpendicular lies in the cone, else the wall is heard on the cone's edge.
-[[nodiscard]] double range_by_heading(const ConeReturn& from, double half_cone_rad,
-                                      const ConeLine& line);
-
 /// Turns the nodes of a solved batch so that what each of their readings heard on the edges of its
 /// cones agrees with the walls. Stretches of wall give the heading where they were heard;
 /// between them, and before the first, it is odometry's otherwise. Positions stay.

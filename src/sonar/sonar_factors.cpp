@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sonar_factors.hpp"
 
-#include "node_headings.hpp"
+#include <cmath>
 
 namespace roomatlas {
 namespace {
@@ -61,6 +61,13 @@ PairResidual across_residual(const Pose2& map_from_first, const SeenWall& first,
                              const Pose2& map_from_second, const SeenWall& second, double along_m) {
   return across_residual(placed(first, map_from_first, PointTransform(map_from_first)),
                          map_from_second.position(), map_from_second * point_on(second, along_m));
+}
+
+double range_by_heading(const ConeReturn& from, double half_cone_rad, const ConeLine& line) {
+  const double off = wrap_angle(line.normal_rad - from.axis_rad);
+  const double beyond = std::abs(off) - half_cone_rad;
+  if (beyond <= 0.0) return 0.0;
+  return (off > 0.0 ? -1.0 : 1.0) * from.range_m * std::tan(beyond);
 }
 
 std::optional<PairResidual> range_residual(const Pose2& map_from_first, const SeenReturn& seen,

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "roomatlas/odometry/noise.hpp"
+#include "wall_stretches.hpp"
 
 namespace roomatlas {
 namespace {
@@ -107,8 +108,6 @@ SonarProblem sonar_problem(Readings readings, const DrivenPath& path,
 
 std::vector<SeenReturn> seen_returns(std::span<const RangeReading> readings, const DrivenPath& path,
                                      const SonarProblem& problem) {
-  constexpr double kMinRangeM = 0.2;  // nearer, a sonar hears its own ringing
-  constexpr double kMaxRangeM = 3.0;  // farther returns come from many things at once
   const SonarReadings heard = sonar_readings(readings, path);
   const double share = 1.0 / static_cast<double>(std::max<std::size_t>(1, heard.sonars));
   std::vector<SeenReturn> returns;
@@ -119,7 +118,7 @@ std::vector<SeenReturn> seen_returns(std::span<const RangeReading> readings, con
         inverse(path.odom_from_robot[problem.node_readings[node]]) * path.odom_from_robot[i];
     for (std::size_t beam = 0; beam < sensor.robot_from_beam.size(); ++beam) {
       const double range_m = readings[i].ranges_m[beam];
-      if (!(range_m > kMinRangeM && range_m < std::min(kMaxRangeM, sensor.max_range_m))) continue;
+      if (!tells_of_walls(range_m, sensor)) continue;
       returns.push_back({node, node_from_robot * sensor.robot_from_beam[beam], range_m,
                          sensor.half_cone_rad, path.path_m[i], share});
     }

@@ -57,6 +57,12 @@ std::vector<SquareIndex::Entry> WallStretches::squares_of(
   return entries;
 }
 
+bool tells_of_walls(double range_m, const RangeSensor& sensor) {
+  constexpr double kMinRangeM = 0.2;
+  constexpr double kMaxRangeM = 3.0;
+  return range_m > kMinRangeM && range_m < std::min(kMaxRangeM, sensor.max_range_m);
+}
+
 std::optional<double> range_to_stretch(const ConeReturn& heard, double half_cone_rad,
                                        const WallStretch& wall) {
   // a wall is heard at its distance or farther: most are ruled out without its sines

@@ -49,6 +49,10 @@ class WallStretches {
   SquareIndex near_;
 };
 
+/// Whether a single return says anything of walls: nearer a sonar hears its own ringing, farther
+/// many things at once.
+[[nodiscard]] bool tells_of_walls(double range_m, const RangeSensor& sensor);
+
 /// The range at which a sonar would hear the stretch, by the model of a cone (`range_to_line`);
 /// nothing where the return did not come from it.
 [[nodiscard]] std::optional<double> range_to_stretch(const ConeReturn& heard, double half_cone_rad,

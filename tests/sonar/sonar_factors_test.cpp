@@ -2,8 +2,6 @@
 // The batch's derivatives against numeric ones.
 #include "../../src/sonar/sonar_factors.hpp"
 
-#include "../../src/sonar/node_headings.hpp"
-
 #include <gtest/gtest.h>
 
 #include "support/numeric_derivative.hpp"
