@@ -20,9 +20,10 @@ constexpr double kBetterShare = 0.02;
 constexpr double kBetterM = 10.0;
 
 SonarProblem problem_of(const SonarMission& mission, const Idea& idea,
-                        const std::vector<Pose2>& start) {
-  SonarProblem problem = sonar_problem(mission.readings, idea.problem.path, start,
-                                       idea.directions_rad, mission.options.segments, mission.jobs);
+                        const std::vector<Pose2>& start,
+                        const std::vector<double>& directions_rad) {
+  SonarProblem problem = sonar_problem(mission.readings, idea.problem.path, start, directions_rad,
+                                       mission.options.segments, mission.jobs);
   for (DrivenStep& step : problem.batch.steps) step.turn_sigma_rad *= idea.doubt;
   return problem;
 }
@@ -34,12 +35,13 @@ SonarBatchOptions options_of(const Idea& idea, SonarBatchOptions options) {
 
 /// One batch from the given poses, and its score.
 Attempt solve_from(const SonarMission& mission, const Idea& idea, const std::vector<Pose2>& start,
-                   SonarBatchOptions batch_options) {
+                   const std::vector<double>& directions_rad, SonarBatchOptions batch_options) {
   Attempt attempt;
   const DrivenPath& path = idea.problem.path;
-  SonarProblem problem = problem_of(mission, idea, start);
+  SonarProblem problem = problem_of(mission, idea, start, directions_rad);
   batch_options = options_of(idea, batch_options);
   SonarBatchResult solved = solve_sonar_batch(problem.batch, batch_options);
+  attempt.directions_rad = std::move(solved.directions_rad);
   attempt.length_scale = solved.length_scale;
   attempt.length_scale_sigma = solved.length_scale_sigma;
   attempt.clutter_m = solved.clutter_m;
@@ -110,14 +112,15 @@ bool takes_over(const Idea& idea, const Idea& best) {
   if (idea.is_odometry)
     return is_better(idea.attempt, best.attempt) && more > best.heading.log_evidence;
   if (idea.is_free) return more > std::max(kFreeTells, kFreeTellsShare * merit(best.attempt));
-  if (idea.is_open && more > kOdometryTells) return true;
+  const bool has_more = idea.directions_rad.size() > best.directions_rad.size();
+  if (idea.is_open && more > (has_more ? kOdometryTells : 0.0)) return true;
   return is_better(idea.attempt, best.attempt);
 }
 
 Attempt solve(const SonarMission& mission, const Idea& idea, std::string name,
               std::vector<double> correction_rad, SonarBatchOptions batch_options) {
   const auto start = with_headings(idea.problem.path, by_reading(idea.problem, correction_rad));
-  Attempt attempt = solve_from(mission, idea, start, batch_options);
+  Attempt attempt = solve_from(mission, idea, start, idea.directions_rad, batch_options);
   attempt.variant.name = std::move(name);
   attempt.correction_rad = std::move(correction_rad);
   return attempt;
@@ -125,7 +128,8 @@ Attempt solve(const SonarMission& mission, const Idea& idea, std::string name,
 
 Attempt solve_again(const SonarMission& mission, const Idea& idea, std::string name,
                     const SonarBatchOptions& batch_options) {
-  Attempt attempt = solve_from(mission, idea, idea.attempt.map_from_robot, batch_options);
+  Attempt attempt = solve_from(mission, idea, idea.attempt.map_from_robot,
+                               idea.attempt.directions_rad, batch_options);
   attempt.variant.name = std::move(name);
   attempt.correction_rad = idea.attempt.correction_rad;
   return attempt;
@@ -133,7 +137,7 @@ Attempt solve_again(const SonarMission& mission, const Idea& idea, std::string n
 
 Sharpened with_returns(const SonarMission& mission, const Idea& idea) {
   const std::vector<Pose2>& start = idea.attempt.map_from_robot;
-  SonarProblem problem = problem_of(mission, idea, start);
+  SonarProblem problem = problem_of(mission, idea, start, idea.attempt.directions_rad);
   problem.batch.returns = seen_returns(mission.readings, idea.problem.path, problem);
   SonarBatchOptions options = options_of(idea, {});
   options.is_settled = true;

@@ -50,9 +50,10 @@ template <typename Result, typename Make>
 struct Attempt {
   std::vector<double> correction_rad;  ///< of the heading, by node of the chain
   std::vector<Pose2> map_from_robot;
-  std::vector<PoseSpread> spread;  ///< of these
-  DrawnMoves drawn;                ///< none of one that was set aside
-  double length_scale = 1.0;       ///< times what the heading's habits make of lengths
+  std::vector<PoseSpread> spread;      ///< of these
+  DrawnMoves drawn;                    ///< none of one that was set aside
+  std::vector<double> directions_rad;  ///< of the building's walls, as the batch found them
+  double length_scale = 1.0;           ///< times what the heading's habits make of lengths
   double length_scale_sigma = 0.0;
   double clutter_m = 0.0;
   SonarVariant variant;
@@ -92,7 +93,8 @@ struct Idea {
 /// Whether an idea takes the place of the best so far: by a better score. Odometry's own heading
 /// must make up for all that walls say for a direction, too: it fits a few more of them by bending
 /// corridors. Directions that the chain leaves open need no better score where odometry fits them
-/// clearly better; walls that follow none leave odometry so much room that it must fit far better.
+/// clearly better, or better at all where they are no more; walls that follow none leave odometry
+/// so much room that it must fit far better.
 [[nodiscard]] bool takes_over(const Idea& idea, const Idea& best);
 
 [[nodiscard]] Idea idea_of(const SonarMission& mission, const Calibration& calibration,

@@ -38,7 +38,7 @@ struct Round {
 struct Unknowns {
   std::vector<Pose2> map_from_node;
   std::vector<std::vector<Pose2>> moves;  ///< drawn of the last round
-  double length_scale = 1.0;
+  SharedUnknowns shared;
   double length_scale_sigma = 0.0;
 };
 
@@ -52,8 +52,8 @@ double geman_mcclure(double squared, double scale_squared) {
 std::array<PairResidual, 3> residuals_of_step(const SonarBatch& batch, const Unknowns& unknowns,
                                               std::size_t node) {
   const Pose2& driven = batch.steps[node].before_from_here;
-  const Pose2 scaled{unknowns.length_scale * driven.x_m, unknowns.length_scale * driven.y_m,
-                     driven.theta_rad};
+  const double scale = unknowns.shared.length_scale;
+  const Pose2 scaled{scale * driven.x_m, scale * driven.y_m, driven.theta_rad};
   return step_residuals(unknowns.map_from_node[node - 1], unknowns.map_from_node[node], scaled);
 }
 
@@ -78,7 +78,7 @@ void add_steps(const SonarBatch& batch, const SonarBatchOptions& options, double
       equations.add_scale(into_node[k - 1], residuals[i], by_scale[i], weight);
     }
   }
-  equations.add_scale(unknowns.length_scale - 1.0, 1.0, 1.0 / (length_sigma * length_sigma));
+  equations.add_scale(unknowns.shared.length_scale - 1.0, 1.0, 1.0 / (length_sigma * length_sigma));
 }
 
 /// Cauchy's loss of all steps.
@@ -119,14 +119,21 @@ std::vector<WallHeading> headings_of(const SonarBatch& batch, const SonarBatchOp
   return headings;
 }
 
-void add_headings(const SonarBatch& batch, const std::vector<WallHeading>& headings,
-                  const std::vector<Pose2>& poses, SonarEquations& equations) {
+void add_headings(const SonarBatch& batch, const SonarBatchOptions& options,
+                  const std::vector<WallHeading>& headings, const Unknowns& unknowns,
+                  SonarEquations& equations) {
+  const std::vector<double>& directions_rad = unknowns.shared.directions_rad;
+  const double found_information =
+      1.0 / (options.direction_sigma_rad * options.direction_sigma_rad);
+  for (std::size_t i = 1; i < directions_rad.size(); ++i) {
+    equations.add_direction(i, directions_rad[i] - batch.directions_rad[i], found_information);
+  }
   for (std::size_t i = 0; i < batch.walls.size(); ++i) {
     const SeenWall& wall = batch.walls[i];
-    const double off =
-        wrap_quarter(poses[wall.node].theta_rad + wall.normal_rad - batch.direction_rad[i]);
+    const double off = wrap_quarter(unknowns.map_from_node[wall.node].theta_rad + wall.normal_rad -
+                                    directions_rad[wall.direction]);
     equations.add_heading(
-        wall.node, off,
+        wall.node, wall.direction, off,
         headings[i].information * geman_mcclure(off * off, headings[i].far_squared));
   }
 }
@@ -251,7 +258,7 @@ bool settle(const SonarBatch& batch, const SonarBatchOptions& options,
     coupled.emplace_back(static_cast<std::int32_t>(batch.returns[match.heard].node),
                          static_cast<std::int32_t>(batch.walls[match.wall].node));
   }
-  SonarEquations equations(nodes, coupled);
+  SonarEquations equations(nodes, coupled, batch.directions_rad.size());
   std::vector<PairPlaces> into_node;
   for (std::size_t k = 1; k < nodes; ++k) into_node.push_back(equations.places_of(k - 1, k));
   const std::vector<JoinedPair> pairs = joined(batch, options, round, equations);
@@ -259,11 +266,11 @@ bool settle(const SonarBatch& batch, const SonarBatchOptions& options,
     equations.clear();
     equations.hold(0, kFirmly);
     add_steps(batch, options, round.length_sigma, unknowns, into_node, equations);
-    add_headings(batch, headings, unknowns.map_from_node, equations);
+    add_headings(batch, options, headings, unknowns, equations);
     add_pairs(batch, options, round, pairs, unknowns.map_from_node, equations);
     add_returns(batch, options, round, unknowns.map_from_node, equations);
     Unknowns moved = unknowns;
-    const double move = equations.solve(moved.map_from_node, moved.length_scale);
+    const double move = equations.solve(moved.map_from_node, moved.shared);
     moved.length_scale_sigma = equations.scale_sigma();
     if (move < 0.0) return false;
     unknowns = std::move(moved);
@@ -302,6 +309,7 @@ SonarBatchResult solve_sonar_batch(const SonarBatch& batch, const SonarBatchOpti
   SonarBatchResult result;
   Unknowns unknowns;
   unknowns.map_from_node = batch.map_from_node;
+  unknowns.shared.directions_rad = batch.directions_rad;
   result.solved = true;
   const std::vector<WallHeading> headings = headings_of(batch, options);
   const std::size_t past = kShrunk.size() + (batch.returns.empty() ? 0 : kWithReturns);
@@ -323,7 +331,8 @@ SonarBatchResult solve_sonar_batch(const SonarBatch& batch, const SonarBatchOpti
   result.strain = strain_of(batch, options, unknowns);
   result.map_from_node = std::move(unknowns.map_from_node);
   result.moves = std::move(unknowns.moves);
-  result.length_scale = unknowns.length_scale;
+  result.directions_rad = std::move(unknowns.shared.directions_rad);
+  result.length_scale = unknowns.shared.length_scale;
   result.length_scale_sigma = unknowns.length_scale_sigma;
   return result;
 }

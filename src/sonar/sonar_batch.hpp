@@ -23,9 +23,9 @@ struct SonarBatch {
   std::vector<Pose2> map_from_node;  ///< where to start
   std::vector<DrivenStep> steps;     ///< one a node; the first is not used
   std::vector<SeenWall> walls;
-  std::vector<double> direction_rad;  ///< of each wall: the building's direction that it follows,
-                                      ///< modulo 90 degrees
-  std::vector<SeenReturn> returns;    ///< taken once it is known which walls are one; may be none
+  std::vector<SeenReturn> returns;  ///< taken once it is known which walls are one; may be none
+  std::vector<double> directions_rad = {0.0};  ///< of the building's walls, modulo 90 degrees; the
+                                               ///< first is the frame's and stays
 };
 
 struct SonarBatchOptions {
@@ -48,15 +48,18 @@ struct SonarBatchOptions {
   double length_sigma = 0.03;  ///< and from then on, as recorded and drawn odometry has it ...
   double clutter_m = 0.01;  ///< ... at so much clutter or less, and smaller by its square beyond:
                             ///< cones full of clutter make rooms look smaller
-  double return_sigma_m = 0.025;    ///< of a return's range and of where its walls are
-  double return_share = 0.4;        ///< of all sonars' returns together: what one would say alone;
-                                    ///< they hear the same walls, a step apart
-  double wall_heading_rad = 0.035;  ///< sigma of a wall's direction, and one over its length more
+  double return_sigma_m = 0.025;     ///< of a return's range and of where its walls are
+  double return_share = 0.4;         ///< of all sonars' returns together: what one would say alone;
+                                     ///< they hear the same walls, a step apart
+  double direction_sigma_rad = 0.1;  ///< of the building's directions but the first: as far as they
+                                     ///< are found beside the true ones, and more
+  double wall_heading_rad = 0.035;   ///< sigma of a wall's direction, and one over its length more
 };
 
 struct SonarBatchResult {
   std::vector<Pose2> map_from_node;
   std::vector<std::vector<Pose2>> moves;  ///< see `DrawnMoves`; none where it was not solved
+  std::vector<double> directions_rad;     ///< of the building, as the walls and odometry have them
   double length_scale = 1.0;              ///< times odometry's lengths: what the walls make of them
   double length_scale_sigma = 0.0;  ///< its posterior standard deviation; near the prior's, walls
                                     ///< said nothing of it

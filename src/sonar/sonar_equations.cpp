@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sonar_equations.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace roomatlas {
 
 void SonarEquations::clear() {
   matrix_.clear();
   right_side_.assign(3 * nodes_, 0.0);
-  by_scale_.assign(3 * nodes_, 0.0);
-  scale_weight_ = 0.0;
-  scale_right_ = 0.0;
+  by_shared_.setZero(static_cast<Eigen::Index>(3 * nodes_), shared_);
+  shared_weight_.setZero(shared_, shared_);
+  shared_right_.setZero(shared_);
 }
 
 PairPlaces SonarEquations::places_of(std::size_t first, std::size_t second) const {
@@ -26,24 +26,37 @@ PairPlaces SonarEquations::places_of(std::size_t first, std::size_t second) cons
   return places;
 }
 
-void SonarEquations::add_heading(std::size_t node, double residual, double weight) {
+void SonarEquations::add_heading(std::size_t node, std::size_t direction, double residual,
+                                 double weight) {
   const std::size_t at = position(node);
   heading_of(place(at, at)) += weight;
   right_side_[3 * at + 2] -= weight * residual;
+  if (direction == 0) return;
+  const auto column = static_cast<Eigen::Index>(direction);
+  by_shared_(static_cast<Eigen::Index>(3 * at + 2), column) -= weight;
+  add_direction(direction, -residual, weight);
+}
+
+void SonarEquations::add_direction(std::size_t direction, double residual, double weight) {
+  const auto column = static_cast<Eigen::Index>(direction);
+  shared_weight_(column, column) += weight;
+  shared_right_(column) -= weight * residual;
 }
 
 void SonarEquations::add_scale(const PairPlaces& places, const PairResidual& residual,
                                double by_scale, double weight) {
   for (std::size_t i = 0; i < 3; ++i) {
-    by_scale_[3 * places.first + i] += weight * residual.by_first[i] * by_scale;
-    by_scale_[3 * places.second + i] += weight * residual.by_second[i] * by_scale;
+    by_shared_(static_cast<Eigen::Index>(3 * places.first + i), kScale) +=
+        weight * residual.by_first[i] * by_scale;
+    by_shared_(static_cast<Eigen::Index>(3 * places.second + i), kScale) +=
+        weight * residual.by_second[i] * by_scale;
   }
   add_scale(residual.value, by_scale, weight);
 }
 
 void SonarEquations::add_scale(double residual, double by_scale, double weight) {
-  scale_weight_ += weight * by_scale * by_scale;
-  scale_right_ -= weight * residual * by_scale;
+  shared_weight_(kScale, kScale) += weight * by_scale * by_scale;
+  shared_right_(kScale) -= weight * residual * by_scale;
 }
 
 void SonarEquations::hold(std::size_t node, double weight) {
@@ -55,10 +68,14 @@ void SonarEquations::hold(std::size_t node, double weight) {
   }
 }
 
-double SonarEquations::solve(std::vector<Pose2>& map_from_node, double& length_scale) {
+double SonarEquations::solve(std::vector<Pose2>& map_from_node, SharedUnknowns& shared) {
   if (matrix_.factorize() != -1) return -1.0;
   matrix_.solve(right_side_.data());
-  length_scale += eliminate_scale();
+  const Eigen::VectorXd moved = eliminate_shared();
+  shared.length_scale += moved(kScale);
+  for (std::size_t i = 1; i < shared.directions_rad.size(); ++i) {
+    shared.directions_rad[i] += moved(static_cast<Eigen::Index>(i));
+  }
   double squares = 0.0;
   for (std::size_t k = 0; k < nodes_; ++k) {
     Pose2& pose = map_from_node[k];
@@ -74,28 +91,29 @@ std::vector<double> SonarEquations::draw_moves(std::mt19937_64& random) const {
   std::vector<double> by_position(3 * nodes_);
   for (double& one : by_position) one = sign();
   matrix_.solve_upper(by_position.data());
-  const double scale = sign() * scale_sigma_;
+  Eigen::VectorXd drawn(shared_);
+  for (double& one : drawn) one = sign();
+  const Eigen::VectorXd by_shared = node_by_shared_ * (shared_covariance_.llt().matrixL() * drawn);
   std::vector<double> moves(3 * nodes_);
   for (std::size_t k = 0; k < nodes_; ++k) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t from = 3 * position(k) + i;
-      moves[3 * k + i] = by_position[from] - scale * node_by_scale_[from];
+      moves[3 * k + i] = by_position[from] - by_shared(static_cast<Eigen::Index>(from));
     }
   }
   return moves;
 }
 
-/// The step of the scale by the Schur complement; takes its part out of the nodes' steps.
-double SonarEquations::eliminate_scale() {
-  node_by_scale_ = by_scale_;
-  matrix_.solve(node_by_scale_.data());
-  const auto dot = [](const std::vector<double>& a, const std::vector<double>& b) {
-    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-  };
-  const double information = scale_weight_ - dot(by_scale_, node_by_scale_);
-  const double step = (scale_right_ - dot(by_scale_, right_side_)) / information;
-  scale_sigma_ = 1.0 / std::sqrt(information);
-  for (std::size_t i = 0; i < right_side_.size(); ++i) right_side_[i] -= step * node_by_scale_[i];
+/// The step of what is shared by the Schur complement; takes its part out of the nodes' steps.
+Eigen::VectorXd SonarEquations::eliminate_shared() {
+  node_by_shared_ = by_shared_;
+  for (Eigen::Index i = 0; i < shared_; ++i) matrix_.solve(node_by_shared_.col(i).data());
+  Eigen::Map<Eigen::VectorXd> nodes(right_side_.data(), by_shared_.rows());
+  const Eigen::MatrixXd information = shared_weight_ - by_shared_.transpose() * node_by_shared_;
+  const Eigen::LDLT<Eigen::MatrixXd> factors(information);
+  const Eigen::VectorXd step = factors.solve(shared_right_ - by_shared_.transpose() * nodes);
+  shared_covariance_ = factors.solve(Eigen::MatrixXd::Identity(shared_, shared_));
+  nodes -= node_by_shared_ * step;
   return step;
 }
 

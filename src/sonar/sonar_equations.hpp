@@ -2,6 +2,7 @@
 // The normal equations of the batch.
 #pragma once
 
+#include <Eigen/Core>
 #include <random>
 #include <vector>
 
@@ -20,21 +21,34 @@ struct PairPlaces {
   BlockPlace of_both;  ///< its rows are those of the node with the greater position
 };
 
-/// Normal equations of the nodes for one set of pairs, and of the one scale of all lengths. The
-/// scale touches every node: it stands beside the sparse matrix, not in it.
+/// What touches every node: odometry's lengths as a whole, and the directions of the building's
+/// walls, of which the first stays as it is.
+struct SharedUnknowns {
+  double length_scale = 1.0;
+  std::vector<double> directions_rad;
+};
+
+/// Normal equations of the nodes for one set of pairs, and of what they share. That touches every
+/// node: it stands beside the sparse matrix, not in it.
 class SonarEquations {
  public:
   /// @param pairs of nodes that residuals join
-  SonarEquations(std::size_t nodes, const std::vector<NodePair>& pairs)
-      : supernodes_(find_supernodes(nodes, pairs)), matrix_(supernodes_), nodes_(nodes) {}
+  /// @param directions of the building's walls, the first included; at least one
+  SonarEquations(std::size_t nodes, const std::vector<NodePair>& pairs, std::size_t directions)
+      : supernodes_(find_supernodes(nodes, pairs)),
+        matrix_(supernodes_),
+        nodes_(nodes),
+        shared_(static_cast<Eigen::Index>(directions)) {}
 
   void clear();
 
   /// @param first,second one of the pairs; not one node
   [[nodiscard]] PairPlaces places_of(std::size_t first, std::size_t second) const;
 
-  /// Adds weight times the square of a residual of one node's heading.
-  void add_heading(std::size_t node, double residual, double weight);
+  /// Adds weight times the square of a residual of one node's heading against a direction.
+  void add_heading(std::size_t node, std::size_t direction, double residual, double weight);
+  /// The same of a direction alone, not the first.
+  void add_direction(std::size_t direction, double residual, double weight);
 
   /// The same of a residual between two nodes.
   void add(const PairPlaces& places, const PairResidual& residual, double weight) {
@@ -66,12 +80,12 @@ class SonarEquations {
   void hold(std::size_t node, double weight);
 
   /// Moves the poses. @return root mean square of the moves; negative when the system is singular
-  [[nodiscard]] double solve(std::vector<Pose2>& map_from_node, double& length_scale);
-  /// Moves of the nodes (x, y, heading of each) as likely as the equations leave them, whatever the
-  /// scale is, as last solved: their covariance is that of the estimate.
+  [[nodiscard]] double solve(std::vector<Pose2>& map_from_node, SharedUnknowns& shared);
+  /// Moves of the nodes (x, y, heading of each) as likely as the equations leave them, whatever
+  /// they share is, as last solved: their covariance is that of the estimate.
   [[nodiscard]] std::vector<double> draw_moves(std::mt19937_64& random) const;
-  /// Standard deviation of the scale, whatever the nodes are, as last solved.
-  [[nodiscard]] double scale_sigma() const { return scale_sigma_; }
+  /// Standard deviation of the scale, whatever all else is, as last solved.
+  [[nodiscard]] double scale_sigma() const { return std::sqrt(shared_covariance_(kScale, kScale)); }
 
  private:
   [[nodiscard]] std::size_t position(std::size_t node) const {
@@ -101,17 +115,20 @@ class SonarEquations {
       }
     }
   }
-  [[nodiscard]] double eliminate_scale();
+  [[nodiscard]] Eigen::VectorXd eliminate_shared();
+
+  static constexpr Eigen::Index kScale = 0;  ///< where the first direction would stand
 
   Supernodes supernodes_;
   BlockCholesky<3> matrix_;
   std::size_t nodes_;
+  Eigen::Index shared_;
   std::vector<double> right_side_;
-  std::vector<double> by_scale_;       ///< of the normal matrix, the scale's column
-  std::vector<double> node_by_scale_;  ///< how the nodes move with the scale, as last solved
-  double scale_weight_ = 0.0;
-  double scale_right_ = 0.0;
-  double scale_sigma_ = 0.0;
+  Eigen::MatrixXd by_shared_;       ///< of the normal matrix, the columns of what is shared
+  Eigen::MatrixXd node_by_shared_;  ///< how the nodes move with it, as last solved
+  Eigen::MatrixXd shared_weight_;
+  Eigen::VectorXd shared_right_;
+  Eigen::MatrixXd shared_covariance_;  ///< as last solved
 };
 
 }  // namespace roomatlas

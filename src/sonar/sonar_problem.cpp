@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "map_directions.hpp"
 #include "roomatlas/odometry/noise.hpp"
 #include "wall_stretches.hpp"
 
@@ -90,18 +91,22 @@ SonarProblem sonar_problem(Readings readings, const DrivenPath& path,
     problem.node_of.push_back(node);
   }
   problem.segments = wall_segments(readings, start, path.path_m, options, jobs);
+  std::vector<MapWall> on_map;
+  on_map.reserve(problem.segments.size());
+  problem.batch.directions_rad = directions_rad;
   for (const WallSegment& segment : problem.segments) {
+    const double normal_rad = start[segment.reading].theta_rad + segment.normal_rad;
     const std::size_t node = problem.node_of[segment.reading];
     const Pose2 node_from_robot =
         inverse(path.odom_from_robot[nodes[node]]) * path.odom_from_robot[segment.reading];
     problem.batch.walls.push_back({node, wrap_angle(segment.normal_rad + node_from_robot.theta_rad),
                                    node_from_robot * segment.middle_robot, segment.length_m,
                                    path.path_m[segment.reading], segment.sigma_m});
-    const double normal_rad = start[segment.reading].theta_rad + segment.normal_rad;
-    problem.batch.direction_rad.push_back(
-        *std::min_element(directions_rad.begin(), directions_rad.end(), [&](double a, double b) {
-          return std::abs(wrap_quarter(normal_rad - a)) < std::abs(wrap_quarter(normal_rad - b));
-        }));
+    on_map.push_back({normal_rad, segment.length_m});
+  }
+  const std::vector<std::size_t> followed = directions_followed(on_map, directions_rad);
+  for (std::size_t i = 0; i < followed.size(); ++i) {
+    problem.batch.walls[i].direction = followed[i];
   }
   return problem;
 }

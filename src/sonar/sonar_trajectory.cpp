@@ -162,17 +162,29 @@ Idea idea_at(const SonarMission& mission, const Calibration& calibration,
   return idea;
 }
 
+/// The directions that walls follow on the map of an idea.
+std::vector<double> directions_on(const Idea& idea) {
+  std::vector<MapWall> walls;
+  walls.reserve(idea.problem.segments.size());
+  for (const WallSegment& segment : idea.problem.segments) {
+    const double heading_rad = idea.attempt.map_from_robot[segment.reading].theta_rad;
+    walls.push_back({heading_rad + segment.normal_rad, segment.length_m});
+  }
+  return map_directions(walls);
+}
+
 /// The building's directions as a map tells them on which no wall follows any: odometry and walls
 /// seen again hold it together. The chain of the heading takes a wing that it does not know for the
-/// nearest direction that it knows, and bends the way there.
+/// nearest direction that it knows, and bends the way there. Such a map has more freedom: one that
+/// fits worse than the best has gone astray, and tells nothing.
 void consider_map_directions(const SonarMission& mission, const Calibration& likely, Choice& choice,
                              SonarTrajectory& result) {
   Idea loose = *choice.best;
   loose.is_free = true;
   if (mission.before_attempt) mission.before_attempt();
   loose.attempt = solve(mission, loose, kFreeWalls, loose.heading.correction_rad);
-  std::vector<double> walls_rad =
-      map_directions(loose.problem.segments, loose.attempt.map_from_robot, {});
+  std::vector<double> walls_rad;
+  if (merit(loose.attempt) > merit(choice.best->attempt)) walls_rad = directions_on(loose);
   if (walls_rad.size() > 1) {
     const double first_rad = walls_rad.front();
     for (double& wall_rad : walls_rad) wall_rad = wrap_quarter(wall_rad - first_rad);
@@ -247,7 +259,7 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
   result.habits = best.habits;
   result.length_scale_sigma = best.attempt.length_scale_sigma;
   result.clutter_m = best.attempt.clutter_m;
-  result.wall_directions_rad = best.directions_rad;
+  result.wall_directions_rad = best.attempt.directions_rad;
   result.log_evidence = best.heading.log_evidence;
   result.segments = best.problem.segments.size();
   result.sure_heading_share = share_with_sure_heading(best);

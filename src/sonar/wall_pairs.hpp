@@ -16,8 +16,9 @@ struct SeenWall {
   double normal_rad = 0.0;
   Point2 middle_node = Point2::Zero();
   double length_m = 0.0;
-  double path_m = 0.0;   ///< where on its way the robot saw it
-  double sigma_m = 0.0;  ///< of its returns: root mean square of their residuals
+  double path_m = 0.0;        ///< where on its way the robot saw it
+  double sigma_m = 0.0;       ///< of its returns: root mean square of their residuals
+  std::size_t direction = 0;  ///< of the building's: the one that it follows
 };
 
 /// Two stretches that face the same way and overlap.

@@ -43,6 +43,8 @@ constexpr Meaning kMeanings[] = {
     {"wall heard again", "little wall was heard by more than one visit"},
     {"stretches of wall a metre", "few stretches of wall were heard"},
     {"pairs of stretches", "few stretches of wall were heard again"},
+    {"directions of the building",
+     "parts of the building lie at an angle, which odometry alone tells"},
     {"unsure heading", "walls leave the heading unsure for parts of the drive"},
     {"undecided drives", "some drives could have gone forwards or backwards"},
     {"score of another winding", "another course of the heading explains the walls nearly as well"},

@@ -224,6 +224,7 @@ void add_sonars(const SonarTrajectory& sonars, double path_m, std::vector<Judged
        {"stretches of wall a metre", log_of(static_cast<double>(sonars.segments) / metres, 0.01)},
        {"pairs of stretches", std::log1p(static_cast<double>(chosen.pairs) /
                                          std::max(1.0, static_cast<double>(sonars.segments)))},
+       {"directions of the building", static_cast<double>(sonars.wall_directions_rad.size())},
        {"unsure heading", log_of(1.0 - sonars.sure_heading_share, 0.005)},
        {"undecided drives", log_of(sonars.undecided_m / metres, 0.001)},
        {"score of another winding", sonars.rival_score},

@@ -3,83 +3,114 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "roomatlas/core/pose2.hpp"
 
 namespace roomatlas {
 namespace {
 
-/// Walls heard from one pose each; in turn along both axes of a direction.
-struct Map {
-  std::vector<WallSegment> segments;
-  std::vector<Pose2> map_from_robot;
+/// Walls of a drive; in turn along both axes of a direction.
+struct DrivenWalls {
+  std::vector<MapWall> walls;
 
-  void add(double direction_deg, int count, double length_m, double scatter_deg) {
+  void along(double direction_deg, int count, double length_m, double scatter_deg) {
     for (int i = 0; i < count; ++i) {
       const double off_deg = scatter_deg * std::sin(2.4 * i);
-      const double heading_rad = radians(37.0 * i);  // of the robot: must not matter
-      WallSegment segment;
-      segment.reading = map_from_robot.size();
-      segment.length_m = length_m;
-      segment.normal_rad =
-          wrap_angle(radians(direction_deg + off_deg + 90.0 * (i % 4)) - heading_rad);
-      segments.push_back(segment);
-      map_from_robot.push_back({0.0, 0.0, wrap_angle(heading_rad)});
+      walls.push_back({radians(direction_deg + off_deg + 90.0 * (i % 4)), length_m});
     }
   }
   [[nodiscard]] std::vector<double> directions_deg() const {
     std::vector<double> result;
-    for (const double rad : map_directions(segments, map_from_robot, {})) {
-      result.push_back(degrees(rad));
-    }
+    for (const double rad : map_directions(walls)) result.push_back(degrees(rad));
+    std::sort(result.begin(), result.end());
     return result;
-  }
-  /// The density at a direction from its definition: a sum over all walls, without bins.
-  [[nodiscard]] double density(double at_rad) const {
-    double sum = 0.0;
-    for (const WallSegment& segment : segments) {
-      const double off_rad =
-          wrap_quarter(map_from_robot[segment.reading].theta_rad + segment.normal_rad - at_rad);
-      const double sigmas = off_rad / MapDirectionsOptions{}.blur_rad;
-      sum += segment.length_m * std::exp(-sigmas * sigmas / 2.0);
-    }
-    return sum;
   }
 };
 
-TEST(MapDirections, AreThoseOfTheMostMetresOfWallFirst) {
-  Map map;
-  map.add(21.5, 60, 1.0, 3.0);
-  map.add(-13.0, 40, 2.0, 3.0);  // fewer, but longer
-  map.add(40.0, 3, 1.0, 1.0);    // furniture
-  const auto found = map.directions_deg();
-  ASSERT_EQ(found.size(), 2U);
-  EXPECT_NEAR(found[0], -13.0, 0.6);
-  EXPECT_NEAR(found[1], 21.5, 0.6);
+TEST(MapDirections, OfWingsAtSmallAnglesAreAllOfThem) {
+  DrivenWalls drive;
+  drive.along(3.0, 60, 1.0, 2.0);
+  drive.along(8.5, 40, 1.5, 2.0);
+  drive.along(14.0, 50, 1.2, 2.0);
+  drive.along(3.0, 20, 1.0, 2.0);
+  const auto found = drive.directions_deg();
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_NEAR(found[0], 3.0, 0.5);
+  EXPECT_NEAR(found[1], 8.5, 0.5);
+  EXPECT_NEAR(found[2], 14.0, 0.5);
 }
 
-TEST(MapDirections, AreWhereTheSumOverAllWallsIsHighest) {
-  Map map;
-  map.add(44.0, 50, 1.3, 2.0);  // at the seam, modulo 90 degrees
-  map.add(9.0, 31, 0.7, 3.0);
-  const auto found = map_directions(map.segments, map.map_from_robot, {});
+TEST(MapDirections, CountModuloARightAngle) {
+  DrivenWalls drive;
+  drive.along(44.5, 60, 1.3, 2.0);  // at the seam
+  drive.along(100.0, 60, 0.7, 3.0);
+  const auto found = drive.directions_deg();
   ASSERT_EQ(found.size(), 2U);
-  for (const double at_rad : found) {
-    double highest_rad = at_rad;
-    for (double off_deg = -5.0; off_deg <= 5.0; off_deg += 0.05) {
-      if (map.density(at_rad + radians(off_deg)) > map.density(highest_rad)) {
-        highest_rad = at_rad + radians(off_deg);
-      }
-    }
-    EXPECT_NEAR(degrees(wrap_quarter(highest_rad - at_rad)), 0.0, 0.4);
-  }
-  EXPECT_GT(map.density(found[0]), map.density(found[1]));
+  EXPECT_NEAR(found[0], 10.0, 0.6);
+  EXPECT_NEAR(found[1], 44.5, 0.6);
 }
 
 TEST(MapDirections, OfWallsThatScatterAboutOneAreOne) {
-  Map map;
-  map.add(5.0, 200, 1.0, 4.0);
-  EXPECT_EQ(map.directions_deg().size(), 1U);
-  EXPECT_TRUE(map_directions({}, {}, {}).empty());
+  DrivenWalls drive;
+  drive.along(5.0, 200, 1.0, 4.0);
+  for (std::size_t i = 10; i < drive.walls.size(); i += 20) {
+    drive.walls[i].normal_rad += radians(20.0);  // furniture here and there
+  }
+  const auto found = drive.directions_deg();
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(found[0], 5.0, 0.7);
+  EXPECT_TRUE(map_directions({}).empty());
+}
+
+/// What the course of directions costs, as the definition has it.
+double cost_of(const std::vector<MapWall>& walls, const std::vector<double>& directions_rad,
+               const std::vector<std::size_t>& followed, const MapDirectionsOptions& options) {
+  double cost = 0.0;
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const double sigma =
+        std::hypot(options.wall_sigma_rad, options.end_sigma_m / walls[i].length_m);
+    const double sigmas =
+        std::min(options.far_sigmas,
+                 std::abs(wrap_quarter(walls[i].normal_rad - directions_rad[followed[i]])) / sigma);
+    cost += options.share * std::min(1.0, walls[i].length_m) * sigmas * sigmas / 2.0;
+    if (i > 0 && followed[i] != followed[i - 1]) cost += options.switch_cost;
+  }
+  return cost;
+}
+
+TEST(DirectionsFollowed, AreTheCheapestOfAllCourses) {
+  const std::vector<double> directions_rad = {0.0, radians(6.0), radians(-20.0)};
+  MapDirectionsOptions options;
+  options.switch_cost = 0.4;  // so that eight walls change over
+  for (int seed = 0; seed < 20; ++seed) {
+    DrivenWalls drive;
+    for (int i = 0; i < 8; ++i) {
+      drive.along(14.0 * std::sin(0.9 * i + seed), 1, 0.5 + 0.2 * (i % 4), 0.0);
+    }
+    double least = std::numeric_limits<double>::max();
+    for (std::size_t course = 0; course < 6561; ++course) {
+      std::vector<std::size_t> followed;
+      for (std::size_t rest = course; followed.size() < 8; rest /= 3) followed.push_back(rest % 3);
+      least = std::min(least, cost_of(drive.walls, directions_rad, followed, options));
+    }
+    const auto found = directions_followed(drive.walls, directions_rad, options);
+    EXPECT_NEAR(cost_of(drive.walls, directions_rad, found, options), least, 1e-9);
+  }
+}
+
+TEST(DirectionsFollowed, AreAWingsThoughSingleWallsLieNearerToAnother) {
+  DrivenWalls drive;
+  drive.along(0.0, 30, 1.0, 3.0);
+  drive.along(6.0, 30, 1.0, 3.5);
+  const std::vector<double> directions_rad = {0.0, radians(6.0)};
+  const auto found = directions_followed(drive.walls, directions_rad);
+  for (std::size_t i = 0; i < 60; ++i) {
+    if (i >= 27 && i <= 32) continue;
+    EXPECT_EQ(found[i], i < 30 ? 0U : 1U) << i;
+  }
 }
 
 }  // namespace

@@ -35,7 +35,6 @@ SonarBatch to_and_fro(double length_scale) {
       const double to_wall_m = normal_rad == 0.0 ? kWallM - x_m : -kWallM - x_m;
       batch.walls.push_back(
           {k, normal_rad, {to_wall_m, 0.0}, 1.0, kStepM * static_cast<double>(k)});
-      batch.direction_rad.push_back(0.0);
     }
   }
   return batch;
@@ -48,6 +47,46 @@ TEST(SonarBatch, FindsTheScaleOfOdometrysLengths) {
     EXPECT_NEAR(result.length_scale, 1.0 / scale, 0.002);
     EXPECT_LT(result.length_scale_sigma, 0.006);
   }
+}
+
+/// A corridor, and a wing behind it whose walls are turned by so much; odometry is exact.
+SonarBatch with_a_wing(double turned_rad, double taken_for_rad) {
+  SonarBatch batch;
+  batch.directions_rad = {0.0, taken_for_rad};
+  for (std::size_t k = 0; k < 60; ++k) {
+    const bool is_wing = k >= 30;
+    const double path_m = 0.4 * static_cast<double>(k);
+    batch.map_from_node.push_back({path_m, 0.0, 0.0});
+    batch.steps.push_back({{k > 0 ? 0.4 : 0.0, 0.0, 0.0}, 0.02, 0.02, 0.01});
+    for (const double side_rad : {-kPi / 2.0, kPi / 2.0}) {
+      const double normal_rad = side_rad + (is_wing ? turned_rad : 0.0);
+      batch.walls.push_back(
+          {k, normal_rad, direction(normal_rad), 1.0, path_m, 0.0, is_wing ? 1U : 0U});
+    }
+  }
+  return batch;
+}
+
+TEST(SonarBatch, FindsHowFarAWingIsTurned) {
+  for (const double turned_deg : {3.0, 7.0, 12.0}) {
+    const SonarBatchResult result =
+        solve_sonar_batch(with_a_wing(radians(turned_deg), radians(7.0)), {});
+    ASSERT_TRUE(result.solved);
+    ASSERT_EQ(result.directions_rad.size(), 2U);
+    EXPECT_EQ(result.directions_rad[0], 0.0);
+    EXPECT_NEAR(degrees(result.directions_rad[1]), turned_deg, 0.4);
+    for (const Pose2& pose : result.map_from_node) EXPECT_NEAR(degrees(pose.theta_rad), 0.0, 0.4);
+  }
+}
+
+TEST(SonarBatch, AWingsHeadingIsAsLooseAsTheWayThere) {
+  const auto spread_of_last = [](SonarBatch batch) {
+    batch.steps[30].turn_sigma_rad = 0.1;  // into the wing
+    return spread_of(solve_sonar_batch(batch, {}).moves).back().heading_rad;
+  };
+  SonarBatch rectangular = with_a_wing(0.0, 0.0);
+  for (SeenWall& wall : rectangular.walls) wall.direction = 0;
+  EXPECT_GT(spread_of_last(with_a_wing(0.1, 0.1)), 1.5 * spread_of_last(rectangular));
 }
 
 /// What the forward and the backward sonar hear from the nodes from `first` on.
@@ -68,7 +107,6 @@ TEST(SonarBatch, ReturnsHoldNodesThatHeardNoStretch) {
   SonarBatch batch = to_and_fro(1.0);
   const std::vector<Pose2> truth = batch.map_from_node;
   std::erase_if(batch.walls, [](const SeenWall& wall) { return wall.node >= kFirst; });
-  batch.direction_rad.resize(batch.walls.size());
   for (std::size_t k = kFirst; k < truth.size(); ++k) {
     batch.map_from_node[k].x_m += kDriftM * static_cast<double>(k + 1 - kFirst);
     batch.steps[k].before_from_here.x_m += kDriftM;
@@ -133,7 +171,6 @@ TEST(SonarBatch, CountsAsClutterWhatScatterDoesNotExplain) {
 TEST(SonarBatch, StrainsOdometryWhereWallsMoveIt) {
   SonarBatch alone = to_and_fro(1.02);
   alone.walls.clear();
-  alone.direction_rad.clear();
   EXPECT_LT(solve_sonar_batch(alone, {}).strain, 1e-9);
 
   const SonarBatch batch = to_and_fro(1.02);
@@ -212,7 +249,6 @@ TEST(SonarBatch, SpreadsAsManyDrivesDo) {
 TEST(SonarBatch, WallsHoldWhatDrivesSpread) {
   SonarBatch alone = to_and_fro(1.0);
   alone.walls.clear();
-  alone.direction_rad.clear();
   const auto held = spread_of(solve_sonar_batch(to_and_fro(1.0), {}).moves);
   const auto loose = spread_of(solve_sonar_batch(alone, {}).moves);
   ASSERT_FALSE(held.empty());
@@ -257,7 +293,6 @@ SideBySide side_by_side() {
         const double across_m = corridor_m + side * kToWallM - pose.y_m;
         batch.walls.push_back(
             {k, side * kPi / 2.0, {0.0, across_m}, 1.0, kStepM * static_cast<double>(k)});
-        batch.direction_rad.push_back(0.0);
       }
     }
   }

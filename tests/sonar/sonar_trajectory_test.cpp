@@ -230,12 +230,18 @@ TEST(TakesOver, OdometrysHeadingMustMakeUpForWhatWallsSayOfTheirDirection) {
 }
 
 TEST(TakesOver, OpenDirectionsThatStrainOdometryLess) {
-  const Idea best = solved_idea(740.0, 35.0, 500.0);
+  Idea best = solved_idea(740.0, 35.0, 500.0);
+  best.directions_rad = {0.0};
   Idea wings = solved_idea(739.0, 14.0, 510.0);
+  wings.directions_rad = {0.0, 0.3};
   EXPECT_FALSE(takes_over(wings, best));
   wings.is_open = true;
   EXPECT_TRUE(takes_over(wings, best));
   wings.attempt.strain = 33.0;
+  EXPECT_FALSE(takes_over(wings, best));
+  best.directions_rad = {0.0, 0.2};  // as many: any gain tells
+  EXPECT_TRUE(takes_over(wings, best));
+  wings.attempt.strain = 35.0;
   EXPECT_FALSE(takes_over(wings, best));
 }
 
