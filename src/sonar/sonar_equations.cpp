@@ -111,7 +111,7 @@ Eigen::VectorXd SonarEquations::eliminate_shared() {
   Eigen::Map<Eigen::VectorXd> nodes(right_side_.data(), by_shared_.rows());
   const Eigen::MatrixXd information = shared_weight_ - by_shared_.transpose() * node_by_shared_;
   const Eigen::LDLT<Eigen::MatrixXd> factors(information);
-  const Eigen::VectorXd step = factors.solve(shared_right_ - by_shared_.transpose() * nodes);
+  Eigen::VectorXd step = factors.solve(shared_right_ - by_shared_.transpose() * nodes);
   shared_covariance_ = factors.solve(Eigen::MatrixXd::Identity(shared_, shared_));
   nodes -= node_by_shared_ * step;
   return step;
