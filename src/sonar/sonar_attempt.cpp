@@ -106,18 +106,17 @@ double merit(const Attempt& attempt) { return attempt.score_m - attempt.strain; 
 
 bool takes_over(const Idea& idea, const Idea& best) {
   constexpr double kOdometryTells = 5.0;    // of merit; less is noise
-  constexpr double kStrainTells = 0.9;      // of the best's strain: false wings leave 0.94 and more
+  constexpr double kStrainTells = 0.75;     // of the best's strain: false wings leave 0.89 and more
   constexpr double kFreeTells = 25.0;       // rectangular buildings gain up to 33 by it, ...
   constexpr double kFreeTellsShare = 0.05;  // ... those over 25 up to 2 %
   const double more = merit(idea.attempt) - merit(best.attempt);
   if (idea.is_odometry)
     return is_better(idea.attempt, best.attempt) && more > best.heading.log_evidence;
   if (idea.is_free) return more > std::max(kFreeTells, kFreeTellsShare * merit(best.attempt));
-  if (idea.is_open) {
-    if (idea.directions_rad.size() <= best.directions_rad.size() && more > 0.0) return true;
-    const bool strains_less = idea.attempt.strain < kStrainTells * best.attempt.strain;
-    if (strains_less && more > kOdometryTells) return true;
+  if (idea.is_open && idea.directions_rad.size() > best.directions_rad.size()) {
+    return more > kOdometryTells && idea.attempt.strain < kStrainTells * best.attempt.strain;
   }
+  if (idea.is_open && more > 0.0) return true;
   return is_better(idea.attempt, best.attempt);
 }
 

@@ -92,9 +92,9 @@ struct Idea {
 
 /// Whether an idea takes the place of the best so far: by a better score. Odometry's own heading
 /// must make up for all that walls say for a direction, too: it fits a few more of them by bending
-/// corridors. Directions that the chain leaves open need no better score where odometry fits them
-/// clearly better, or better at all where they are no more; walls that follow none leave odometry
-/// so much room that it must fit far better.
+/// corridors. More directions than the best has, where the chain leaves them open, must take a
+/// quarter of odometry's strain, whatever the score, and as many need be no more than better; walls
+/// that follow none leave odometry so much room that it must fit far better.
 [[nodiscard]] bool takes_over(const Idea& idea, const Idea& best);
 
 [[nodiscard]] Idea idea_of(const SonarMission& mission, const Calibration& calibration,
