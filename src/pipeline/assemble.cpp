@@ -221,7 +221,7 @@ Assembly assemble_corrected(MissionKind kind, const AsrSource& source, Corrected
   assembly.correction = std::move(corrected.correction);
   assembly.closures = std::move(corrected.closures);
   assembly.sonars = std::move(corrected.sonars);
-  assembly.drawn = std::move(corrected.drawn);
+  assembly.moves = std::move(corrected.moves);
   assembly.doubted = corrected.doubted;
   assembly.paths = std::move(corrected.paths);
 

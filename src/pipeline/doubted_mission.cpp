@@ -94,9 +94,8 @@ std::optional<CorrectedMission> correct_as_a_whole(const AsrSource& source, cons
   result.closures = doubted.closures;
   result.paths = std::move(paths);
   result.correction = correct_to(asrs, result.graph, placement, assemble.correct, whole->walls_rad);
-  result.drawn = drawn_visits(whole->drawn, load(WithPaths(source, result.paths), AsrDetail::path));
+  result.moves = take_moves(*whole, load(WithPaths(source, result.paths), AsrDetail::path));
   whole->second.reset();  // of walls alone, which matched rooms would have to be asked about
-  whole->drawn = {};
   whole->map_from_robot.clear();
   result.sonars = std::move(*whole);
   result.doubted = doubted.judgement->probability;

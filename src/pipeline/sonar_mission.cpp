@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A mission with sonars alone: corrected as a whole, its rooms recorded again.
 #include <iterator>
+#include <utility>
 
 #include "roomatlas/asr/load.hpp"
 #include "roomatlas/asr/record_again.hpp"
@@ -8,6 +9,45 @@
 #include "strategies.hpp"
 
 namespace roomatlas {
+namespace {
+
+/// The rigid motion of a visit's frame that moves and turns its poses as much in the mean.
+/// @param first of its readings
+Pose2 mean_move(const std::vector<Pose2>& moves, const std::vector<std::size_t>& node_of,
+                std::size_t first, const std::vector<PathSample>& path) {
+  Point2 before = Point2::Zero();
+  Point2 after = Point2::Zero();
+  double turn_rad = 0.0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const Pose2& asr_from_robot = path[i].asr_from_robot;
+    const Pose2& move = moves[node_of.at(first + i)];
+    before += asr_from_robot.position();
+    after += asr_from_robot * move.position();
+    turn_rad += move.theta_rad;
+  }
+  const auto count = static_cast<double>(path.size());
+  const Pose2 turn{0.0, 0.0, turn_rad / count};
+  const Point2 shift = after / count - turn * Point2(before / count);
+  return {shift.x(), shift.y(), turn.theta_rad};
+}
+
+MovedVisits moved_visits(const DrawnMoves& moves, const std::vector<Asr>& asrs) {
+  MovedVisits visits;
+  if (moves.of_draw.empty()) return visits;
+  std::size_t first = 0;
+  for (const Asr& asr : asrs) {
+    std::vector<Pose2>& of_visit = visits[asr.id];
+    of_visit.reserve(moves.of_draw.size());
+    for (const std::vector<Pose2>& draw : moves.of_draw) {
+      of_visit.push_back(mean_move(draw, moves.node_of, first, asr.path));
+    }
+    first += asr.path.size();
+  }
+  return visits;
+}
+
+}  // namespace
+
 std::vector<RangeReading> readings_of(const AsrSource& source) {
   std::vector<RangeReading> readings;
   for (const AsrId id : source.ids()) {
@@ -17,19 +57,11 @@ std::vector<RangeReading> readings_of(const AsrSource& source) {
   return readings;
 }
 
-DrawnVisits drawn_visits(const DrawnMoves& drawn, const std::vector<Asr>& asrs) {
-  DrawnVisits visits;
-  if (drawn.of_draw.empty()) return visits;
-  std::size_t first = 0;
-  for (const Asr& asr : asrs) {
-    const Pose2 asr_from_robot = asr.path.front().asr_from_robot;
-    for (const std::vector<Pose2>& moves : drawn.of_draw) {
-      const Pose2& move = moves[drawn.node_of.at(first)];
-      visits[asr.id].push_back(asr_from_robot * move * inverse(asr_from_robot));
-    }
-    first += asr.path.size();
-  }
-  return visits;
+VisitMoves take_moves(SonarTrajectory& trajectory, const std::vector<Asr>& asrs) {
+  const auto taken = [&](DrawnMoves& moves) {
+    return moved_visits(std::exchange(moves, {}), asrs);
+  };
+  return {taken(trajectory.drawn), taken(trajectory.wild), taken(trajectory.undirected)};
 }
 
 CorrectedMission correct_sonar_mission(const AsrSource& source, const RobotFootprint& footprint,
@@ -54,8 +86,7 @@ CorrectedMission correct_sonar_mission(const AsrSource& source, const RobotFootp
   }
   result.correction = correct_to(asrs, result.graph, again.placement, options.assemble.correct,
                                  trajectory.walls_rad);
-  result.drawn = drawn_visits(trajectory.drawn, asrs);
-  trajectory.drawn = {};
+  result.moves = take_moves(trajectory, asrs);
   trajectory.map_from_robot.clear();
   result.sonars = std::move(trajectory);
   result.recorded_again = std::move(again.asrs);

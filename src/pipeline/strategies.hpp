@@ -30,7 +30,7 @@ struct CorrectedMission {
   Paths paths;                              ///< of readings that were matched again; may be empty
   std::optional<SecondLoops> second_loops;  ///< another way to close them; sonars have their own
   std::optional<SonarTrajectory> sonars;
-  DrawnVisits drawn;                ///< of sonars
+  VisitMoves moves;                 ///< of sonars
   std::optional<double> doubted;    ///< see `Assembly`
   std::set<AsrId> not_drawn;        ///< visits of sonars to what lasers saw
   std::vector<VisitsOfTime> times;  ///< of the visits that are drawn, where missions were driven
@@ -44,9 +44,9 @@ struct CorrectedMission {
 /// Of all ASRs, in the order in which they were recorded.
 [[nodiscard]] std::vector<RangeReading> readings_of(const AsrSource& source);
 
-/// Of visits that follow each other as in the trajectory.
+/// Of visits that follow each other as in the trajectory, from which the moves are taken.
 /// @param asrs with their paths
-[[nodiscard]] DrawnVisits drawn_visits(const DrawnMoves& drawn, const std::vector<Asr>& asrs);
+[[nodiscard]] VisitMoves take_moves(SonarTrajectory& trajectory, const std::vector<Asr>& asrs);
 
 /// The maps of all ASRs, from readings that are loaded for as many ASRs at a time as there are
 /// jobs.

@@ -9,6 +9,7 @@
 
 #include "roomatlas/core/for_each_index.hpp"
 #include "sonar_factors.hpp"
+#include "wall_headings.hpp"
 #include "wall_stretches.hpp"
 
 namespace roomatlas {

@@ -11,7 +11,14 @@
 namespace roomatlas {
 namespace {
 
-constexpr int kDraws = 48;  // tell a standard deviation to a tenth; a draw costs half a solution
+/// @param moves x, y and heading of each node
+std::vector<Pose2> moved_by(const std::vector<double>& moves, std::vector<Pose2> poses) {
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const double* const move = moves.data() + 3 * k;
+    poses[k] = {poses[k].x_m + move[0], poses[k].y_m + move[1], poses[k].theta_rad + move[2]};
+  }
+  return poses;
+}
 
 }  // namespace
 
@@ -24,40 +31,33 @@ Pose2 fit(std::span<const Pose2> from, std::span<const Pose2> onto) {
   return rigid_fit(pairs);
 }
 
+std::vector<Pose2> moves_to(std::vector<Pose2> others, std::span<const Pose2> poses) {
+  const Pose2 laid = fit(others, poses);
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    others[k] = inverse(poses[k]) * (laid * others[k]);
+  }
+  return others;
+}
+
 std::vector<std::vector<Pose2>> drawn_moves(const SonarEquations& equations,
                                             const std::vector<Pose2>& map_from_node) {
   std::vector<std::vector<Pose2>> drawn;
+  drawn.reserve(kDraws);
   std::mt19937_64 random(1);
   for (int draw = 0; draw < kDraws; ++draw) {
-    const std::vector<double> moves = equations.draw_moves(random);
-    std::vector<Pose2> moved = map_from_node;
-    for (std::size_t k = 0; k < moved.size(); ++k) {
-      const double* const move = moves.data() + 3 * k;
-      moved[k] = {moved[k].x_m + move[0], moved[k].y_m + move[1], moved[k].theta_rad + move[2]};
-    }
-    const Pose2 laid = fit(moved, map_from_node);
-    for (std::size_t k = 0; k < moved.size(); ++k) {
-      moved[k] = inverse(map_from_node[k]) * (laid * moved[k]);
-    }
-    drawn.push_back(std::move(moved));
+    drawn.push_back(moves_to(moved_by(equations.draw_moves(random), map_from_node), map_from_node));
   }
   return drawn;
 }
 
-std::vector<PoseSpread> spread_of(const std::vector<std::vector<Pose2>>& moves) {
-  if (moves.empty()) return {};
-  std::vector<PoseSpread> squares(moves.front().size(), {0.0, 0.0});
-  for (const std::vector<Pose2>& draw : moves) {
-    for (std::size_t k = 0; k < draw.size(); ++k) {
-      squares[k].place_m += draw[k].position().squaredNorm();
-      squares[k].heading_rad += draw[k].theta_rad * draw[k].theta_rad;
-    }
+std::vector<std::vector<Pose2>> wild_moves(const SonarEquations& equations,
+                                           const std::vector<Pose2>& map_from_node) {
+  std::vector<std::vector<Pose2>> drawn;
+  drawn.reserve(kDraws);
+  for (int draw = 0; draw < kDraws; ++draw) {
+    drawn.push_back(moves_to(moved_by(equations.draw_wild(draw), map_from_node), map_from_node));
   }
-  const auto draws = static_cast<double>(moves.size());
-  for (PoseSpread& one : squares) {
-    one = {std::sqrt(one.place_m / draws), std::sqrt(one.heading_rad / draws)};
-  }
-  return squares;
+  return drawn;
 }
 
 double apart_m(std::span<const Pose2> a, std::span<const Pose2> b) {

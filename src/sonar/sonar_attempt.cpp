@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "node_headings.hpp"
-#include "pose_spread.hpp"
 
 namespace roomatlas {
 namespace {
@@ -29,7 +28,10 @@ SonarProblem problem_of(const SonarMission& mission, const Idea& idea,
 }
 
 SonarBatchOptions options_of(const Idea& idea, SonarBatchOptions options) {
-  if (idea.is_odometry || idea.is_free) options.heading_weight = 0.0;
+  if (idea.is_odometry || idea.is_free) {
+    options.heading_weight = 0.0;
+    options.settled_heading_weight = 0.0;
+  }
   return options;
 }
 
@@ -54,14 +56,11 @@ Attempt solve_from(const SonarMission& mission, const Idea& idea, const std::vec
       contradiction_of(mission.readings, attempt.map_from_robot, path.path_m, problem.segments, {});
   attempt.score_m =
       solved.solved ? score_of(contradiction) : -std::numeric_limits<double>::infinity();
-  const std::vector<PoseSpread> spread = spread_of(solved.moves);
   for (std::size_t i = 0; i < mission.readings.size(); ++i) {
-    attempt.spread.push_back(spread.empty() ? PoseSpread{} : spread[problem.node_of[i]]);
     attempt.score_of_reading_m.push_back(contradiction.confirmed_of_reading_m[i] -
                                          kContradictedCounts *
                                              contradiction.contradicted_of_reading_m[i]);
   }
-  attempt.drawn = {std::move(solved.moves), std::move(problem.node_of)};
   attempt.variant.habits = idea.habits;
   attempt.variant.pairs = solved.pairs;
   if (solved.solved) {
@@ -90,7 +89,6 @@ std::vector<double> by_reading(const HeadingProblem& problem, const std::vector<
 
 void set_aside(Attempt attempt, std::vector<Attempt>& others) {
   if (!std::isfinite(attempt.score_m)) return;  // its equations had no solution
-  attempt.drawn = {};
   others.push_back(std::move(attempt));
 }
 
@@ -144,9 +142,12 @@ Sharpened with_returns(const SonarMission& mission, const Idea& idea) {
   problem.batch.returns = seen_returns(mission.readings, idea.problem.path, problem);
   SonarBatchOptions options = options_of(idea, {});
   options.is_settled = true;
-  const SonarBatchResult solved = solve_sonar_batch(problem.batch, options);
-  if (!solved.solved) return {start, idea.attempt.length_scale};
-  return {poses_of(idea.problem.path, problem, solved.map_from_node), solved.length_scale};
+  SonarBatchResult solved = solve_sonar_batch(problem.batch, options);
+  if (!solved.solved) return {start, idea.attempt.length_scale, {}, {}};
+  return {poses_of(idea.problem.path, problem, solved.map_from_node),
+          solved.length_scale,
+          {std::move(solved.moves), problem.node_of},
+          {std::move(solved.wild), problem.node_of}};
 }
 
 Idea idea_of(const SonarMission& mission, const Calibration& calibration,

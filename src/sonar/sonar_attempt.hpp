@@ -50,8 +50,6 @@ template <typename Result, typename Make>
 struct Attempt {
   std::vector<double> correction_rad;  ///< of the heading, by node of the chain
   std::vector<Pose2> map_from_robot;
-  std::vector<PoseSpread> spread;      ///< of these
-  DrawnMoves drawn;                    ///< none of one that was set aside
   std::vector<double> directions_rad;  ///< of the building's walls, as the batch found them
   double length_scale = 1.0;           ///< times what the heading's habits make of lengths
   double length_scale_sigma = 0.0;
@@ -116,6 +114,8 @@ struct Idea {
 struct Sharpened {
   std::vector<Pose2> map_from_robot;
   double length_scale = 1.0;  ///< as the attempt's
+  DrawnMoves drawn;           ///< of them, see `SonarTrajectory`; none where the batch had no
+  DrawnMoves wild;            ///< solution
 };
 
 /// Solves once more from where the idea's attempt ended, with single returns: each is held against

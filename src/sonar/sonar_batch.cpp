@@ -7,6 +7,7 @@
 
 #include "pose_spread.hpp"
 #include "sonar_equations.hpp"
+#include "wall_headings.hpp"
 
 namespace roomatlas {
 namespace {
@@ -19,8 +20,6 @@ constexpr int kStepsARound = 3;          // more settle on pairs that the next r
 constexpr double kFineScaleM = 0.15;     // below it walls count in full
 constexpr double kFirmly = 1e6;   // weight that holds the first node: more than all walls together
 constexpr double kStillM = 1e-4;  // root mean square of the moves at which a round ends
-constexpr double kEndsM = radians(1.0);  // over a wall's length: sigma of its direction by its ends
-constexpr double kFarSigmas = 2.0;  // from a direction: scale at which Geman and McClure let go
 
 /// Which walls are one, and how much that counts.
 struct Round {
@@ -38,6 +37,7 @@ struct Round {
 struct Unknowns {
   std::vector<Pose2> map_from_node;
   std::vector<std::vector<Pose2>> moves;  ///< drawn of the last round
+  std::vector<std::vector<Pose2>> wild;   ///< the same, by the wild bootstrap
   SharedUnknowns shared;
   double length_scale_sigma = 0.0;
 };
@@ -68,6 +68,7 @@ void add_steps(const SonarBatch& batch, const SonarBatchOptions& options, double
   const double robust = options.step_robust_sigmas * options.step_robust_sigmas;
   for (std::size_t k = 1; k < batch.steps.size(); ++k) {
     const Pose2& driven = batch.steps[k].before_from_here;
+    equations.begin(ResidualKind::step, k, k);
     const auto residuals = residuals_of_step(batch, unknowns, k);
     const std::array by_scale = {-driven.x_m, -driven.y_m, 0.0};
     const std::array variances = variances_of(batch.steps[k]);
@@ -97,13 +98,6 @@ double strain_of(const SonarBatch& batch, const SonarBatchOptions& options,
   return strain;
 }
 
-double heading_sigma(const SeenWall& wall, const SonarBatchOptions& options) {
-  return std::hypot(options.wall_heading_rad, kEndsM / wall.length_m);
-}
-
-/// The square of the scale at which Geman and McClure let go of a direction.
-double far_squared(double sigma_rad) { return kFarSigmas * kFarSigmas * sigma_rad * sigma_rad; }
-
 /// What the residuals of a wall's direction ask of it, however the poses stand.
 struct WallHeading {
   double information = 0.0;
@@ -114,7 +108,7 @@ std::vector<WallHeading> headings_of(const SonarBatch& batch, const SonarBatchOp
   std::vector<WallHeading> headings;
   for (const SeenWall& wall : batch.walls) {
     headings.push_back(
-        {heading_information(wall, options), far_squared(heading_sigma(wall, options))});
+        {heading_information(wall, options), far_squared(sought_variance(wall, options))});
   }
   return headings;
 }
@@ -132,6 +126,7 @@ void add_headings(const SonarBatch& batch, const SonarBatchOptions& options,
     const SeenWall& wall = batch.walls[i];
     const double off = wrap_quarter(unknowns.map_from_node[wall.node].theta_rad + wall.normal_rad -
                                     directions_rad[wall.direction]);
+    equations.begin(ResidualKind::heading, wall.node, wall.node);
     equations.add_heading(
         wall.node, wall.direction, off,
         headings[i].information * geman_mcclure(off * off, headings[i].far_squared));
@@ -158,12 +153,11 @@ std::vector<JoinedPair> joined(const SonarBatch& batch, const SonarBatchOptions&
     const SeenWall& a = batch.walls[pair.first];
     const SeenWall& b = batch.walls[pair.second];
     if (a.node == b.node) continue;
-    const double ends = std::hypot(kEndsM / a.length_m, kEndsM / b.length_m);
-    const double sigma = std::hypot(options.wall_heading_rad, ends);
+    const double variance = sought_variance(a, b, options);
     pairs.push_back(
         {equations.places_of(a.node, b.node), pair.first, pair.second, point_on(b, pair.along_m),
          round.wall_weight * 2.0 / (round.partners[pair.first] + round.partners[pair.second]),
-         std::min({1.0, a.length_m, b.length_m}), sigma * sigma, far_squared(sigma)});
+         std::min({1.0, a.length_m, b.length_m}), variance, far_squared(variance)});
   }
   return pairs;
 }
@@ -190,6 +184,7 @@ void add_pairs(const SonarBatch& batch, const SonarBatchOptions& options, const 
         across_residual(a, map_from_second.position(), places[b.node] * pair.point_node);
     const double one_wall = geman_mcclure(across.value * across.value, scale_m * scale_m);
     const double share = pair.even * one_wall;
+    equations.begin(ResidualKind::pair, batch.walls[pair.first].node, b.node);
     equations.add(pair.places, across, share * pair.length_m / variance);
     const double turn = wrap_angle(a.normal_rad - map_from_second.theta_rad - b.normal_rad);
     const double parallel = options.parallel_weight * share / pair.heading_variance *
@@ -209,6 +204,7 @@ void add_returns(const SonarBatch& batch, const SonarBatchOptions& options, cons
     if (!residual) continue;
     const double chi = residual->value * residual->value / variance;
     const double share = options.return_share * seen.share * match.share;
+    equations.begin(ResidualKind::range, seen.node, wall.node);
     equations.add(equations.places_of(seen.node, wall.node), *residual,
                   share / (variance * (1.0 + chi / kRobust)));
   }
@@ -258,7 +254,8 @@ bool settle(const SonarBatch& batch, const SonarBatchOptions& options,
     coupled.emplace_back(static_cast<std::int32_t>(batch.returns[match.heard].node),
                          static_cast<std::int32_t>(batch.walls[match.wall].node));
   }
-  SonarEquations equations(nodes, coupled, batch.directions_rad.size());
+  const bool is_drawn = round.is_last && options.is_settled;
+  SonarEquations equations(nodes, coupled, batch.directions_rad.size(), is_drawn ? kDraws : 0);
   std::vector<PairPlaces> into_node;
   for (std::size_t k = 1; k < nodes; ++k) into_node.push_back(equations.places_of(k - 1, k));
   const std::vector<JoinedPair> pairs = joined(batch, options, round, equations);
@@ -276,7 +273,10 @@ bool settle(const SonarBatch& batch, const SonarBatchOptions& options,
     unknowns = std::move(moved);
     if (move < kStillM) break;
   }
-  if (round.is_last) unknowns.moves = drawn_moves(equations, unknowns.map_from_node);
+  if (is_drawn) {
+    unknowns.moves = drawn_moves(equations, unknowns.map_from_node);
+    unknowns.wild = wild_moves(equations, unknowns.map_from_node);
+  }
   return true;
 }
 
@@ -298,11 +298,6 @@ double clutter_of(const std::vector<SeenWall>& walls, const std::vector<WallPair
     ++count;
   }
   return count == 0 ? 0.0 : std::sqrt(std::max(0.0, apart - scatter) / static_cast<double>(count));
-}
-
-double heading_information(const SeenWall& wall, const SonarBatchOptions& options) {
-  const double sigma = heading_sigma(wall, options);
-  return options.heading_weight * std::min(1.0, wall.length_m) / (sigma * sigma);
 }
 
 SonarBatchResult solve_sonar_batch(const SonarBatch& batch, const SonarBatchOptions& options) {
@@ -331,6 +326,7 @@ SonarBatchResult solve_sonar_batch(const SonarBatch& batch, const SonarBatchOpti
   result.strain = strain_of(batch, options, unknowns);
   result.map_from_node = std::move(unknowns.map_from_node);
   result.moves = std::move(unknowns.moves);
+  result.wild = std::move(unknowns.wild);
   result.directions_rad = std::move(unknowns.shared.directions_rad);
   result.length_scale = unknowns.shared.length_scale;
   result.length_scale_sigma = unknowns.length_scale_sigma;

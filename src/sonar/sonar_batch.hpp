@@ -29,7 +29,8 @@ struct SonarBatch {
 };
 
 struct SonarBatchOptions {
-  bool is_settled = false;  ///< the poses are those of an earlier solution: the last rounds alone
+  bool is_settled = false;  ///< the poses are those of an earlier solution: the last rounds alone,
+                            ///< and moves are drawn of what they leave open
   WallPairOptions pairs;
   double start_scale_m = 1.5;       ///< smaller misses loops that are farther apart
   double end_scale_m = 0.1;         ///< smaller lets noise decide which walls are one
@@ -53,12 +54,21 @@ struct SonarBatchOptions {
                                      ///< they hear the same walls, a step apart
   double direction_sigma_rad = 0.1;  ///< of the building's directions but the first: as far as they
                                      ///< are found beside the true ones, and more
-  double wall_heading_rad = 0.035;   ///< sigma of a wall's direction, and one over its length more
+  double wall_heading_rad = 0.035;   ///< sigma of a wall's direction, and one over its length more;
+                                     ///< less draws false directions in while the true are sought
+  double settled_heading_weight = 1.0;        ///< in the place of `heading_weight` at the solution
+  double settled_heading_rad = radians(0.6);  ///< sigma of a wall's direction there, however long
+                                              ///< it is, ...
+  double settled_scatter = 2.5;  ///< ... and its returns' scatter over its length to the power of
+                                 ///< 3/2 times this, in sqrt(m): three times what a line through
+                                 ///< points 5 cm apart turns by
 };
 
 struct SonarBatchResult {
   std::vector<Pose2> map_from_node;
-  std::vector<std::vector<Pose2>> moves;  ///< see `DrawnMoves`; none where it was not solved
+  std::vector<std::vector<Pose2>> moves;  ///< see `DrawnMoves`; none where it was not solved, or
+                                          ///< not settled before
+  std::vector<std::vector<Pose2>> wild;   ///< the same
   std::vector<double> directions_rad;     ///< of the building, as the walls and odometry have them
   double length_scale = 1.0;              ///< times odometry's lengths: what the walls make of them
   double length_scale_sigma = 0.0;  ///< its posterior standard deviation; near the prior's, walls
@@ -75,10 +85,6 @@ struct SonarBatchResult {
 [[nodiscard]] double clutter_of(const std::vector<SeenWall>& walls,
                                 const std::vector<WallPair>& pairs,
                                 const std::vector<Pose2>& map_from_node);
-
-/// How sure a wall that follows the building makes its node's heading: one over the variance,
-/// 1/rad^2.
-[[nodiscard]] double heading_information(const SeenWall& wall, const SonarBatchOptions& options);
 
 [[nodiscard]] SonarBatchResult solve_sonar_batch(const SonarBatch& batch,
                                                  const SonarBatchOptions& options);

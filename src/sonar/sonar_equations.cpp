@@ -6,13 +6,36 @@
 #include <cmath>
 
 namespace roomatlas {
+namespace {
+
+/// A number whose bits look random: the last step of SplitMix64 (Steele, Lea and Flood 2014).
+std::uint64_t mixed(std::uint64_t bits) {
+  bits += 0x9E3779B97F4A7C15U;
+  bits = (bits ^ (bits >> 30U)) * 0xBF58476D1CE4E5B9U;
+  bits = (bits ^ (bits >> 27U)) * 0x94D049BB133111EBU;
+  return bits ^ (bits >> 31U);
+}
+
+}  // namespace
 
 void SonarEquations::clear() {
   matrix_.clear();
-  right_side_.assign(3 * nodes_, 0.0);
-  by_shared_.setZero(static_cast<Eigen::Index>(3 * nodes_), shared_);
+  const auto rows = static_cast<Eigen::Index>(3 * nodes_);
+  right_side_.assign(static_cast<std::size_t>(rows + shared_), 0.0);
+  wild_right_.setZero(signs_.size(), signs_.size() > 0 ? rows + shared_ : 0);
+  by_shared_.setZero(rows, shared_);
   shared_weight_.setZero(shared_, shared_);
-  shared_right_.setZero(shared_);
+}
+
+void SonarEquations::begin(ResidualKind kind, std::size_t first, std::size_t second) {
+  if (signs_.size() == 0) return;
+  const std::size_t low = std::min(first, second) / kClusterNodes;
+  const std::size_t high = std::max(first, second) / kClusterNodes;
+  std::uint64_t bits = mixed(mixed(mixed(static_cast<std::uint64_t>(kind)) + low) + high);
+  for (double& sign : signs_) {
+    sign = (bits & 1U) != 0 ? 1.0 : -1.0;
+    bits >>= 1U;
+  }
 }
 
 PairPlaces SonarEquations::places_of(std::size_t first, std::size_t second) const {
@@ -30,7 +53,7 @@ void SonarEquations::add_heading(std::size_t node, std::size_t direction, double
                                  double weight) {
   const std::size_t at = position(node);
   heading_of(place(at, at)) += weight;
-  right_side_[3 * at + 2] -= weight * residual;
+  pull(3 * at + 2, -weight * residual);
   if (direction == 0) return;
   const auto column = static_cast<Eigen::Index>(direction);
   by_shared_(static_cast<Eigen::Index>(3 * at + 2), column) -= weight;
@@ -40,7 +63,7 @@ void SonarEquations::add_heading(std::size_t node, std::size_t direction, double
 void SonarEquations::add_direction(std::size_t direction, double residual, double weight) {
   const auto column = static_cast<Eigen::Index>(direction);
   shared_weight_(column, column) += weight;
-  shared_right_(column) -= weight * residual;
+  pull(3 * nodes_ + direction, -weight * residual);
 }
 
 void SonarEquations::add_scale(const PairPlaces& places, const PairResidual& residual,
@@ -56,7 +79,7 @@ void SonarEquations::add_scale(const PairPlaces& places, const PairResidual& res
 
 void SonarEquations::add_scale(double residual, double by_scale, double weight) {
   shared_weight_(kScale, kScale) += weight * by_scale * by_scale;
-  shared_right_(kScale) -= weight * residual * by_scale;
+  pull(3 * nodes_ + kScale, -weight * residual * by_scale);
 }
 
 void SonarEquations::hold(std::size_t node, double weight) {
@@ -70,11 +93,12 @@ void SonarEquations::hold(std::size_t node, double weight) {
 
 double SonarEquations::solve(std::vector<Pose2>& map_from_node, SharedUnknowns& shared) {
   if (matrix_.factorize() != -1) return -1.0;
-  matrix_.solve(right_side_.data());
-  const Eigen::VectorXd moved = eliminate_shared();
-  shared.length_scale += moved(kScale);
+  eliminate_shared();
+  solve_right(right_side_.data());
+  const double* const shared_step = right_side_.data() + 3 * nodes_;
+  shared.length_scale += shared_step[kScale];
   for (std::size_t i = 1; i < shared.directions_rad.size(); ++i) {
-    shared.directions_rad[i] += moved(static_cast<Eigen::Index>(i));
+    shared.directions_rad[i] += shared_step[i];
   }
   double squares = 0.0;
   for (std::size_t k = 0; k < nodes_; ++k) {
@@ -93,28 +117,39 @@ std::vector<double> SonarEquations::draw_moves(std::mt19937_64& random) const {
   matrix_.solve_upper(by_position.data());
   Eigen::VectorXd drawn(shared_);
   for (double& one : drawn) one = sign();
-  const Eigen::VectorXd by_shared = node_by_shared_ * (shared_covariance_.llt().matrixL() * drawn);
-  std::vector<double> moves(3 * nodes_);
-  for (std::size_t k = 0; k < nodes_; ++k) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t from = 3 * position(k) + i;
-      moves[3 * k + i] = by_position[from] - by_shared(static_cast<Eigen::Index>(from));
-    }
-  }
-  return moves;
+  Eigen::Map<Eigen::VectorXd> moves(by_position.data(), by_shared_.rows());
+  moves -= node_by_shared_ * (shared_covariance_.llt().matrixL() * drawn);
+  return by_node(by_position.data());
 }
 
-/// The step of what is shared by the Schur complement; takes its part out of the nodes' steps.
-Eigen::VectorXd SonarEquations::eliminate_shared() {
+std::vector<double> SonarEquations::draw_wild(int draw) const {
+  Eigen::VectorXd right = wild_right_.row(draw);
+  solve_right(right.data());
+  return by_node(right.data());
+}
+
+std::vector<double> SonarEquations::by_node(const double* by_position) const {
+  std::vector<double> values(3 * nodes_);
+  for (std::size_t k = 0; k < nodes_; ++k) {
+    std::copy_n(by_position + 3 * position(k), 3, values.data() + 3 * k);
+  }
+  return values;
+}
+
+void SonarEquations::eliminate_shared() {
   node_by_shared_ = by_shared_;
   for (Eigen::Index i = 0; i < shared_; ++i) matrix_.solve(node_by_shared_.col(i).data());
-  Eigen::Map<Eigen::VectorXd> nodes(right_side_.data(), by_shared_.rows());
   const Eigen::MatrixXd information = shared_weight_ - by_shared_.transpose() * node_by_shared_;
-  const Eigen::LDLT<Eigen::MatrixXd> factors(information);
-  Eigen::VectorXd step = factors.solve(shared_right_ - by_shared_.transpose() * nodes);
-  shared_covariance_ = factors.solve(Eigen::MatrixXd::Identity(shared_, shared_));
-  nodes -= node_by_shared_ * step;
-  return step;
+  shared_covariance_ = information.ldlt().solve(Eigen::MatrixXd::Identity(shared_, shared_));
+}
+
+/// What is shared by the Schur complement; its part is taken out of the nodes' steps.
+void SonarEquations::solve_right(double* right) const {
+  matrix_.solve(right);
+  Eigen::Map<Eigen::VectorXd> nodes(right, by_shared_.rows());
+  Eigen::Map<Eigen::VectorXd> shared(right + by_shared_.rows(), shared_);
+  shared = (shared_covariance_ * (shared - by_shared_.transpose() * nodes)).eval();
+  nodes -= node_by_shared_ * shared;
 }
 
 }  // namespace roomatlas

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "pose_spread.hpp"
 #include "roomatlas/core/paired_difference.hpp"
@@ -79,18 +81,16 @@ double attempts_apart(const Attempt& kept, const std::vector<Attempt>& others) {
   return std::sqrt(squares / weights);
 }
 
-void tell_directed(const SonarMission& mission, Idea& idea) {
-  if (idea.is_odometry || idea.is_free) return;  // without directions as it is
+DrawnMoves undirected_moves(const SonarMission& mission, const Idea& idea) {
+  if (idea.is_odometry || idea.is_free) return {};
   SonarBatchOptions free;
   free.heading_weight = 0.0;
   free.start_scale_m = 0.5;  // nearer than the wall of the room next door
-  Attempt& kept = idea.attempt;
-  const Attempt loose = solve_again(mission, idea, "walls in any direction from there", free);
-  const Pose2 laid = fit(loose.map_from_robot, kept.map_from_robot);
-  for (std::size_t i = 0; i < kept.spread.size(); ++i) {
-    kept.spread[i].directed_rad = std::abs(wrap_angle(
-        laid.theta_rad + loose.map_from_robot[i].theta_rad - kept.map_from_robot[i].theta_rad));
-  }
+  Attempt loose = solve_again(mission, idea, "walls in any direction from there", free);
+  DrawnMoves moves{{moves_to(std::move(loose.map_from_robot), idea.attempt.map_from_robot)}, {}};
+  moves.node_of.resize(mission.readings.size());
+  std::iota(moves.node_of.begin(), moves.node_of.end(), std::size_t{0});
+  return moves;
 }
 
 bool is_verified(const Idea& idea, const std::vector<Attempt>& others,

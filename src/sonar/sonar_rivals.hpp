@@ -19,8 +19,9 @@ namespace roomatlas {
 /// weighed by how near its score is, the one kept with 1.
 [[nodiscard]] double attempts_apart(const Attempt& kept, const std::vector<Attempt>& others);
 
-/// Tells how far the building's directions turn each pose of the attempt that is kept.
-void tell_directed(const SonarMission& mission, Idea& idea);
+/// Where odometry and walls seen again put each reading without the building's directions, from
+/// where the attempt that is kept has it; none where that goes without them.
+[[nodiscard]] DrawnMoves undirected_moves(const SonarMission& mission, const Idea& idea);
 
 /// Whether the heading is sure, enough wall was seen by several visits, they agree about it, and no
 /// attempt that winds otherwise does nearly as well: what it turns must cost it walls.

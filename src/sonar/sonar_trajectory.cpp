@@ -79,11 +79,12 @@ struct Choice {
 };
 
 /// Keeps another attempt, as it was tried: what is left of its idea is no base to refine it on.
-void take(std::size_t other, Choice& choice, SonarTrajectory& result) {
+void take(const SonarMission& mission, std::size_t other, Choice& choice, SonarTrajectory& result) {
   std::swap(choice.best->attempt, choice.others[other]);
   const SonarVariant& taken = choice.best->attempt.variant;
   result.chosen = place_of(taken.name, result.variants);
   choice.best->habits = taken.habits;
+  choice.best->problem.path = driven_path(mission.readings, mission.directions, taken.habits);
   choice.best->is_odometry = taken.name == kOdometrysOwn;
   choice.best->is_free = taken.name == kFreeWalls;
 }
@@ -248,13 +249,12 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
   if (second != nullptr) {
     result.second = SecondAnswer{second->variant.name, second->score_m, best.attempt.score_m};
   }
-  const bool is_second = options.take_second && second != nullptr;
-  if (is_second) {
-    take(static_cast<std::size_t>(second - choice.others.data()), choice, result);
+  if (options.take_second && second != nullptr) {
+    take(mission, static_cast<std::size_t>(second - choice.others.data()), choice, result);
   } else {
     refine(mission, best, result);
     if (before_attempt) before_attempt();
-    tell_directed(mission, best);
+    result.undirected = undirected_moves(mission, best);
   }
   result.habits = best.habits;
   result.length_scale_sigma = best.attempt.length_scale_sigma;
@@ -267,12 +267,10 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
   result.strain = best.attempt.strain;
   result.attempts_apart_m = attempts_apart(best.attempt, choice.others);
   result.loops_verified = is_verified(best, choice.others, options);
-  result.spread = std::move(best.attempt.spread);
-  result.drawn = std::move(best.attempt.drawn);
   if (before_attempt) before_attempt();
-  const Attempt& kept = best.attempt;
-  Sharpened sharpened =
-      is_second ? Sharpened{kept.map_from_robot, kept.length_scale} : with_returns(mission, best);
+  Sharpened sharpened = with_returns(mission, best);
+  result.drawn = std::move(sharpened.drawn);
+  result.wild = std::move(sharpened.wild);
   result.map_from_robot = std::move(sharpened.map_from_robot);
   result.habits.length_scale *= sharpened.length_scale;
   const double turn_rad = begin_at(readings.front().odom_from_robot, result.map_from_robot);

@@ -36,10 +36,10 @@ PoseGraph scaled(HeldVisits held) {
 
 /// Of what was measured; of sonars, whose walls have no measurement there, of what was drawn.
 AddedEdges held_now(const Assembly& assembly, HeldVisits held) {
-  if (assembly.drawn.empty()) return AddedEdges(scaled(std::move(held)));
+  if (assembly.moves.drawn.empty()) return AddedEdges(scaled(std::move(held)));
   std::vector<std::vector<Pose2>> moves;
   for (const AsrVertex& vertex : assembly.graph.vertices) {
-    moves.push_back(assembly.drawn.at(vertex.asr));
+    moves.push_back(assembly.moves.drawn.at(vertex.asr));
   }
   return AddedEdges(held.measured.guess, moves);
 }

@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <map>
 #include <utility>
 
 #include "driven_odometry.hpp"
+#include "moved_visits.hpp"
 #include "roomatlas/asr/shared_source.hpp"
 #include "roomatlas/core/for_each_index.hpp"
 #include "roomatlas/graph/bridges.hpp"
@@ -22,7 +23,7 @@ double log_of(double value, double least) { return std::log(std::max(value, leas
 /// What all figures are made from; readings are read once.
 struct Measured {
   std::vector<VisitAgreement> agreement;
-  std::vector<std::pair<AsrId, std::size_t>> readings;  ///< how many each visit has
+  std::map<AsrId, Point2> centres;  ///< of the visits' paths, in their frames
   OdometryUse odometry;
   double hits_a_reading = 0.0;
   bool has_readings = false;
@@ -35,6 +36,12 @@ struct VisitMeasured {
   std::size_t readings = 0;
   std::ptrdiff_t hits = 0;
 };
+
+Point2 centre_of(const std::vector<PathSample>& path) {
+  Point2 sum = Point2::Zero();
+  for (const PathSample& sample : path) sum += sample.asr_from_robot.position();
+  return sum / std::max(1.0, static_cast<double>(path.size()));
+}
 
 VisitMeasured measure(Asr asr, const EvidenceOptions& options) {
   VisitMeasured visit{evidence_of(asr, options), std::move(asr.path), asr.readings.size(), 0};
@@ -62,7 +69,7 @@ Measured measure(const AsrSource& source, const Assembly& assembly, int jobs) {
   for (std::size_t i = 0; i < visits.size(); ++i) {
     evidence.push_back(std::move(visits[i].evidence));
     measured.odometry.add(visits[i].path);
-    measured.readings.emplace_back(ids[i], visits[i].readings);
+    measured.centres[ids[i]] = centre_of(visits[i].path);
     readings += visits[i].readings;
     hits += visits[i].hits;
   }
@@ -166,49 +173,38 @@ void add_loops(const Assembly& assembly, const VisitUncertainty& uncertainty,
                   {"visits on one passage", static_cast<double>(hanging) / visits}});
 }
 
-/// Of each visit, root mean square over its readings.
-/// @param readings of each visit, which follow each other as in the trajectory
-std::map<AsrId, PoseSpread> spread_of_visits(
-    const SonarTrajectory& sonars, const std::vector<std::pair<AsrId, std::size_t>>& readings) {
-  std::map<AsrId, PoseSpread> visits;
-  auto next = sonars.spread.begin();
-  for (const auto& [asr, count] : readings) {
-    const auto end = next + std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(count),
-                                                     sonars.spread.end() - next);
-    const auto mean = [&, first = next](double PoseSpread::*part) {
-      const double squares = std::accumulate(
-          first, end, 0.0,
-          [&](double sum, const PoseSpread& at) { return sum + at.*part * (at.*part); });
-      return std::sqrt(squares / std::max(1.0, static_cast<double>(end - first)));
-    };
-    visits[asr] = {mean(&PoseSpread::place_m), mean(&PoseSpread::heading_rad),
-                   mean(&PoseSpread::directed_rad)};
-    next = end;
-  }
-  return visits;
-}
-
-/// How loosely walls and odometry hold the visits of sonars.
-void add_spread(const std::map<AsrId, PoseSpread>& spread, MapFigures& result) {
-  double squares = 0.0;
-  PoseSpread loosest{0.0, 0.0};
-  for (const auto& [asr, visit] : spread) {
-    squares += visit.place_m * visit.place_m;
-    loosest.place_m = std::max(loosest.place_m, visit.place_m);
-    loosest.heading_rad = std::max(loosest.heading_rad, visit.heading_rad);
-    loosest.directed_rad = std::max(loosest.directed_rad, visit.directed_rad);
-  }
-  const double typical_m = std::sqrt(squares / std::max(1.0, static_cast<double>(spread.size())));
-  result.figures.insert(result.figures.end(),
-                        {{"place of a visit", log_of(typical_m, 0.001)},
-                         {"place of the loosest visit", log_of(loosest.place_m, 0.001)},
-                         {"heading of the loosest visit", log_of(loosest.heading_rad, 0.0005)},
-                         {"turned by directions", log_of(loosest.directed_rad, 0.0005)}});
+/// How loosely walls and odometry hold the visits of sonars, and what they say against each other.
+void add_moves(const VisitMoves& moved, const std::map<AsrId, Point2>& centres,
+               MapFigures& result) {
+  const MapMoves drawn = map_moves(moved.drawn, centres);
+  const MapMoves wild = map_moves(moved.wild, centres);
+  const MapMoves undirected =
+      moved.undirected.empty() ? MapMoves{} : map_moves(moved.undirected, centres);
+  const auto log_m = [](double place_m) { return log_of(place_m, 0.001); };
+  const auto log_rad = [](double heading_rad) { return log_of(heading_rad, 0.0005); };
+  result.figures.insert(
+      result.figures.end(),
+      {{"place of a visit", log_m(drawn.place_m)},
+       {"place of the loosest visit", log_m(drawn.worst.place_m)},
+       {"heading of the loosest visit", log_rad(drawn.worst.heading_rad)},
+       {"visits held loosely", drawn.log_off},
+       {"place by contradictions", log_m(wild.place_m)},
+       {"most a place is pulled by contradictions", log_m(wild.worst.place_m)},
+       {"most a heading is pulled by contradictions", log_rad(wild.worst.heading_rad)},
+       {"visits pulled by contradictions", wild.log_off},
+       {"turned by directions", log_rad(undirected.worst.heading_rad)}});
   for (VisitJudgement& visit : result.visits) {
-    const PoseSpread& own = spread.at(visit.asr);
-    visit.figures.push_back({"place", log_of(own.place_m, 0.001)});
-    visit.figures.push_back({"heading", log_of(own.heading_rad, 0.0005)});
-    visit.figures.push_back({"turned by directions", log_of(own.directed_rad, 0.0005)});
+    const MoveSize& held = drawn.visits.at(visit.asr);
+    const MoveSize& pulled = wild.visits.at(visit.asr);
+    const auto turned = undirected.visits.find(visit.asr);
+    visit.figures.insert(
+        visit.figures.end(),
+        {{"place", log_m(held.place_m)},
+         {"heading", log_rad(held.heading_rad)},
+         {"place by contradictions", log_m(pulled.place_m)},
+         {"heading by contradictions", log_rad(pulled.heading_rad)},
+         {"turned by directions",
+          log_rad(turned == undirected.visits.end() ? 0.0 : turned->second.heading_rad)}});
   }
 }
 
@@ -286,7 +282,7 @@ MapFigures map_figures(const AsrSource& source, const Assembly& assembly,
   result.visits = visits_of(measured, assembly);
   if (assembly.sonars) {
     add_sonars(*assembly.sonars, measured.odometry.path_m(), result.figures);
-    add_spread(spread_of_visits(*assembly.sonars, measured.readings), result);
+    add_moves(assembly.moves, measured.centres, result);
   } else {
     const VisitUncertainty uncertainty =
         uncertainty_of(assembly.graph, assembly.closures, assembly.correction, correct);

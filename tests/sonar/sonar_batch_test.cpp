@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pose_spread.hpp"
 #include "roomatlas/core/rigid_fit.hpp"
 #include "support/false_loops.hpp"
 #include "support/sonar_world.hpp"
@@ -79,10 +78,31 @@ TEST(SonarBatch, FindsHowFarAWingIsTurned) {
   }
 }
 
+/// How far poses may be off: root mean squares of what is drawn at the solution.
+struct Spread {
+  double place_m = 0.0;
+  double heading_rad = 0.0;
+};
+
+std::vector<Spread> spread_at(const SonarBatch& batch, SonarBatchOptions options) {
+  options.is_settled = true;
+  const std::vector<std::vector<Pose2>> moves = solve_sonar_batch(batch, options).moves;
+  std::vector<Spread> spread(batch.steps.size());
+  for (std::size_t k = 0; k < spread.size(); ++k) {
+    for (const std::vector<Pose2>& draw : moves) {
+      spread[k].place_m += draw[k].position().squaredNorm();
+      spread[k].heading_rad += draw[k].theta_rad * draw[k].theta_rad;
+    }
+    const auto draws = static_cast<double>(moves.size());
+    spread[k] = {std::sqrt(spread[k].place_m / draws), std::sqrt(spread[k].heading_rad / draws)};
+  }
+  return spread;
+}
+
 TEST(SonarBatch, AWingsHeadingIsAsLooseAsTheWayThere) {
   const auto spread_of_last = [](SonarBatch batch) {
     batch.steps[30].turn_sigma_rad = 0.1;  // into the wing
-    return spread_of(solve_sonar_batch(batch, {}).moves).back().heading_rad;
+    return spread_at(batch, {}).back().heading_rad;
   };
   SonarBatch rectangular = with_a_wing(0.0, 0.0);
   for (SeenWall& wall : rectangular.walls) wall.direction = 0;
@@ -235,7 +255,7 @@ TEST(SonarBatch, SpreadsAsManyDrivesDo) {
   }
   SonarBatchOptions options;
   options.length_sigma = 0.01;
-  const std::vector<PoseSpread> spread = spread_of(solve_sonar_batch(batch, options).moves);
+  const std::vector<Spread> spread = spread_at(batch, options);
   const std::vector<double> expected_m = driven_spread_m(batch, options.length_sigma);
   ASSERT_EQ(spread.size(), expected_m.size());
   double ratio = 0.0;  // in the mean, since few draws tell a single node's to a tenth
@@ -249,12 +269,36 @@ TEST(SonarBatch, SpreadsAsManyDrivesDo) {
 TEST(SonarBatch, WallsHoldWhatDrivesSpread) {
   SonarBatch alone = to_and_fro(1.0);
   alone.walls.clear();
-  const auto held = spread_of(solve_sonar_batch(to_and_fro(1.0), {}).moves);
-  const auto loose = spread_of(solve_sonar_batch(alone, {}).moves);
-  ASSERT_FALSE(held.empty());
+  const std::vector<Spread> held = spread_at(to_and_fro(1.0), {});
+  const std::vector<Spread> loose = spread_at(alone, {});
   for (std::size_t k = 0; k < held.size(); ++k) {
     EXPECT_LT(held[k].heading_rad, 0.5 * loose[k].heading_rad) << k;
   }
+}
+
+/// The mean of how far the wild draws move the poses, metres.
+double wild_m(const SonarBatch& batch) {
+  SonarBatchOptions options;
+  options.is_settled = true;
+  const std::vector<std::vector<Pose2>> draws = solve_sonar_batch(batch, options).wild;
+  double sum_m = 0.0;
+  for (const std::vector<Pose2>& draw : draws) {
+    for (const Pose2& move : draw) sum_m += move.position().norm();
+  }
+  return sum_m / static_cast<double>(draws.size() * batch.steps.size());
+}
+
+/// What is left open is the same in both; what contradicts itself is not.
+TEST(SonarBatch, IsPulledByWallsThatContradictEachOther) {
+  const SonarBatch agreeing = to_and_fro(1.0);
+  SonarBatch contradicting = agreeing;
+  for (SeenWall& wall : contradicting.walls) {  // each half of the mission has the room otherwise
+    if (wall.node % 50 < 25) wall.middle_node.x() += 0.04;
+  }
+  EXPECT_LT(wild_m(agreeing), 1e-6);
+  EXPECT_GT(wild_m(contradicting), 0.0005);
+  const double held_m = spread_at(agreeing, {}).at(75).place_m;
+  EXPECT_NEAR(spread_at(contradicting, {}).at(75).place_m, held_m, 0.2 * held_m);
 }
 
 /// A robot goes round two corridors that lie side by side, three times; odometry is right, but the

@@ -42,16 +42,16 @@ double directed_deg(const test::DrivenWorld& world, const std::vector<double>& d
   const SonarMission mission{world.readings, directions, options, {}};
   Idea idea = idea_of(mission, {}, directions_rad);
   idea.attempt = solve(mission, idea, "", idea.heading.correction_rad);
-  tell_directed(mission, idea);
-  const auto& spread = idea.attempt.spread;
-  const double sum_rad =
-      std::accumulate(spread.begin(), spread.end(), 0.0,
-                      [](double sum, const PoseSpread& one) { return sum + one.directed_rad; });
-  return degrees(sum_rad) / static_cast<double>(spread.size());
+  const DrawnMoves moves = undirected_moves(mission, idea);
+  const std::vector<Pose2>& one = moves.of_draw.at(0);
+  const double sum_rad = std::accumulate(
+      moves.node_of.begin(), moves.node_of.end(), 0.0,
+      [&](double sum, std::size_t k) { return sum + std::abs(one.at(k).theta_rad); });
+  return degrees(sum_rad) / static_cast<double>(world.readings.size());
 }
 
 /// Walls that are held to follow a direction that they do not follow bend the way between them.
-TEST(TellDirected, ShowsABuildingThatWasMadeSquare) {
+TEST(UndirectedMoves, ShowABuildingThatWasMadeSquare) {
   const test::DrivenWorld corridor = test::bent_corridor(9.0);
   const double square_deg = directed_deg(corridor, {0.0});
   const double bent_deg = directed_deg(corridor, {0.0, radians(9.0)});

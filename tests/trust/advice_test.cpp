@@ -166,7 +166,7 @@ TEST(Advice, OfSonarsSpeaksOfWhatWasDrawn) {
   for (AsrId id = 1; id <= kVisits; ++id) {
     for (int draw = 0; draw < 400; ++draw) {
       const double spread_m = id < kVisits ? 0.02 : 0.5;
-      assembly.drawn[id].push_back({spread_m * normal(random), 0.02 * normal(random), 0.0});
+      assembly.moves.drawn[id].push_back({spread_m * normal(random), 0.02 * normal(random), 0.0});
     }
   }
   const std::vector<Advice> advice = advice_on(assembly, {});

@@ -18,9 +18,15 @@
 
 namespace roomatlas {
 
-/// How visits may lie as well, by solutions that were drawn: of each visit its frame in every draw,
-/// in its frame as it is (see `DrawnMoves`).
-using DrawnVisits = std::map<AsrId, std::vector<Pose2>>;
+/// How visits lie in other solutions: of each visit its frame in every one, in its frame as it is.
+using MovedVisits = std::map<AsrId, std::vector<Pose2>>;
+
+/// By solutions of sonars: see `SonarTrajectory`.
+struct VisitMoves {
+  MovedVisits drawn;
+  MovedVisits wild;
+  MovedVisits undirected;
+};
 
 /// Everything that the offline stage finds.
 struct Assembly {
@@ -29,7 +35,7 @@ struct Assembly {
   std::map<AsrId, RoomId> room_of_asr;
   std::vector<Door> doors;
   std::optional<SonarTrajectory> sonars;  ///< how a sonar mission was corrected; poses left out
-  DrawnVisits drawn;                      ///< of that mission's visits; empty of all others
+  VisitMoves moves;                       ///< of that mission's visits; empty of all others
   std::vector<Asr> mapped_again;  ///< instead of the source's ASRs, where these were recorded anew
   Paths paths;                    ///< instead of the source's, where readings were matched again;
                                   ///< see `WithPaths`

@@ -45,16 +45,7 @@ struct SecondAnswer {
   double kept_m = 0.0;   ///< the same of the one kept, from the same tolerances
 };
 
-/// How far a pose may be off once the whole is laid on the truth: one standard deviation.
-struct PoseSpread {
-  double place_m = 10.0;  ///< nothing is known
-  double heading_rad = kPi;
-  double directed_rad = 0.0;  ///< how far the building's directions turn it: from where odometry
-                              ///< and walls seen again put it without them
-};
-
-/// Solutions drawn of all that walls and odometry leave open, each laid on the one that is kept by
-/// least squares.
+/// Other solutions, each laid on the one that is kept by least squares.
 struct DrawnMoves {
   std::vector<std::vector<Pose2>> of_draw;  ///< of each draw, one a node: its pose in the frame of
                                             ///< the node's kept one; metres and radians are small
@@ -64,9 +55,10 @@ struct DrawnMoves {
 /// The mission's poses, corrected by the walls that a ring of sonars heard.
 struct SonarTrajectory {
   std::vector<Pose2> map_from_robot;  ///< one a reading; the first is odometry's first
-  std::vector<PoseSpread> spread;     ///< of these poses, as the walls and odometry leave them
-  DrawnMoves drawn;                   ///< what that is the size of; none of a second answer
-  OdometryHabits habits;              ///< as found
+  DrawnMoves drawn;                   ///< of all that walls and odometry leave open
+  DrawnMoves wild;                    ///< of what they say against each other: see `draw_wild`
+  DrawnMoves undirected;  ///< the one without the building's directions; none where it is kept
+  OdometryHabits habits;  ///< as found
   double length_scale_sigma = 0.0;  ///< of the habits' scale: posterior standard deviation, a share
                                     ///< of all lengths; 0.03 where no wall tells it
   double clutter_m = 0.0;  ///< how far stretches of one wall stand apart beyond their returns'
