@@ -55,6 +55,7 @@ constexpr double kDirectedWeight = 2.0;
 
 SonarEquations sparse(const std::vector<Joining>& all) {
   std::vector<NodePair> pairs;
+  pairs.reserve(all.size());
   for (const Joining& one : all) {
     pairs.emplace_back(static_cast<std::int32_t>(one.first), static_cast<std::int32_t>(one.second));
   }
