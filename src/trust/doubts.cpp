@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <string>
+#include <utility>
 
 #include "roomatlas/graph/bridges.hpp"
 
@@ -20,6 +22,7 @@ struct Meaning {
   const char* figure;
   const char* text;
 };
+constexpr const char* kPulled = "what was heard contradicts itself and pulls visits about";
 constexpr Meaning kMeanings[] = {
     {"path", "the drive is long"},
     {"visits", "the mission has many visits"},
@@ -51,13 +54,11 @@ constexpr Meaning kMeanings[] = {
     {"heading of the loosest visit", "one visit's heading is held loosely"},
     {"visits held loosely",
      "walls and odometry leave open where rooms lie and how they are turned"},
-    {"place by contradictions", "what was heard contradicts itself and pulls visits about"},
-    {"most a place is pulled by contradictions",
-     "what was heard contradicts itself and pulls one visit about"},
+    {"place by contradictions", kPulled},
+    {"most a place is pulled by contradictions", kPulled},
+    {"visits pulled by contradictions", kPulled},
     {"most a heading is pulled by contradictions",
-     "what was heard contradicts itself and turns one visit to and fro"},
-    {"visits pulled by contradictions",
-     "what was heard contradicts itself by more than a map that is right may be off"},
+     "what was heard contradicts itself and turns a visit to and fro"},
     {"uncertainty of the scale", "few walls tell how long odometry's metre is"},
     {"clutter before walls", "furniture or people stand before the walls"},
     {"strain of odometry", "walls pull odometry out of its way"},
@@ -67,6 +68,19 @@ constexpr Meaning kMeanings[] = {
     {"odometry's bias", "odometry turns strongly while it drives"},
     {"odometry's gain", "odometry reports turns much too large or too small"},
 };
+
+/// Log odds; figures that mean the same are one.
+std::map<std::string, double> taken_by_meaning(const LearntSum& right,
+                                               const std::vector<JudgedFigure>& figures) {
+  std::map<std::string, double> taken;
+  for (const LearntTerm& term : right.terms) {
+    const auto meaning =
+        std::find_if(std::begin(kMeanings), std::end(kMeanings),
+                     [&](const Meaning& one) { return std::string(one.figure) == term.name; });
+    if (meaning != std::end(kMeanings)) taken[meaning->text] -= part_of(term, figures);
+  }
+  return taken;
+}
 
 /// "3", "7 to 12", "3, 5 and 7".
 std::string list_of(const std::vector<RoomId>& rooms) {
@@ -122,13 +136,8 @@ std::optional<Doubt> hanging(const Assembly& assembly) {
 std::vector<Doubt> doubts_of(const LearntSum& right, const std::vector<JudgedFigure>& figures,
                              const Assembly& assembly) {
   std::vector<Doubt> doubts;
-  for (const LearntTerm& term : right.terms) {
-    const double taken = -part_of(term, figures);
-    if (taken < kWorthSaying) continue;
-    const auto meaning =
-        std::find_if(std::begin(kMeanings), std::end(kMeanings),
-                     [&](const Meaning& one) { return std::string(one.figure) == term.name; });
-    if (meaning != std::end(kMeanings)) doubts.push_back({meaning->text, {}, taken});
+  for (const auto& [text, taken] : taken_by_meaning(right, figures)) {
+    if (taken >= kWorthSaying) doubts.push_back({text, {}, taken});
   }
   std::stable_sort(doubts.begin(), doubts.end(),
                    [](const Doubt& a, const Doubt& b) { return a.weight > b.weight; });

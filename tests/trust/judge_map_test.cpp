@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "learnt_model.hpp"
 #include "pipeline/three_rounds.hpp"
@@ -41,6 +43,8 @@ TEST_P(OfASensor, WhatSpeaksAgainstTheMapLowersItsProbabilityAndIsNamed) {
   ASSERT_FALSE(bad.doubts.empty());
   EXPECT_TRUE(std::is_sorted(bad.doubts.begin(), bad.doubts.end(),
                              [](const Doubt& a, const Doubt& b) { return a.weight > b.weight; }));
+  std::set<std::string> texts;
+  for (const Doubt& doubt : bad.doubts) EXPECT_TRUE(texts.insert(doubt.text).second) << doubt.text;
 }
 
 TEST_P(OfASensor, TheProbabilityIsTheLogisticFunctionOfTheSumOfItsPartsButForLapses) {
