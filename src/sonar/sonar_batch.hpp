@@ -60,7 +60,7 @@ struct SonarBatchOptions {
   double settled_heading_rad = radians(0.6);  ///< sigma of a wall's direction there, however long
                                               ///< it is, ...
   double settled_scatter = 2.0;  ///< ... and its returns' scatter over its length to the power of
-                                 ///< 3/2 times this, in sqrt(m): three times what a line through
+                                 ///< 3/2 times this, in sqrt(m): 2.6 times what a line through
                                  ///< points 5 cm apart turns by
 };
 
