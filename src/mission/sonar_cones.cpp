@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "roomatlas/core/mixed_bits.hpp"
+
 namespace roomatlas {
 namespace {
 
@@ -70,14 +72,11 @@ bool throws_back(const SonarCones& cones, const std::vector<float>& ranges_m, st
   return incidence <= limit_rad;
 }
 
-/// A number in [0, 1) that the arguments decide (the finaliser of SplitMix64).
+/// A number in [0, 1) that the arguments decide.
 double dice(std::uint64_t seed, std::uint64_t number, std::uint64_t cone, std::uint64_t purpose) {
-  std::uint64_t bits = seed * 0x9E3779B97F4A7C15ULL + number * 0xD1B54A32D192ED03ULL +
-                       cone * 0x8CB92BA72F3D8DD7ULL + purpose * 0xDB4F0B9175AE2165ULL;
-  for (const int shift : {30, 27}) {
-    bits = (bits ^ (bits >> shift)) * (shift == 30 ? 0xBF58476D1CE4E5B9ULL : 0x94D049BB133111EBULL);
-  }
-  bits ^= bits >> 31;
+  const std::uint64_t bits =
+      finalised_bits(seed * 0x9E3779B97F4A7C15ULL + number * 0xD1B54A32D192ED03ULL +
+                     cone * 0x8CB92BA72F3D8DD7ULL + purpose * 0xDB4F0B9175AE2165ULL);
   return static_cast<double>(bits >> 11) * 0x1.0p-53;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "random_stream.hpp"
 
+#include "roomatlas/core/mixed_bits.hpp"
 #include "roomatlas/core/pose2.hpp"
 
 #include <cmath>
@@ -8,14 +9,6 @@
 
 namespace roomatlas {
 namespace {
-
-/// The finaliser of SplitMix64 (Steele, Lea and Flood, 2014): spreads neighbouring seeds.
-std::uint64_t mixed(std::uint64_t value) {
-  value += 0x9e3779b97f4a7c15U;
-  value = (value ^ (value >> 30U)) * 0xbf58476d1ce4e5b9U;
-  value = (value ^ (value >> 27U)) * 0x94d049bb133111ebU;
-  return value ^ (value >> 31U);
-}
 
 /// FNV-1a.
 std::uint64_t hash_of(std::string_view text) {
@@ -27,7 +20,7 @@ std::uint64_t hash_of(std::string_view text) {
 }  // namespace
 
 RandomStream::RandomStream(std::uint64_t seed, std::string_view purpose)
-    : engine_(mixed(mixed(seed) ^ hash_of(purpose))) {}
+    : engine_(mixed_bits(mixed_bits(seed) ^ hash_of(purpose))) {}
 
 double RandomStream::uniform() { return static_cast<double>(engine_() >> 11U) * 0x1.0p-53; }
 

@@ -11,13 +11,21 @@
 namespace roomatlas {
 namespace {
 
-/// @param moves x, y and heading of each node
-std::vector<Pose2> moved_by(const std::vector<double>& moves, std::vector<Pose2> poses) {
-  for (std::size_t k = 0; k < poses.size(); ++k) {
-    const double* const move = moves.data() + 3 * k;
-    poses[k] = {poses[k].x_m + move[0], poses[k].y_m + move[1], poses[k].theta_rad + move[2]};
+/// @param next gives a draw: x, y and heading of each node
+template <typename Next>
+std::vector<std::vector<Pose2>> laid_draws(const std::vector<Pose2>& map_from_node, Next&& next) {
+  std::vector<std::vector<Pose2>> draws;
+  draws.reserve(kDraws);
+  for (int draw = 0; draw < kDraws; ++draw) {
+    const std::vector<double> moves = next(draw);
+    std::vector<Pose2> moved = map_from_node;
+    for (std::size_t k = 0; k < moved.size(); ++k) {
+      const double* const move = moves.data() + 3 * k;
+      moved[k] = {moved[k].x_m + move[0], moved[k].y_m + move[1], moved[k].theta_rad + move[2]};
+    }
+    draws.push_back(moves_to(std::move(moved), map_from_node));
   }
-  return poses;
+  return draws;
 }
 
 }  // namespace
@@ -41,23 +49,13 @@ std::vector<Pose2> moves_to(std::vector<Pose2> others, std::span<const Pose2> po
 
 std::vector<std::vector<Pose2>> drawn_moves(const SonarEquations& equations,
                                             const std::vector<Pose2>& map_from_node) {
-  std::vector<std::vector<Pose2>> drawn;
-  drawn.reserve(kDraws);
   std::mt19937_64 random(1);
-  for (int draw = 0; draw < kDraws; ++draw) {
-    drawn.push_back(moves_to(moved_by(equations.draw_moves(random), map_from_node), map_from_node));
-  }
-  return drawn;
+  return laid_draws(map_from_node, [&](int) { return equations.draw_moves(random); });
 }
 
 std::vector<std::vector<Pose2>> wild_moves(const SonarEquations& equations,
                                            const std::vector<Pose2>& map_from_node) {
-  std::vector<std::vector<Pose2>> drawn;
-  drawn.reserve(kDraws);
-  for (int draw = 0; draw < kDraws; ++draw) {
-    drawn.push_back(moves_to(moved_by(equations.draw_wild(draw), map_from_node), map_from_node));
-  }
-  return drawn;
+  return laid_draws(map_from_node, [&](int draw) { return equations.draw_wild(draw); });
 }
 
 double apart_m(std::span<const Pose2> a, std::span<const Pose2> b) {

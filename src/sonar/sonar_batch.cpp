@@ -79,6 +79,7 @@ void add_steps(const SonarBatch& batch, const SonarBatchOptions& options, double
       equations.add_scale(into_node[k - 1], residuals[i], by_scale[i], weight);
     }
   }
+  equations.begin(ResidualKind::prior, 0, 0);
   equations.add_scale(unknowns.shared.length_scale - 1.0, 1.0, 1.0 / (length_sigma * length_sigma));
 }
 
@@ -119,6 +120,7 @@ void add_headings(const SonarBatch& batch, const SonarBatchOptions& options,
   const std::vector<double>& directions_rad = unknowns.shared.directions_rad;
   const double found_information =
       1.0 / (options.direction_sigma_rad * options.direction_sigma_rad);
+  equations.begin(ResidualKind::prior, 0, 0);
   for (std::size_t i = 1; i < directions_rad.size(); ++i) {
     equations.add_direction(i, directions_rad[i] - batch.directions_rad[i], found_information);
   }

@@ -5,18 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomatlas/core/mixed_bits.hpp"
+
 namespace roomatlas {
-namespace {
-
-/// A number whose bits look random: the last step of SplitMix64 (Steele, Lea and Flood 2014).
-std::uint64_t mixed(std::uint64_t bits) {
-  bits += 0x9E3779B97F4A7C15U;
-  bits = (bits ^ (bits >> 30U)) * 0xBF58476D1CE4E5B9U;
-  bits = (bits ^ (bits >> 27U)) * 0x94D049BB133111EBU;
-  return bits ^ (bits >> 31U);
-}
-
-}  // namespace
 
 void SonarEquations::clear() {
   matrix_.clear();
@@ -31,7 +22,8 @@ void SonarEquations::begin(ResidualKind kind, std::size_t first, std::size_t sec
   if (signs_.size() == 0) return;
   const std::size_t low = std::min(first, second) / kClusterNodes;
   const std::size_t high = std::max(first, second) / kClusterNodes;
-  std::uint64_t bits = mixed(mixed(mixed(static_cast<std::uint64_t>(kind)) + low) + high);
+  std::uint64_t bits =
+      mixed_bits(mixed_bits(mixed_bits(static_cast<std::uint64_t>(kind)) + low) + high);
   for (double& sign : signs_) {
     sign = (bits & 1U) != 0 ? 1.0 : -1.0;
     bits >>= 1U;

@@ -34,7 +34,7 @@ constexpr std::size_t kClusterNodes = 36;  ///< whose residuals err together: so
                                            ///< off are told nearly as well
 
 /// What a residual is of.
-enum class ResidualKind : std::uint8_t { step, heading, pair, range };
+enum class ResidualKind : std::uint8_t { step, heading, pair, range, prior };
 
 /// Normal equations of the nodes for one set of pairs, and of what they share. That touches every
 /// node: it stands beside the sparse matrix, not in it.
