@@ -12,6 +12,8 @@
 namespace roomatlas {
 namespace {
 
+constexpr double kAnyHeading_deg = 180.0;  // farther off no heading is
+
 double probability_of(double log_odds) { return 1.0 / (1.0 + std::exp(-log_odds)); }
 
 double log_odds_of(double probability) { return std::log(probability / (1.0 - probability)); }
@@ -53,7 +55,8 @@ std::optional<Judgement> judge_map(const MapFigures& figures, const Assembly& as
     judgement.probability = probability_of(log_odds);
   }
   judgement.place_m = std::exp(sum_of(model.place, figures.figures));
-  judgement.heading_deg = std::exp(sum_of(model.heading, figures.figures));
+  judgement.heading_deg =
+      std::min(kAnyHeading_deg, std::exp(sum_of(model.heading, figures.figures)));
   judgement.scale_share = std::exp(sum_of(model.scale, figures.figures));
   judgement.figures = figures.figures;
   judgement.visits = figures.visits;

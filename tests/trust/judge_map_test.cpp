@@ -58,6 +58,17 @@ TEST_P(OfASensor, TheProbabilityIsTheLogisticFunctionOfTheSumOfItsPartsButForLap
   EXPECT_LE(judge_map(figures_of(GetParam(), -9.0), {})->probability, known);
 }
 
+TEST_P(OfASensor, NoHeadingIsOffByMoreThanHalfATurn) {
+  MapFigures figures = figures_of(GetParam(), 0.0);
+  for (const LearntTerm& term : model_of(GetParam()).heading.terms) {
+    for (JudgedFigure& figure : figures.figures) {
+      const double sign = term.weight > 0.0 ? 1.0 : -1.0;
+      if (figure.name == term.name) figure.value = term.mean + sign * 3.0 * term.deviation;
+    }
+  }
+  EXPECT_EQ(judge_map(figures, {})->heading_deg, 180.0);
+}
+
 TEST_P(OfASensor, FiguresBeyondWhatWasLearntCountAsTheLastThatWere) {
   EXPECT_EQ(judge_map(figures_of(GetParam(), 4.0), {})->probability,
             judge_map(figures_of(GetParam(), 30.0), {})->probability);
