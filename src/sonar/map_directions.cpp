@@ -111,6 +111,20 @@ std::vector<std::size_t> directions_followed(std::span<const MapWall> walls,
   return course_of(walls, directions_rad, options).followed;
 }
 
+double followed_share(std::span<const MapWall> walls, std::span<const double> directions_rad) {
+  constexpr double kNearRad = radians(5.0);  // two sigmas of a wall on the map
+  const std::vector<std::size_t> followed = directions_followed(walls, directions_rad);
+  double near = 0.0;
+  double all = 0.0;
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const double off_rad = wrap_quarter(walls[i].normal_rad - directions_rad[followed[i]]);
+    const double own = std::min(1.0, walls[i].length_m);
+    all += own;
+    if (std::abs(off_rad) < kNearRad) near += own;
+  }
+  return near / all;
+}
+
 std::vector<double> map_directions(std::span<const MapWall> walls,
                                    const MapDirectionsOptions& options) {
   if (walls.empty()) return {};

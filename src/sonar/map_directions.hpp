@@ -34,6 +34,13 @@ struct MapDirectionsOptions {
     std::span<const MapWall> walls, std::span<const double> directions_rad,
     const MapDirectionsOptions& options = {});
 
+/// How much of the walls lies within 5 degrees of the direction that it follows, [0, 1]: a wall of
+/// a metre and more counts as one.
+/// @param walls at least one
+/// @param directions_rad as above
+[[nodiscard]] double followed_share(std::span<const MapWall> walls,
+                                    std::span<const double> directions_rad);
+
 /// The directions, modulo 90 degrees in [-pi/4, pi/4), that the walls follow: the one that makes
 /// them most likely, and others as long as each makes the course along the drive much more likely.
 /// Empty without walls.

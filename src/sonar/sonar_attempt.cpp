@@ -61,6 +61,8 @@ Attempt solve_from(const SonarMission& mission, const Idea& idea, const std::vec
                                          kContradictedCounts *
                                              contradiction.contradicted_of_reading_m[i]);
   }
+  attempt.is_odometry = idea.is_odometry;
+  attempt.is_free = idea.is_free;
   attempt.variant.habits = idea.habits;
   attempt.variant.pairs = solved.pairs;
   if (solved.solved) {
@@ -110,12 +112,13 @@ bool takes_over(const Idea& idea, const Idea& best) {
   const double more = merit(idea.attempt) - merit(best.attempt);
   if (idea.is_odometry)
     return is_better(idea.attempt, best.attempt) && more > best.heading.log_evidence;
+  if (idea.is_free && idea.followed_share < kByChance) return more > 0.0;
   if (idea.is_free) return more > std::max(kFreeTells, kFreeTellsShare * merit(best.attempt));
   if (idea.is_open && idea.directions_rad.size() > best.directions_rad.size()) {
     return more > kOdometryTells && idea.attempt.strain < kStrainTells * best.attempt.strain;
   }
   if (idea.is_open && more > 0.0) return true;
-  return is_better(idea.attempt, best.attempt);
+  return is_better(idea.attempt, best.attempt) && more > 0.0;
 }
 
 Attempt solve(const SonarMission& mission, const Idea& idea, std::string name,

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "map_directions.hpp"
+#include "free_map.hpp"
 #include "sonar_attempt.hpp"
 #include "sonar_repairs.hpp"
 #include "sonar_rivals.hpp"
@@ -33,7 +33,6 @@ constexpr Change kChanges[] = {
 };
 
 constexpr const char* kOdometrysOwn = "odometry's own heading";
-constexpr const char* kFreeWalls = "walls in any direction";
 
 /// Whether the walls make one heading clearly more likely than walls that lie anyhow would: in a
 /// round hall they do not.
@@ -85,8 +84,8 @@ void take(const SonarMission& mission, std::size_t other, Choice& choice, SonarT
   result.chosen = place_of(taken.name, result.variants);
   choice.best->habits = taken.habits;
   choice.best->problem.path = driven_path(mission.readings, mission.directions, taken.habits);
-  choice.best->is_odometry = taken.name == kOdometrysOwn;
-  choice.best->is_free = taken.name == kFreeWalls;
+  choice.best->is_odometry = choice.best->attempt.is_odometry;
+  choice.best->is_free = choice.best->attempt.is_free;
 }
 
 std::string name_of(const std::vector<double>& walls_rad) {
@@ -103,30 +102,28 @@ struct Consideration {
   bool is_open = false;
 };
 
-/// Independent of each other, and offered in their order.
-void consider(const SonarMission& mission, const std::vector<Consideration>& all, Choice& choice,
-              SonarTrajectory& result) {
-  const auto solved = [&](const SonarMission& alone, std::size_t i) {
-    const Consideration& one = all[i];
-    Idea idea = idea_of(alone, one.calibration, one.directions_rad);
-    if (one.is_odometry) {
-      std::fill(idea.heading.correction_rad.begin(), idea.heading.correction_rad.end(), 0.0);
-      idea.is_odometry = true;
-    }
-    idea.is_open = one.is_open;
-    idea.attempt = solve(alone, idea, one.name, idea.heading.correction_rad);
-    return idea;
-  };
-  for (Idea& idea : tried<Idea>(mission, all.size(), solved)) {
-    choice.offer(std::move(idea), result);
+Idea solved(const SonarMission& mission, const Consideration& one) {
+  Idea idea = idea_of(mission, one.calibration, one.directions_rad);
+  if (one.is_odometry) {
+    std::fill(idea.heading.correction_rad.begin(), idea.heading.correction_rad.end(), 0.0);
+    idea.is_odometry = true;
   }
+  idea.is_open = one.is_open;
+  idea.attempt = solve(mission, idea, one.name, idea.heading.correction_rad);
+  return idea;
 }
 
 constexpr double kPerhaps = 2.0;  // of log evidence for another direction of the building
 
+/// The best by its heading, and the map that needs none to begin with.
+struct Start {
+  Choice choice;
+  Idea from_beginning;
+};
+
 /// Headings by the building's walls, where these follow directions, and odometry's own.
-Choice choose_heading(const SonarMission& mission, const Calibration& likely,
-                      SonarTrajectory& result) {
+Start choose_heading(const SonarMission& mission, const Calibration& likely,
+                     SonarTrajectory& result) {
   const HeadingProblem problem = heading_problem(
       mission.readings, mission.directions, likely.habits, mission.options.segments, mission.jobs);
   const SightingChainOptions chain = likely.doubting({});
@@ -143,65 +140,41 @@ Choice choose_heading(const SonarMission& mission, const Calibration& likely,
     }
   }
   all.push_back({kOdometrysOwn, {}, {0.0}, true, false});
-  Choice choice;
-  consider(mission, all, choice, result);
-  return choice;
+  std::vector<Idea> ideas =
+      tried<Idea>(mission, 1 + all.size(), [&](const SonarMission& alone, std::size_t i) {
+        return i == 0 ? grown(alone, likely) : solved(alone, all[i - 1]);  // the longest first
+      });
+  Start start{{}, std::move(ideas.front())};
+  for (std::size_t i = 1; i < ideas.size(); ++i) start.choice.offer(std::move(ideas[i]), result);
+  return start;
 }
 
-/// Another idea, whose heading is that of given poses.
-Idea idea_at(const SonarMission& mission, const Calibration& calibration,
-             const std::vector<double>& directions_rad, const std::vector<Pose2>& map_from_robot) {
-  Idea idea = idea_of(mission, calibration, directions_rad);
-  double before_rad = 0.0;
-  for (std::size_t k = 0; k < idea.problem.node_readings.size(); ++k) {
-    const std::size_t i = idea.problem.node_readings[k];
-    const double off_rad =
-        map_from_robot[i].theta_rad - idea.problem.path.odom_from_robot[i].theta_rad;
-    before_rad += wrap_angle(off_rad - before_rad);
-    idea.heading.correction_rad[k] = before_rad;
-  }
-  return idea;
-}
-
-/// The directions that walls follow on the map of an idea.
-std::vector<double> directions_on(const Idea& idea) {
-  std::vector<MapWall> walls;
-  walls.reserve(idea.problem.segments.size());
-  for (const WallSegment& segment : idea.problem.segments) {
-    const double heading_rad = idea.attempt.map_from_robot[segment.reading].theta_rad;
-    walls.push_back({heading_rad + segment.normal_rad, segment.length_m});
-  }
-  return map_directions(walls);
-}
-
-/// The building's directions as a map tells them on which no wall follows any: odometry and walls
-/// seen again hold it together. The chain of the heading takes a wing that it does not know for the
-/// nearest direction that it knows, and bends the way there. Such a map has more freedom: one that
-/// fits worse than the best has gone astray, and tells nothing.
-void consider_map_directions(const SonarMission& mission, const Calibration& likely, Choice& choice,
-                             SonarTrajectory& result) {
-  Idea loose = *choice.best;
-  loose.is_free = true;
-  if (mission.before_attempt) mission.before_attempt();
-  loose.attempt = solve(mission, loose, kFreeWalls, loose.heading.correction_rad);
-  std::vector<double> walls_rad;
-  if (merit(loose.attempt) > merit(choice.best->attempt)) walls_rad = directions_on(loose);
-  if (walls_rad.size() > 1) {
-    const double first_rad = walls_rad.front();
-    for (double& wall_rad : walls_rad) wall_rad = wrap_quarter(wall_rad - first_rad);
-    std::vector<Pose2> poses = loose.attempt.map_from_robot;
-    for (Pose2& pose : poses) pose = Pose2{0.0, 0.0, -first_rad} * pose;
-    Idea idea = idea_at(mission, likely, walls_rad, poses);
-    idea.is_open = true;
+/// The building's directions as a map tells them on which no wall follows any. The chain of the
+/// heading takes a wing that it does not know for the nearest direction that it knows, and bends
+/// the way there; where rooms radiate it has nothing to hold on to. Such a map has more freedom:
+/// one that fits worse than the best has gone astray, and tells nothing.
+void consider_free_map(const SonarMission& mission, Idea from_beginning, Choice& choice,
+                       SonarTrajectory& result) {
+  Idea free = std::move(from_beginning);
+  if (!choice.best->is_odometry) {
     if (mission.before_attempt) mission.before_attempt();
-    idea.attempt =
-        solve(mission, idea, "walls in the map's directions", idea.heading.correction_rad);
-    choice.offer(std::move(idea), result);
-  }
-  if (takes_over(loose, *choice.best)) {
-    choice.offer(std::move(loose), result);
-  } else {
+    Idea loose = loosened(mission, *choice.best);
+    if (merit(loose.attempt) >= merit(free.attempt)) std::swap(loose, free);
     result.variants.push_back(loose.attempt.variant);  // no other winding
+  }
+  if (merit(free.attempt) > merit(choice.best->attempt)) {
+    const std::vector<MapWall> walls = walls_on(free);
+    const std::vector<double> walls_rad = map_directions(walls);
+    if (!walls.empty()) free.followed_share = followed_share(walls, walls_rad);
+    if (walls_rad.size() > (choice.best->is_odometry ? 0 : 1)) {
+      choice.offer(directed(mission, free, walls_rad), result);
+    }
+  }
+  if (takes_over(free, *choice.best)) {
+    choice.offer(std::move(free), result);
+  } else {
+    result.variants.push_back(free.attempt.variant);
+    set_aside(std::move(free.attempt), choice.others);
   }
 }
 
@@ -214,7 +187,11 @@ void consider_other_habits(const SonarMission& mission, const Calibration& likel
     changed.habits.turn_gain += change.turn_gain;
     all.push_back({change.name, changed, choice.best->directions_rad, false, false});
   }
-  consider(mission, all, choice, result);
+  for (Idea& idea : tried<Idea>(mission, all.size(), [&](const SonarMission&alone, std::size_t i) {
+         return solved(alone, all[i]);
+       })) {
+    choice.offer(std::move(idea), result);
+  }
 }
 
 }  // namespace
@@ -235,14 +212,14 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
     likely = calibrate_odometry(readings, directions, options.segments, {}, jobs);
   }
   const SonarMission mission{readings, directions, options, before_attempt, jobs};
-  Choice choice = choose_heading(mission, likely, result);
-  if (!choice.best->is_odometry) consider_map_directions(mission, likely, choice, result);
-  if (options.calibrate && !choice.best->is_odometry &&
-      !is_verified(*choice.best, choice.others, options)) {
+  auto [choice, from_beginning] = choose_heading(mission, likely, result);
+  consider_free_map(mission, std::move(from_beginning), choice, result);
+  const bool follows_walls = !choice.best->is_odometry && !choice.best->is_free;
+  if (options.calibrate && follows_walls && !is_verified(*choice.best, choice.others, options)) {
     consider_other_habits(mission, likely, choice, result);
   }
   Idea& best = *choice.best;
-  if (options.repair_slips && !best.is_odometry) {
+  if (options.repair_slips && follows_walls) {
     repair_slips(mission, best, choice.others, result);
   }
   const Attempt* second = second_answer(readings, best.attempt, choice.others);

@@ -43,6 +43,16 @@ TEST(MapDirections, OfWingsAtSmallAnglesAreAllOfThem) {
   EXPECT_NEAR(found[2], 14.0, 0.5);
 }
 
+TEST(MapDirections, AreFollowedByTheShareOfTheWallsThatLieNear) {
+  DrivenWalls drive;
+  drive.along(3.0, 30, 2.0, 2.0);   // near, and no more than a metre counts
+  drive.along(20.0, 20, 0.5, 0.0);  // 17 degrees off
+  const std::vector<double> one_rad = {radians(3.0)};
+  EXPECT_NEAR(followed_share(drive.walls, one_rad), 30.0 / 40.0, 1e-12);
+  const std::vector<double> both_rad = {radians(3.0), radians(20.0)};
+  EXPECT_NEAR(followed_share(drive.walls, both_rad), 1.0, 1e-12);
+}
+
 TEST(MapDirections, CountModuloARightAngle) {
   DrivenWalls drive;
   drive.along(44.5, 60, 1.3, 2.0);  // at the seam

@@ -79,6 +79,21 @@ TEST(TakesOver, WallsThatFollowNoDirectionMustFitFarBetter) {
   EXPECT_TRUE(takes(51.0, 1000.0));
 }
 
+TEST(TakesOver, WhereWallsFollowDirectionsByChanceAloneTheyNeedNotFit) {
+  Idea free = idea_with(101.0, 0.0);
+  free.is_free = true;
+  free.followed_share = 0.3;
+  EXPECT_TRUE(takes_over(free, idea_with(110.0, 10.0)));
+  EXPECT_FALSE(takes_over(free, idea_with(112.0, 10.0)));
+  free.followed_share = 0.4;
+  EXPECT_FALSE(takes_over(free, idea_with(110.0, 10.0)));
+}
+
+TEST(TakesOver, NobodyByAScoreThatOdometryPaysFor) {
+  EXPECT_TRUE(takes_over(idea_with(150.0, 30.0), idea_with(100.0, 10.0)));
+  EXPECT_FALSE(takes_over(idea_with(150.0, 70.0), idea_with(100.0, 10.0)));
+}
+
 /// How far headings against the first are off, mean, degrees; with walls along one direction or
 /// none.
 double headings_off_deg(const test::DrivenWorld& corridor, bool is_free) {
