@@ -162,15 +162,18 @@ void consider_free_map(const SonarMission& mission, Idea from_beginning, Choice&
     if (merit(loose.attempt) >= merit(free.attempt)) std::swap(loose, free);
     result.variants.push_back(loose.attempt.variant);  // no other winding
   }
+  bool is_answer = false;
   if (merit(free.attempt) > merit(choice.best->attempt)) {
     const std::vector<MapWall> walls = walls_on(free);
-    const std::vector<double> walls_rad = map_directions(walls);
-    if (!walls.empty()) free.followed_share = followed_share(walls, walls_rad);
-    if (walls_rad.size() > (choice.best->is_odometry ? 0 : 1)) {
-      choice.offer(directed(mission, free, walls_rad), result);
+    if (!walls.empty()) {
+      const std::vector<double> walls_rad = map_directions(walls);
+      free.followed_share = followed_share(walls, walls_rad);
+      Idea held = directed(mission, free, walls_rad);
+      is_answer = takes_over(free, held);
+      choice.offer(std::move(held), result);
     }
   }
-  if (takes_over(free, *choice.best)) {
+  if (is_answer && takes_over(free, *choice.best)) {
     choice.offer(std::move(free), result);
   } else {
     result.variants.push_back(free.attempt.variant);
