@@ -20,7 +20,7 @@ std::vector<Point2> ring(std::size_t corners, double radius_m) {
   std::vector<Point2> points;
   for (std::size_t k = 0; k < corners; ++k) {
     const double at_rad = 2.0 * kPi * static_cast<double>(k) / static_cast<double>(corners);
-    points.push_back(radius_m * direction(at_rad));
+    points.emplace_back(radius_m * direction(at_rad));
   }
   return points;
 }
