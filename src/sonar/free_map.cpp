@@ -35,19 +35,6 @@ DriveDirections beginning(DriveDirections directions, std::size_t count) {
   return directions;
 }
 
-/// Bias and gain by the poses that the walls gave, the rest as it was.
-OdometryHabits learnt_from(const SonarMission& mission, OdometryHabits habits,
-                           const std::vector<Pose2>& map_from_robot) {
-  if (!mission.options.calibrate) return habits;
-  habits.bias_rad_per_m = 0.0;
-  habits.turn_gain = 1.0;
-  const auto driven = driven_path(mission.readings, mission.directions, habits).odom_from_robot;
-  const OdometryHabits learnt = habits_between(driven, map_from_robot, false);
-  habits.bias_rad_per_m = learnt.bias_rad_per_m;
-  habits.turn_gain = learnt.turn_gain;
-  return habits;
-}
-
 /// Poses of the readings that are missing, as they were driven from the last one on.
 void drive_on(const std::vector<Pose2>& driven, std::vector<Pose2>& poses) {
   for (std::size_t i = poses.size(); i < driven.size(); ++i) {
@@ -63,7 +50,7 @@ void grow(const SonarMission& part, Idea& idea) {
   SonarBatchOptions options;
   options.start_scale_m = kNearM;
   idea.attempt = solve_again(part, idea, kGrown, options);
-  idea.habits = learnt_from(part, idea.habits, idea.attempt.map_from_robot);
+  if (part.options.calibrate) idea.habits = learnt_habits(part, idea);
 }
 
 /// The whole from odometry's own heading, with the habits that the whole taught.

@@ -121,6 +121,17 @@ bool takes_over(const Idea& idea, const Idea& best) {
   return is_better(idea.attempt, best.attempt) && more > 0.0;
 }
 
+OdometryHabits learnt_habits(const SonarMission& mission, const Idea& idea) {
+  OdometryHabits habits = idea.habits;
+  habits.bias_rad_per_m = 0.0;
+  habits.turn_gain = 1.0;
+  const auto driven = driven_path(mission.readings, mission.directions, habits).odom_from_robot;
+  const OdometryHabits learnt = habits_between(driven, idea.attempt.map_from_robot, false);
+  habits.bias_rad_per_m = learnt.bias_rad_per_m;
+  habits.turn_gain = learnt.turn_gain;
+  return habits;
+}
+
 Attempt solve(const SonarMission& mission, const Idea& idea, std::string name,
               std::vector<double> correction_rad, SonarBatchOptions batch_options) {
   const auto start = with_headings(idea.problem.path, by_reading(idea.problem, correction_rad));

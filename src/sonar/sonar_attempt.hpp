@@ -102,11 +102,14 @@ constexpr double kByChance = 1.0 / 3.0;
 /// bending corridors. More directions than the best has, where the chain leaves them open, must
 /// take a quarter of odometry's strain, whatever the score, and as many need be no more than
 /// better. Walls that follow none leave odometry so much room that it must fit far better, unless
-/// most walls follow no direction on that map.
+/// no more of them follow directions on that map than would by chance.
 [[nodiscard]] bool takes_over(const Idea& idea, const Idea& best);
 
 [[nodiscard]] Idea idea_of(const SonarMission& mission, const Calibration& calibration,
                            const std::vector<double>& directions_rad);
+
+/// The idea's habits with bias and gain as odometry has them against the poses that its walls gave.
+[[nodiscard]] OdometryHabits learnt_habits(const SonarMission& mission, const Idea& idea);
 
 /// Solves an idea with one heading, whatever its own attempt was. Wall that is contradicted counts
 /// three times in the score.

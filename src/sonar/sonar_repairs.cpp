@@ -43,18 +43,6 @@ std::string name_of(const HeadingSlip& slip, const Idea& idea) {
          " m on, log odds " + std::to_string(std::lround(slip.log_odds));
 }
 
-/// What odometry does in every step, by the poses that the walls gave.
-OdometryHabits learnt_habits(const SonarMission& mission, const Idea& idea) {
-  OdometryHabits habits = idea.habits;
-  habits.bias_rad_per_m = 0.0;
-  habits.turn_gain = 1.0;
-  const auto driven = driven_path(mission.readings, mission.directions, habits).odom_from_robot;
-  const OdometryHabits learnt = habits_between(driven, idea.attempt.map_from_robot, false);
-  habits.bias_rad_per_m = learnt.bias_rad_per_m;
-  habits.turn_gain = learnt.turn_gain;
-  return habits;
-}
-
 /// The idea with other habits where its own were far off: those of a short mission, or of a heading
 /// that slipped.
 Idea with_learnt_habits(const SonarMission& mission, const Idea& idea) {
