@@ -104,8 +104,7 @@ std::size_t assemble(const Settings& settings, const Path& store_file) {
   if (!assembly.correction.converged) {
     spdlog::warn("the correction did not converge: {}", assembly.correction.message);
   }
-  spdlog::info("{}, {}", counted(assembly.plan.rooms.size(), "room"),
-               counted(assembly.plan.doors.size(), "door"));
+  spdlog::info("{}, {}", counted(assembly.plan.rooms.size(), "room"), openings_text(assembly.plan));
   spdlog::debug("correction: {}, cost {:.1f} -> {:.1f}",
                 counted(assembly.correction.iterations, "iteration"),
                 assembly.correction.initial_cost, assembly.correction.final_cost);

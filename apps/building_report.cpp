@@ -53,22 +53,12 @@ void print_rooms(const FloorPlan& plan) {
 }
 
 void print_doors(const FloorPlan& plan) {
-  std::size_t windows = 0;
-  std::size_t passages = 0;
-  std::size_t leading_on = 0;
-  for (const PlanDoor& door : plan.doors) {
-    if (door.kind == DoorKind::window) {
-      ++windows;
-      continue;
-    }
-    if (door.kind == DoorKind::passage) ++passages;
-    if (!door.room_a || !door.room_b) ++leading_on;
-  }
-  const std::size_t doors = plan.doors.size() - windows;
-  std::string text = counted(doors, "door");
-  if (passages > 0) text += fmt::format(", {} of them without leaf and frame", passages);
-  if (leading_on > 0) text += fmt::format(", {} to where the robot was not", leading_on);
-  if (windows > 0) text += "; " + counted(windows, "window");
+  const auto leading_on =
+      std::count_if(plan.doors.begin(), plan.doors.end(), [](const PlanDoor& door) {
+        return door.kind != DoorKind::window && !(door.room_a && door.room_b);
+      });
+  std::string text = openings_text(plan);
+  if (leading_on > 0) text += fmt::format("; {} to where the robot was not", leading_on);
   say("{}\n", text);
 }
 

@@ -39,7 +39,7 @@ std::size_t map_into_store(const Settings& settings, const Path& file, const Map
     made.put_in_place();
     show(assembly.plan.issues);
     spdlog::info("{}, {}", counted(assembly.plan.rooms.size(), "room"),
-                 counted(assembly.plan.doors.size(), "door"));
+                 openings_text(assembly.plan));
     return assembly.plan.rooms.size();
   } catch (...) {
     made.give_up();

@@ -38,11 +38,6 @@ std::array<Cell, 4> cells_of(const Box2& strip) {
   return cells;
 }
 
-std::ptrdiff_t count_of_doors(const FloorPlan& plan) {
-  return std::count_if(plan.doors.begin(), plan.doors.end(),
-                       [](const PlanDoor& door) { return door.kind == DoorKind::door; });
-}
-
 std::vector<std::string> lines_of(const PlanAnnotations& annotations) {
   std::vector<std::string> lines;
   if (!annotations.mission.empty()) {
@@ -102,7 +97,7 @@ std::vector<Fact> facts_of(const FloorPlan& plan, const PlanAnnotations& annotat
   double area_m2 = 0.0;
   for (const PlanRoom& room : plan.rooms) area_m2 += room.area_m2;
   std::vector<Fact> facts = {{"Rooms", std::to_string(plan.rooms.size())},
-                             {"Doors", std::to_string(count_of_doors(plan))},
+                             {"Doors", std::to_string(count_of(plan, DoorKind::door))},
                              {"Floor area", area_text(area_m2)}};
   if (annotations.path_length_m > 0.0) {
     facts.push_back({"Path driven", fixed(annotations.path_length_m, 0) + "\u00a0m"});

@@ -61,7 +61,8 @@ VisitMoves take_moves(SonarTrajectory& trajectory, const std::vector<Asr>& asrs)
   const auto taken = [&](DrawnMoves& moves) {
     return moved_visits(std::exchange(moves, {}), asrs);
   };
-  return {taken(trajectory.drawn), taken(trajectory.wild), taken(trajectory.undirected)};
+  return {taken(trajectory.drawn), taken(trajectory.wild), taken(trajectory.undirected),
+          taken(trajectory.cross_check.moves)};
 }
 
 CorrectedMission correct_sonar_mission(const AsrSource& source, const RobotFootprint& footprint,

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "roomatlas/core/counted.hpp"
+
 namespace roomatlas {
 
 const char* to_string(RoomKind kind) {
@@ -27,6 +29,21 @@ const char* to_string(DoorKind kind) {
       break;
   }
   return "door";
+}
+
+std::size_t count_of(const FloorPlan& plan, DoorKind kind) {
+  return static_cast<std::size_t>(
+      std::count_if(plan.doors.begin(), plan.doors.end(),
+                    [&](const PlanDoor& door) { return door.kind == kind; }));
+}
+
+std::string openings_text(const FloorPlan& plan) {
+  std::string text = counted(count_of(plan, DoorKind::door), "door");
+  for (const DoorKind kind : {DoorKind::passage, DoorKind::window}) {
+    const std::size_t count = count_of(plan, kind);
+    if (count > 0) text += ", " + counted(count, to_string(kind));
+  }
+  return text;
 }
 
 const char* to_string(WallEvidence evidence) {

@@ -126,6 +126,14 @@ Idea loosened(const SonarMission& mission, const Idea& idea) {
   return loose;
 }
 
+Idea undirected(const SonarMission& mission, const Idea& idea) {
+  SonarBatchOptions options = from_there();
+  options.heading_weight = 0.0;
+  Idea loose = idea;
+  loose.attempt = solve_again(mission, idea, "walls in any direction from there", options);
+  return loose;
+}
+
 std::vector<MapWall> walls_on(const Idea& idea) {
   std::vector<MapWall> walls;
   walls.reserve(idea.problem.segments.size());

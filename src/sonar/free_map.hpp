@@ -20,6 +20,10 @@ namespace roomatlas {
 /// Solved at once, from the heading of an idea whose walls follow directions.
 [[nodiscard]] Idea loosened(const SonarMission& mission, const Idea& idea);
 
+/// Solved once more without directions, from where an idea with directions ended: odometry and
+/// walls seen again alone turn it as far as they will.
+[[nodiscard]] Idea undirected(const SonarMission& mission, const Idea& idea);
+
 /// The walls of an idea, on its map.
 [[nodiscard]] std::vector<MapWall> walls_on(const Idea& idea);
 

@@ -118,6 +118,14 @@ constexpr double kByChance = 1.0 / 3.0;
                             std::vector<double> correction_rad,
                             SonarBatchOptions batch_options = {});
 
+/// Of a batch that goes on from where another ended: it looks nearer than the wall of the room next
+/// door.
+[[nodiscard]] inline SonarBatchOptions from_there() {
+  SonarBatchOptions options;
+  options.start_scale_m = 0.5;
+  return options;
+}
+
 /// Solves once more from where the idea's attempt ended: the walls are extracted anew at its poses,
 /// and are the sharper the truer these are.
 [[nodiscard]] Attempt solve_again(const SonarMission& mission, const Idea& idea, std::string name,

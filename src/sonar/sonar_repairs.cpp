@@ -110,11 +110,9 @@ void refine(const SonarMission& mission, Idea& idea, SonarTrajectory& result) {
   const std::vector<double> heading_rad = idea.attempt.correction_rad;
   SonarBatchOptions wide;
   wide.start_scale_m = 2.0;  // a corridor's width: more takes its sides for one wall
-  SonarBatchOptions near;
-  near.start_scale_m = 0.5;  // nearer than the wall of the room next door
   for (Attempt& attempt : tried<Attempt>(mission, 2, [&](const SonarMission&alone, std::size_t i) {
          return i == 0 ? solve(alone, idea, "from 2 m", heading_rad, wide)
-                       : solve(alone, idea, "from 0.5 m", heading_rad, near);
+                       : solve(alone, idea, "from 0.5 m", heading_rad, from_there());
        })) {
     (void)offer(std::move(attempt));
   }
@@ -122,7 +120,7 @@ void refine(const SonarMission& mission, Idea& idea, SonarTrajectory& result) {
   for (int times = 0; times < kMostTimes; ++times) {
     if (mission.before_attempt) mission.before_attempt();
     Idea learnt = with_learnt_habits(mission, idea);
-    if (!offer(solve_again(mission, learnt, "walls extracted anew", near))) {
+    if (!offer(solve_again(mission, learnt, "walls extracted anew", from_there()))) {
       break;
     }
     learnt.attempt = std::move(idea.attempt);

@@ -81,16 +81,40 @@ double attempts_apart(const Attempt& kept, const std::vector<Attempt>& others) {
   return std::sqrt(squares / weights);
 }
 
-DrawnMoves undirected_moves(const SonarMission& mission, const Idea& idea) {
-  if (idea.is_odometry || idea.is_free) return {};
-  SonarBatchOptions free;
-  free.heading_weight = 0.0;
-  free.start_scale_m = 0.5;  // nearer than the wall of the room next door
-  Attempt loose = solve_again(mission, idea, "walls in any direction from there", free);
-  DrawnMoves moves{{moves_to(std::move(loose.map_from_robot), idea.attempt.map_from_robot)}, {}};
-  moves.node_of.resize(mission.readings.size());
+DrawnMoves moves_of_readings(std::vector<Pose2> other, const std::vector<Pose2>& kept) {
+  DrawnMoves moves{{moves_to(std::move(other), kept)}, {}};
+  moves.node_of.resize(kept.size());
   std::iota(moves.node_of.begin(), moves.node_of.end(), std::size_t{0});
   return moves;
+}
+
+double headings_apart(const Attempt& kept, const std::vector<Attempt>& others) {
+  constexpr double kFitsWorse = 25.0;  // of merit: weighs 1/e
+  double weights = 1.0;
+  double squares = 0.0;
+  for (const Attempt& other : others) {
+    if (other.is_free || other.is_odometry) continue;
+    const double weight = std::exp(-std::max(0.0, merit(kept) - merit(other)) / kFitsWorse);
+    const std::vector<Pose2> moves = moves_to(other.map_from_robot, kept.map_from_robot);
+    const double sum = std::accumulate(
+        moves.begin(), moves.end(), 0.0,
+        [](double so_far, const Pose2& move) { return so_far + move.theta_rad * move.theta_rad; });
+    weights += weight;
+    squares += weight * sum / static_cast<double>(moves.size());
+  }
+  return std::sqrt(squares / weights);
+}
+
+CrossCheck cross_checked(const Attempt& kept, const Attempt& grown,
+                         const std::vector<Attempt>& others) {
+  const Attempt* other = kept.is_free ? nullptr : &grown;
+  for (const Attempt& one : others) {
+    if (!kept.is_free || one.is_free || one.is_odometry) continue;
+    if (other == nullptr || merit(one) > merit(*other)) other = &one;
+  }
+  if (other == nullptr || !std::isfinite(merit(*other))) return {};
+  return {moves_of_readings(other->map_from_robot, kept.map_from_robot),
+          (merit(kept) - merit(*other)) / std::max(1.0, kept.score_m)};
 }
 
 bool is_verified(const Idea& idea, const std::vector<Attempt>& others,

@@ -19,9 +19,18 @@ namespace roomatlas {
 /// weighed by how near its score is, the one kept with 1.
 [[nodiscard]] double attempts_apart(const Attempt& kept, const std::vector<Attempt>& others);
 
-/// Where odometry and walls seen again put each reading without the building's directions, from
-/// where the attempt that is kept has it; none where that goes without them.
-[[nodiscard]] DrawnMoves undirected_moves(const SonarMission& mission, const Idea& idea);
+/// How far attempts with walls in directions that fit nearly as well are turned against the one
+/// kept: root mean square over all, each weighed by how near its merit is, the one kept with 1.
+[[nodiscard]] double headings_apart(const Attempt& kept, const std::vector<Attempt>& others);
+
+/// Of one other solution, each reading a node.
+[[nodiscard]] DrawnMoves moves_of_readings(std::vector<Pose2> other,
+                                           const std::vector<Pose2>& kept);
+
+/// How the mission comes out by other means.
+/// @param grown from the beginning, see `free_map`
+[[nodiscard]] CrossCheck cross_checked(const Attempt& kept, const Attempt& grown,
+                                       const std::vector<Attempt>& others);
 
 /// Whether the heading is sure, enough wall was seen by several visits, they agree about it, and no
 /// attempt that winds otherwise does nearly as well: what it turns must cost it walls.

@@ -173,13 +173,22 @@ void add_loops(const Assembly& assembly, const VisitUncertainty& uncertainty,
                   {"visits on one passage", static_cast<double>(hanging) / visits}});
 }
 
+/// Of a visit; none where there is no such solution.
+MoveSize size_in(const MapMoves& moves, AsrId asr) {
+  const auto found = moves.visits.find(asr);
+  return found == moves.visits.end() ? MoveSize{} : found->second;
+}
+
 /// How loosely walls and odometry hold the visits of sonars, and what they say against each other.
 void add_moves(const VisitMoves& moved, const std::map<AsrId, Point2>& centres,
                MapFigures& result) {
   const MapMoves drawn = map_moves(moved.drawn, centres);
   const MapMoves wild = map_moves(moved.wild, centres);
-  const MapMoves undirected =
-      moved.undirected.empty() ? MapMoves{} : map_moves(moved.undirected, centres);
+  const auto moves_if_any = [&](const MovedVisits& visits) {
+    return visits.empty() ? MapMoves{} : map_moves(visits, centres);
+  };
+  const MapMoves undirected = moves_if_any(moved.undirected);
+  const MapMoves otherwise = moves_if_any(moved.cross_check);
   const auto log_m = [](double place_m) { return log_of(place_m, 0.001); };
   const auto log_rad = [](double heading_rad) { return log_of(heading_rad, 0.0005); };
   result.figures.insert(
@@ -192,19 +201,22 @@ void add_moves(const VisitMoves& moved, const std::map<AsrId, Point2>& centres,
        {"most a place is pulled by contradictions", log_m(wild.worst.place_m)},
        {"most a heading is pulled by contradictions", log_rad(wild.worst.heading_rad)},
        {"visits pulled by contradictions", wild.log_off},
-       {"turned by directions", log_rad(undirected.worst.heading_rad)}});
+       {"turned by directions", log_rad(undirected.worst.heading_rad)},
+       {"turned when solved otherwise", log_rad(otherwise.worst.heading_rad)},
+       {"visits moved when solved otherwise", otherwise.log_off}});
   for (VisitJudgement& visit : result.visits) {
     const MoveSize& held = drawn.visits.at(visit.asr);
     const MoveSize& pulled = wild.visits.at(visit.asr);
-    const auto turned = undirected.visits.find(visit.asr);
-    visit.figures.insert(
-        visit.figures.end(),
-        {{"place", log_m(held.place_m)},
-         {"heading", log_rad(held.heading_rad)},
-         {"place by contradictions", log_m(pulled.place_m)},
-         {"heading by contradictions", log_rad(pulled.heading_rad)},
-         {"turned by directions",
-          log_rad(turned == undirected.visits.end() ? 0.0 : turned->second.heading_rad)}});
+    const MoveSize turned = size_in(undirected, visit.asr);
+    const MoveSize other = size_in(otherwise, visit.asr);
+    visit.figures.insert(visit.figures.end(),
+                         {{"place", log_m(held.place_m)},
+                          {"heading", log_rad(held.heading_rad)},
+                          {"place by contradictions", log_m(pulled.place_m)},
+                          {"heading by contradictions", log_rad(pulled.heading_rad)},
+                          {"turned by directions", log_rad(turned.heading_rad)},
+                          {"place when solved otherwise", log_m(other.place_m)},
+                          {"turned when solved otherwise", log_rad(other.heading_rad)}});
   }
 }
 
@@ -226,6 +238,9 @@ void add_sonars(const SonarTrajectory& sonars, double path_m, std::vector<Judged
        {"score of another winding", sonars.rival_score},
        {"strain of odometry", log_of(sonars.strain / metres, 0.001)},
        {"attempts apart", log_of(sonars.attempts_apart_m, 0.005)},
+       {"merit over the map solved otherwise", sonars.cross_check.merit_share},
+       {"walls in directions", sonars.followed_share},
+       {"attempts turned apart", log_of(sonars.headings_apart_rad, 0.0005)},
        {"slips repaired", std::log1p(sonars.slips_repaired)},
        {"uncertainty of the scale", log_of(sonars.length_scale_sigma, 0.0005)},
        {"clutter before walls", log_of(sonars.clutter_m, 0.001)},

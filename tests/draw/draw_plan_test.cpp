@@ -225,5 +225,16 @@ TEST(ReportPage, PutsTitleAndDataInTheirPlacesAndNothingThatEndsTheScript) {
   EXPECT_THAT(page, testing::Not(testing::HasSubstr("{{")));
 }
 
+TEST(OpeningsText, CountsDoorsPassagesAndWindowsEachByItself) {
+  FloorPlan plan;
+  EXPECT_EQ(openings_text(plan), "0 doors");
+  for (const DoorKind kind : {DoorKind::door, DoorKind::window, DoorKind::passage, DoorKind::door,
+                              DoorKind::window, DoorKind::door}) {
+    plan.doors.emplace_back().kind = kind;
+  }
+  EXPECT_EQ(openings_text(plan), "3 doors, 1 passage, 2 windows");
+  EXPECT_EQ(count_of(plan, DoorKind::passage), 1U);
+}
+
 }  // namespace
 }  // namespace roomatlas

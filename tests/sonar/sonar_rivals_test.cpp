@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <vector>
 
+#include "../../src/sonar/free_map.hpp"
 #include "support/sonar_world.hpp"
 
 namespace roomatlas {
@@ -35,6 +37,46 @@ TEST(AttemptsApart, WeighsThoseThatDoNearlyAsWellAndNotHowTheyLie) {
   EXPECT_LT(attempts_apart(kept, {attempt_at(longer, 50.0)}), 0.01 * off_m);
 }
 
+/// Up a corridor and on at an angle.
+std::vector<Pose2> bent(double angle_rad) {
+  const Point2 along = direction(angle_rad);
+  return {{-2, 0, 0},
+          {-1, 0, 0},
+          {along.x(), along.y(), angle_rad},
+          {2.0 * along.x(), 2.0 * along.y(), angle_rad}};
+}
+
+TEST(HeadingsApart, WeighsThoseInDirectionsThatFitNearlyAsWell) {
+  const Attempt kept = attempt_at(bent(0.0), 100.0);
+  Attempt other = attempt_at(bent(0.1), 100.0);
+  // laid on the other by its places it is turned by half the angle: + and - 0.05 rad
+  EXPECT_NEAR(headings_apart(kept, {other}), 0.05 / std::sqrt(2.0), 0.001);
+  EXPECT_NEAR(headings_apart(kept, {other, other, other}), 0.05 * std::sqrt(0.75), 0.001);
+  other.strain = 25.0;
+  const double weight = std::exp(-1.0);
+  EXPECT_NEAR(headings_apart(kept, {other}), 0.05 * std::sqrt(weight / (1.0 + weight)), 0.001);
+  other.is_free = true;
+  EXPECT_EQ(headings_apart(kept, {other}), 0.0);
+}
+
+TEST(CrossCheck, IsByTheMapGrownAloneUnlessThatIsKept) {
+  Attempt kept = attempt_at(bent(0.0), 100.0);
+  Attempt grown_map = attempt_at(bent(0.1), 90.0);
+  grown_map.is_free = true;
+  const Attempt worse = attempt_at(bent(0.4), 50.0);
+  const Attempt better = attempt_at(bent(0.2), 80.0);
+  const CrossCheck of_directed = cross_checked(kept, grown_map, {worse, better});
+  ASSERT_EQ(of_directed.moves.of_draw.size(), 1U);
+  EXPECT_NEAR(of_directed.moves.of_draw[0].back().theta_rad, 0.05, 0.001);
+  EXPECT_NEAR(of_directed.merit_share, 0.1, 1e-9);
+
+  kept.is_free = true;
+  const CrossCheck of_free = cross_checked(kept, kept, {worse, better, grown_map});
+  EXPECT_NEAR(of_free.moves.of_draw.at(0).back().theta_rad, 0.1, 0.002);
+  EXPECT_NEAR(of_free.merit_share, 0.2, 1e-9);
+  EXPECT_TRUE(cross_checked(kept, kept, {grown_map}).moves.of_draw.empty());
+}
+
 /// The mean over the mission of how far directions turn it, degrees.
 double directed_deg(const test::DrivenWorld& world, const std::vector<double>& directions_rad) {
   const SonarTrajectoryOptions options;
@@ -42,7 +84,8 @@ double directed_deg(const test::DrivenWorld& world, const std::vector<double>& d
   const SonarMission mission{world.readings, directions, options, {}};
   Idea idea = idea_of(mission, {}, directions_rad);
   idea.attempt = solve(mission, idea, "", idea.heading.correction_rad);
-  const DrawnMoves moves = undirected_moves(mission, idea);
+  const DrawnMoves moves = moves_of_readings(undirected(mission, idea).attempt.map_from_robot,
+                                             idea.attempt.map_from_robot);
   const std::vector<Pose2>& one = moves.of_draw.at(0);
   const double sum_rad = std::accumulate(
       moves.node_of.begin(), moves.node_of.end(), 0.0,
@@ -51,7 +94,7 @@ double directed_deg(const test::DrivenWorld& world, const std::vector<double>& d
 }
 
 /// Walls that are held to follow a direction that they do not follow bend the way between them.
-TEST(UndirectedMoves, ShowABuildingThatWasMadeSquare) {
+TEST(Undirected, ShowsABuildingThatWasMadeSquare) {
   const test::DrivenWorld corridor = test::bent_corridor(9.0);
   const double square_deg = directed_deg(corridor, {0.0});
   const double bent_deg = directed_deg(corridor, {0.0, radians(9.0)});

@@ -26,6 +26,7 @@ struct VisitMoves {
   MovedVisits drawn;
   MovedVisits wild;
   MovedVisits undirected;
+  MovedVisits cross_check;
 };
 
 /// Everything that the offline stage finds.

@@ -6,6 +6,7 @@
 #include "roomatlas/plan/door.hpp"
 #include "roomatlas/plan/ids.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -89,5 +90,9 @@ struct FloorPlan {
 /// The room of that number, null where the plan has none.
 [[nodiscard]] const PlanRoom* find_room(const FloorPlan& plan, RoomId id);
 [[nodiscard]] bool has_room(const FloorPlan& plan, RoomId id);
+
+[[nodiscard]] std::size_t count_of(const FloorPlan& plan, DoorKind kind);
+/// "3 doors, 1 passage, 2 windows": of passages and windows only where there are any.
+[[nodiscard]] std::string openings_text(const FloorPlan& plan);
 
 }  // namespace roomatlas

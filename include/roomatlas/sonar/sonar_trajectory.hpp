@@ -52,13 +52,23 @@ struct DrawnMoves {
   std::vector<std::size_t> node_of;         ///< of each reading
 };
 
+/// The same mission solved by other means: where walls follow directions the map that was grown
+/// from the beginning without any, else the best with directions.
+struct CrossCheck {
+  DrawnMoves moves;          ///< the one that it is from the one kept; none where there is none
+  double merit_share = 0.0;  ///< how much better the kept one fits, over its score; negative: worse
+};
+
 /// The mission's poses, corrected by the walls that a ring of sonars heard.
 struct SonarTrajectory {
   std::vector<Pose2> map_from_robot;  ///< one a reading; the first is odometry's first
   DrawnMoves drawn;                   ///< of all that walls and odometry leave open
   DrawnMoves wild;                    ///< of what they say against each other: see `draw_wild`
   DrawnMoves undirected;  ///< the one without the building's directions; none where it is kept
-  OdometryHabits habits;  ///< as found
+  CrossCheck cross_check;
+  double followed_share = 1.0;      ///< of the walls that lie in directions of the map, see
+                                    ///< `map_directions`, [0, 1]
+  OdometryHabits habits;            ///< as found
   double length_scale_sigma = 0.0;  ///< of the habits' scale: posterior standard deviation, a share
                                     ///< of all lengths; 0.03 where no wall tells it
   double clutter_m = 0.0;  ///< how far stretches of one wall stand apart beyond their returns'
@@ -78,6 +88,8 @@ struct SonarTrajectory {
                              ///< kept; near 1 both explain the walls
   double attempts_apart_m = 0.0;       ///< how far attempts that do nearly as well end from the one
                                        ///< kept, the more the nearer their scores; root mean square
+  double headings_apart_rad = 0.0;     ///< how far those with walls in directions that fit nearly
+                                       ///< as well are turned against it; root mean square
   std::optional<SecondAnswer> second;  ///< that explains the readings nearly as well
   double strain = 0.0;     ///< of odometry by walls: half of its steps' robust squares, in sigmas
   int slips_repaired = 0;  ///< headings turned by 90 degrees from some place on

@@ -51,7 +51,9 @@ Json json_of(const FloorPlan& plan) {
   }
   return {{"area_m2", area_m2},
           {"rooms", rooms},
-          {"doors", plan.doors.size()},
+          {"doors", count_of(plan, DoorKind::door)},
+          {"passages", count_of(plan, DoorKind::passage)},
+          {"windows", count_of(plan, DoorKind::window)},
           {"issues", json_of(plan.issues)}};
 }
 
