@@ -72,10 +72,10 @@ FitSum fit(const Rows& rows, FitKind kind, double penalty) {
   Eigen::VectorXd ridge = Eigen::VectorXd::Constant(size, penalty);
   ridge[size - 1] = kLeastDeviation;
   Eigen::VectorXd model = Eigen::VectorXd::Zero(size);
-  for (int step = 0; step < (kind == FitKind::logarithm ? 1 : kNewtonSteps); ++step) {
+  for (int step = 0; step < (kind == FitKind::log_odds ? kNewtonSteps : 1); ++step) {
     Eigen::VectorXd error = all * model;
     Eigen::VectorXd weight = Eigen::VectorXd::Ones(error.size());
-    if (kind != FitKind::logarithm) {
+    if (kind == FitKind::log_odds) {
       error = error.unaryExpr(&odds_of);
       weight = error.array() * (1.0 - error.array()) + kLeastDeviation;
     }
@@ -93,8 +93,14 @@ FitSum fit(const Rows& rows, FitKind kind, double penalty) {
 }
 
 double loss_of(FitKind kind, double found, double target) {
-  if (kind == FitKind::logarithm) return (found - target) * (found - target);
+  if (kind != FitKind::log_odds) return (found - target) * (found - target);
   return std::log1p(std::exp(target > 0.5 ? -found : found));
+}
+
+double mean_loss(FitKind kind, const std::vector<FitRow>& rows, const std::vector<double>& found) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < rows.size(); ++i) sum += loss_of(kind, found[i], rows[i].target);
+  return sum / static_cast<double>(rows.size());
 }
 
 /// Each row by a sum that its tenth of the groups had no part in.
@@ -161,7 +167,7 @@ Calibration calibrated(const std::vector<FitRow>& rows, const std::vector<double
 void calibrate(const std::vector<FitRow>& rows, FitKind kind, Fitted& fitted) {
   constexpr int kMostLapses = 20;  // hundredths
   Calibration best = calibrated(rows, fitted.left_out, 0.0);
-  for (int share = 1; share <= (kind == FitKind::lapsing ? kMostLapses : 0); ++share) {
+  for (int share = 1; share <= (kind == FitKind::within_limit ? kMostLapses : 0); ++share) {
     const Calibration other = calibrated(rows, fitted.left_out, 0.01 * share);
     if (loss_of(other, rows, fitted.left_out) < loss_of(best, rows, fitted.left_out)) best = other;
   }
@@ -169,6 +175,16 @@ void calibrate(const std::vector<FitRow>& rows, FitKind kind, Fitted& fitted) {
   for (FitTerm& term : fitted.sum.terms) term.weight *= best.scale;
   fitted.sum.bias = best.scale * fitted.sum.bias + best.shift;
   fitted.lapses = best.lapses;
+}
+
+/// A sum of logarithms, as log odds that 0 is not exceeded: errors are taken to be normal, and a
+/// normal's tail to be a logistic one.
+void as_log_odds(Fitted& fitted) {
+  constexpr double kLogistic = 1.7;  // sigmas of a logistic curve that is nearest to a normal one
+  const double scale = -kLogistic / std::sqrt(fitted.loss);
+  for (double& value : fitted.left_out) value *= scale;
+  for (FitTerm& term : fitted.sum.terms) term.weight *= scale;
+  fitted.sum.bias *= scale;
 }
 
 /// Raises the sum so that `share` of the targets lie below.
@@ -200,10 +216,7 @@ Fitted fit_sum(const std::vector<FitRow>& rows, FitKind kind, double share) {
   best.loss = std::numeric_limits<double>::infinity();
   for (const double penalty : kPenalties) {
     std::vector<double> found = left_out(rows, kind, penalty);
-    double loss = 0.0;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      loss += loss_of(kind, found[i], rows[i].target) / static_cast<double>(rows.size());
-    }
+    const double loss = mean_loss(kind, rows, found);
     if (loss >= best.loss) continue;
     best.loss = loss;
     best.penalty = penalty;
@@ -214,10 +227,20 @@ Fitted fit_sum(const std::vector<FitRow>& rows, FitKind kind, double share) {
   best.sum = fit(all, kind, best.penalty);
   if (kind == FitKind::logarithm) {
     raise(rows, share, best.left_out, best.sum);
+  } else if (kind == FitKind::within_limit) {
+    as_log_odds(best);
+    const std::vector<FitRow> told = whether_within(rows);
+    calibrate(told, kind, best);
+    best.loss = mean_loss(FitKind::log_odds, told, best.left_out);
   } else {
     calibrate(rows, kind, best);
   }
   return best;
+}
+
+std::vector<FitRow> whether_within(std::vector<FitRow> rows) {
+  for (FitRow& row : rows) row.target = row.target <= 0.0 ? 1.0 : 0.0;
+  return rows;
 }
 
 std::string given_text(const std::vector<FitRow>& rows, const Fitted& fitted) {

@@ -24,8 +24,8 @@ struct FitSum {
   [[nodiscard]] double at(const std::vector<JudgedFigure>& figures) const;
 };
 
-/// What a sum is fitted to: figures, the target (0 or 1, or a logarithm), and what belongs together
-/// when some is left out.
+/// What a sum is fitted to: figures, the target (0 or 1, or a logarithm: see `FitKind`), and what
+/// belongs together when some is left out.
 struct FitRow {
   std::vector<JudgedFigure> figures;
   double target = 0.0;
@@ -34,8 +34,9 @@ struct FitRow {
 
 enum class FitKind {
   log_odds,
-  lapsing,  ///< log odds that hold but for a share of lapses, in which none of the figures tells
-            ///< that it is wrong
+  within_limit,  ///< the target is a logarithm, 0 at the limit; fitted to it are log odds that it
+                 ///< is not above, that hold but for a share of lapses, in which none of the
+                 ///< figures tells that it is. How far beyond says more than whether
   logarithm
 };
 
@@ -53,8 +54,12 @@ struct Fitted {
 /// `share` of the left-out targets lie below.
 [[nodiscard]] Fitted fit_sum(const std::vector<FitRow>& rows, FitKind kind, double share = 0.9);
 
+/// The same with targets for log odds: 1 where they are not above 0, else 0.
+[[nodiscard]] std::vector<FitRow> whether_within(std::vector<FitRow> rows);
+
 /// How many rows were given so much by sums that their groups had no part in, and how many of these
 /// are wrong: a line for each of several probabilities.
+/// @param rows with targets that are 0 where it is wrong, else 1
 [[nodiscard]] std::string given_text(const std::vector<FitRow>& rows, const Fitted& fitted);
 
 /// As a number, and as an array of `LearntTerm`, of C++.

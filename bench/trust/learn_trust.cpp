@@ -12,6 +12,8 @@ namespace {
 constexpr double kLeastPlace_m = 0.005;
 constexpr double kLeastHeading_deg = 0.05;
 constexpr double kLeastScale = 0.0005;
+constexpr double kLeastOff = 0.05;
+constexpr double kMostOff = 2.7;  // farther ones would matter most, and are told anyway
 
 FitRow row_of(const TrustSample& sample, double target, std::size_t group) {
   return {sample.figures, target, group};
@@ -29,15 +31,15 @@ LearntTrust learn_trust(const std::vector<TrustSample>& samples, SensorKind sens
     const std::size_t group = own.size();
     own.push_back(&sample);
     learnt.right += sample.is_right ? 1 : 0;
-    right.push_back(row_of(sample, sample.is_right ? 1.0 : 0.0, group));
+    right.push_back(row_of(sample, std::log(std::clamp(sample.off, kLeastOff, kMostOff)), group));
     place.push_back(row_of(sample, std::log(std::max(kLeastPlace_m, sample.place_m)), group));
     heading.push_back(
         row_of(sample, std::log(std::max(kLeastHeading_deg, sample.heading_deg)), group));
     scale.push_back(row_of(sample, std::log(std::max(kLeastScale, sample.scale_share)), group));
   }
   learnt.missions = own.size();
-  learnt.mission_right = fit_sum(right, FitKind::lapsing);
-  std::fputs(given_text(right, learnt.mission_right).c_str(), stderr);
+  learnt.mission_right = fit_sum(right, FitKind::within_limit);
+  std::fputs(given_text(whether_within(right), learnt.mission_right).c_str(), stderr);
   learnt.place = fit_sum(place, FitKind::logarithm);
   learnt.heading = fit_sum(heading, FitKind::logarithm);
   learnt.scale = fit_sum(scale, FitKind::logarithm);

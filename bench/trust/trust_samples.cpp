@@ -43,6 +43,8 @@ TrustSample sample_of(const Json& one) {
   sample.sensor = sensor_of(sample.figures);
   const Json& truth = one.at("truth");
   sample.is_right = truth.at("right").get<bool>();
+  sample.off = std::max(number(truth.at("max_visit_position_m")) / kRightPlace_m,
+                        number(truth.at("max_room_heading_deg")) / kRightHeading_deg);
   sample.heading_deg = number(truth.at("max_visit_heading_deg"));
   sample.scale_share = std::max(number(truth.at("scale_x")), number(truth.at("scale_y")));
   std::map<AsrId, const VisitJudgement*> said;

@@ -25,6 +25,8 @@ struct TrustSample {
   SensorKind sensor = SensorKind::laser;
   std::vector<JudgedFigure> figures;
   bool is_right = false;
+  double off = 0.0;          ///< the largest of its visits' places and rooms' headings, over what a
+                             ///< right map may be off: above 1 it is wrong
   double place_m = 0.0;      ///< that 9 of 10 visits keep
   double heading_deg = 0.0;  ///< the largest of a visit
   double scale_share = 0.0;  ///< the larger of both axes

@@ -73,6 +73,17 @@ Idea solved(const SonarMission& mission, const Consideration& one) {
 
 constexpr double kPerhaps = 2.0;  // of log evidence for another direction of the building
 
+Idea anew(const SonarMission& mission, Idea idea) {
+  idea.attempt = solve_again(mission, idea, "walls extracted anew", from_there());
+  return idea;
+}
+
+/// Whether a free map is better than the best, as tried and with the walls of both extracted anew:
+/// a map that grew has them from its own poses already, and they agree the better for it.
+bool is_answer(const SonarMission& mission, const Idea& free, const Idea& best) {
+  return takes_over(free, best) && takes_over(anew(mission, free), anew(mission, best));
+}
+
 bool has_wing(const std::vector<double>& walls_rad) {
   return std::any_of(walls_rad.begin(), walls_rad.end(), [&](double wall_rad) {
     return std::abs(wrap_quarter(wall_rad - walls_rad.front())) > kWingsApart;
@@ -134,18 +145,18 @@ void consider_free_map(const SonarMission& mission, Idea from_beginning, Choice&
     if (merit(loose.attempt) >= merit(free.attempt)) std::swap(loose, free);
     result.variants.push_back(loose.attempt.variant);  // no other winding
   }
-  bool is_answer = false;
+  bool is_kept = false;
   if (merit(free.attempt) > merit(choice.best->attempt)) {
     const std::vector<MapWall> walls = walls_on(free);
     if (!walls.empty()) {
       const std::vector<double> walls_rad = map_directions(walls);
       free.followed_share = followed_share(walls, walls_rad);
       Idea held = directed(mission, free, walls_rad);
-      is_answer = takes_over(free, held);
+      is_kept = takes_over(free, held);
       choice.offer(std::move(held), result);
     }
   }
-  if (is_answer && takes_over(free, *choice.best)) {
+  if (is_kept && is_answer(mission, free, *choice.best)) {
     choice.offer(std::move(free), result);
   } else {
     result.variants.push_back(free.attempt.variant);

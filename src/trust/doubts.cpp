@@ -23,6 +23,7 @@ struct Meaning {
   const char* text;
 };
 constexpr const char* kPulled = "what was heard contradicts itself and pulls visits about";
+constexpr const char* kOtherwise = "solved by other means the rooms lie and turn otherwise";
 constexpr Meaning kMeanings[] = {
     {"path", "the drive is long"},
     {"visits", "the mission has many visits"},
@@ -63,6 +64,11 @@ constexpr Meaning kMeanings[] = {
     {"clutter before walls", "furniture or people stand before the walls"},
     {"strain of odometry", "walls pull odometry out of its way"},
     {"turned by directions", "the building's directions turn rooms that odometry puts otherwise"},
+    {"attempts turned apart", "other directions of the building's walls fit nearly as well"},
+    {"turned when solved otherwise", kOtherwise},
+    {"visits moved when solved otherwise", kOtherwise},
+    {"merit over the map solved otherwise", "solved by other means the walls fit nearly as well"},
+    {"walls in directions", "few walls follow directions of the building"},
     {"attempts apart", "solutions that explain the walls nearly as well end elsewhere"},
     {"slips repaired", "the heading had slipped by a quarter turn and was put right"},
     {"odometry's bias", "odometry turns strongly while it drives"},
