@@ -67,7 +67,7 @@ TEST_F(ReportEdits, FromAClickOnThePageToThePlan) {
     EXPECT_EQ(kinds(saved), "name_room set_room_kind shut_door split_room ") << size;
     Outcome outcome;
     (void)assembled(saved, outcome);
-    EXPECT_THAT(outcome.err, HasSubstr("3 rooms, 1 door\n"));
+    EXPECT_THAT(outcome.err, HasSubstr("3 rooms, 0 doors, 1 passage\n"));
   }
 }
 
