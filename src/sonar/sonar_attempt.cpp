@@ -28,7 +28,7 @@ SonarProblem problem_of(const SonarMission& mission, const Idea& idea,
 }
 
 SonarBatchOptions options_of(const Idea& idea, SonarBatchOptions options) {
-  if (idea.is_odometry || idea.is_free) {
+  if (!idea.follows_directions()) {
     options.heading_weight = 0.0;
     options.settled_heading_weight = 0.0;
   }

@@ -61,6 +61,8 @@ struct Attempt {
   double strain = 0.0;                     ///< of odometry
   bool is_odometry = false;                ///< as its idea's
   bool is_free = false;                    ///< as its idea's
+
+  [[nodiscard]] bool follows_directions() const { return !is_odometry && !is_free; }
 };
 
 /// Keeps it beside the best, without what only the best needs.
@@ -90,6 +92,9 @@ struct Idea {
   HeadingProblem problem;
   MissionHeading heading;
   Attempt attempt;
+
+  /// Of the building, with its walls.
+  [[nodiscard]] bool follows_directions() const { return !is_odometry && !is_free; }
 };
 
 /// Of walls that lie anyhow, as many lie within 5 degrees of one of three directions. Where no more

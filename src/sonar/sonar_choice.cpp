@@ -74,6 +74,7 @@ Idea solved(const SonarMission& mission, const Consideration& one) {
 constexpr double kPerhaps = 2.0;  // of log evidence for another direction of the building
 
 Idea anew(const SonarMission& mission, Idea idea) {
+  if (mission.before_attempt) mission.before_attempt();
   idea.attempt = solve_again(mission, idea, "walls extracted anew", from_there());
   return idea;
 }

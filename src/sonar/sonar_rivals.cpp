@@ -45,6 +45,15 @@ std::vector<double> score_of_stretches(std::span<const RangeReading> readings,
   return scores;
 }
 
+/// Null where there is none.
+const Attempt* best_in_directions(const std::vector<Attempt>& attempts) {
+  const Attempt* best = nullptr;
+  for (const Attempt& one : attempts) {
+    if (one.follows_directions() && (best == nullptr || merit(one) > merit(*best))) best = &one;
+  }
+  return best;
+}
+
 }  // namespace
 
 double share_with_sure_heading(const Idea& idea) {
@@ -93,7 +102,7 @@ double headings_apart(const Attempt& kept, const std::vector<Attempt>& others) {
   double weights = 1.0;
   double squares = 0.0;
   for (const Attempt& other : others) {
-    if (other.is_free || other.is_odometry) continue;
+    if (!other.follows_directions()) continue;
     const double weight = std::exp(-std::max(0.0, merit(kept) - merit(other)) / kFitsWorse);
     const std::vector<Pose2> moves = moves_to(other.map_from_robot, kept.map_from_robot);
     const double sum = std::accumulate(
@@ -107,11 +116,7 @@ double headings_apart(const Attempt& kept, const std::vector<Attempt>& others) {
 
 CrossCheck cross_checked(const Attempt& kept, const Attempt& grown,
                          const std::vector<Attempt>& others) {
-  const Attempt* other = kept.is_free ? nullptr : &grown;
-  for (const Attempt& one : others) {
-    if (!kept.is_free || one.is_free || one.is_odometry) continue;
-    if (other == nullptr || merit(one) > merit(*other)) other = &one;
-  }
+  const Attempt* other = kept.is_free ? best_in_directions(others) : &grown;
   if (other == nullptr || !std::isfinite(merit(*other))) return {};
   return {moves_of_readings(other->map_from_robot, kept.map_from_robot),
           (merit(kept) - merit(*other)) / std::max(1.0, kept.score_m)};

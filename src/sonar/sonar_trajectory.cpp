@@ -61,7 +61,7 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
   auto [choice, from_beginning] = choose_heading(mission, likely, result);
   const Attempt grown_alone = from_beginning.attempt;
   consider_free_map(mission, std::move(from_beginning), choice, result);
-  const bool follows_walls = !choice.best->is_odometry && !choice.best->is_free;
+  const bool follows_walls = choice.best->follows_directions();
   if (options.calibrate && follows_walls && !is_verified(*choice.best, choice.others, options)) {
     consider_other_habits(mission, likely, choice, result);
   }
@@ -92,7 +92,7 @@ SonarTrajectory correct_sonar_trajectory(std::span<const RangeReading> readings,
   result.map_from_robot = std::move(sharpened.map_from_robot);
   result.habits.length_scale *= sharpened.length_scale;
   const double turn_rad = begin_at(readings.front().odom_from_robot, result.map_from_robot);
-  if (!best.is_odometry && !best.is_free) result.walls_rad = wrap_quarter(turn_rad);
+  if (best.follows_directions()) result.walls_rad = wrap_quarter(turn_rad);
   return result;
 }
 
