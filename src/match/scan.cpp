@@ -12,8 +12,6 @@ constexpr double kMaxFlatness = 0.15;   // spread across the line over spread al
 constexpr double kStraightM = 0.03;     // a line this straight ...
 constexpr double kRoughFlatness = 0.1;  // ... may be less elongated than one that is not
 
-constexpr double kNarrowRad = radians(170.0);  // a wider view has other walls to hold by than one
-                                               // that is near
 constexpr std::size_t kMostBeside = 60;  // beams on each side: more cost time and tell the same
 
 constexpr std::size_t kMostLasers = 16;
@@ -36,8 +34,7 @@ Reach reach_of(const RangeSensor& sensor, const ScanOptions& options) {
   const std::vector<Pose2>& at = sensor.robot_from_beam;
   const double apart_rad =
       at.size() > 1 ? std::abs(wrap_angle(at[1].theta_rad - at[0].theta_rad)) : kPi;
-  const double view_rad = apart_rad * static_cast<double>(at.size());
-  const bool is_fine = apart_rad < options.fine_rad && view_rad < kNarrowRad;
+  const bool is_fine = apart_rad < options.fine_rad;
   return {beams, is_fine ? std::max(beams, kMostBeside) : beams, options.fine_reach_m};
 }
 

@@ -33,7 +33,7 @@ struct ScanOptions {
   double no_echo_m = 49.0;          ///< at or beyond it nothing came back: no ray at all
   int normal_neighbors = 5;         ///< beams on each side that tell the surface's direction ...
   double normal_gap_m = 0.25;       ///< ... as long as they lie this near to each other
-  double fine_rad = radians(0.45);  ///< of a laser whose beams are less apart, five of them span
+  double fine_rad = radians(0.75);  ///< of a laser whose beams are less apart, five of them span
                                     ///< less than their ranges err where a wall is near: more are
                                     ///< taken ...
   double fine_reach_m = 0.15;       ///< ... until they reach this far. Larger rounds off corners
