@@ -31,17 +31,37 @@ std::map<RoomId, std::vector<LatticeCell>> cells_of_rooms(const PlacedAll& all, 
   return cells;
 }
 
+using Surfaces = std::vector<SurfaceSample>;
+
+/// Each ASR's surfaces by x in its own frame: only those about a place are asked.
+std::vector<Surfaces> surfaces_by_x(const PlacedAll& all) {
+  std::vector<Surfaces> surfaces;
+  surfaces.reserve(all.size());
+  for (const PlacedEvidence& placed : all) {
+    surfaces.push_back(placed.evidence->surfaces);
+    std::stable_sort(
+        surfaces.back().begin(), surfaces.back().end(),
+        [](const SurfaceSample& a, const SurfaceSample& b) { return a.point.x() < b.point.x(); });
+  }
+  return surfaces;
+}
+
 /// How far the facing wall of another room lies behind this surface: the wall's thickness, signed.
 /// The nearest such wall counts.
+/// @param others by x
 std::optional<double> thickness_at(const Point2& point, const Point2& outwards,
-                                   const std::vector<SurfaceSample>& others, double reach_m,
-                                   double step_m) {
+                                   const Surfaces& others, double reach_m, double step_m) {
+  const double apart_m = reach_m + step_m;
   std::optional<double> nearest;
-  for (const SurfaceSample& other : others) {
-    const Point2 apart = other.point - point;
-    if (std::abs(apart.x()) > reach_m + step_m || std::abs(apart.y()) > reach_m + step_m) continue;
+  const auto first = std::partition_point(
+      others.begin(), others.end(),
+      [&](const SurfaceSample& other) { return other.point.x() < point.x() - apart_m; });
+  for (auto other = first; other != others.end(); ++other) {
+    const Point2 apart = other->point - point;
+    if (apart.x() > apart_m) break;
+    if (std::abs(apart.y()) > apart_m) continue;
     if (std::abs(cross(outwards, apart)) > step_m) continue;  // beside it, not behind it
-    if (outwards.dot(other.outwards) > kOpposite) continue;
+    if (outwards.dot(other->outwards) > kOpposite) continue;
     const double behind_m = outwards.dot(apart);
     if (std::abs(behind_m) > reach_m) continue;
     if (!nearest || std::abs(behind_m) < std::abs(*nearest)) nearest = behind_m;
@@ -50,7 +70,8 @@ std::optional<double> thickness_at(const Point2& point, const Point2& outwards,
 }
 
 /// Lowers each thickness of `a`'s surfaces to that against `b`, where `b`'s wall is nearer.
-void find_nearest_backs(const PlacedEvidence& a, const PlacedEvidence& b,
+/// @param surfaces those of b
+void find_nearest_backs(const PlacedEvidence& a, const PlacedEvidence& b, const Surfaces& surfaces,
                         const ConsistencyOptions& options, std::vector<double>& thickness_m) {
   const Pose2 step = inverse(b.building_from_asr) * a.building_from_asr;
   const PointTransform b_from_a(step);
@@ -58,19 +79,9 @@ void find_nearest_backs(const PlacedEvidence& a, const PlacedEvidence& b,
     const SurfaceSample& sample = a.evidence->surfaces[i];
     const auto found =
         thickness_at(b_from_a * sample.point, b_from_a * sample.outwards - step.position(),
-                     b.evidence->surfaces, options.wall_reach_m, options.evidence.step_m);
+                     surfaces, options.wall_reach_m, options.evidence.step_m);
     if (found && std::abs(*found) < std::abs(thickness_m[i])) thickness_m[i] = *found;
   }
-}
-
-/// The thickness of the wall at each of an ASR's surfaces; `wall_reach_m` where nothing is behind.
-std::vector<double> thicknesses_of(const PlacedEvidence& a, const NearAsrs& walls,
-                                   const ConsistencyOptions& options) {
-  std::vector<double> thickness_m(a.evidence->surfaces.size(), options.wall_reach_m);
-  for (const PlacedEvidence* b : walls.near(a.solid)) {
-    if (a.room != b->room) find_nearest_backs(a, *b, options, thickness_m);
-  }
-  return thickness_m;
 }
 
 }  // namespace
@@ -94,11 +105,21 @@ ConsistencyValue room_overlap(const PlacedAll& all, const ConsistencyOptions& op
 ConsistencyValue negative_walls(const PlacedAll& all, const ConsistencyOptions& options) {
   ConsistencyValue result{ConsistencyFigure::negative_walls};
   const NearAsrs walls(all, &PlacedEvidence::solid, options.wall_reach_m);
+  const std::vector<Surfaces> surfaces = surfaces_by_x(all);
+  const auto thicknesses_of = [&](std::size_t i) {
+    const PlacedEvidence& a = all[i];
+    std::vector<double> thickness_m(a.evidence->surfaces.size(), options.wall_reach_m);
+    for (const PlacedEvidence* b : walls.near(a.solid)) {
+      if (a.room == b->room) continue;
+      const auto at = static_cast<std::size_t>(b - all.data());
+      find_nearest_backs(a, *b, surfaces[at], options, thickness_m);
+    }
+    return thickness_m;
+  };
   double depth_sum_m = 0.0;
   std::int64_t samples = 0;
-  for (const auto& of_asr : results_of<std::vector<double>>(
-           all.size(), options.jobs,
-           [&](std::size_t i) { return thicknesses_of(all[i], walls, options); })) {
+  for (const auto& of_asr :
+       results_of<std::vector<double>>(all.size(), options.jobs, thicknesses_of)) {
     for (const double thickness : of_asr) {
       depth_sum_m += std::max(-thickness, 0.0);
       if (thickness < options.wall_reach_m) result.measured += 1.0;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "rival_loops.hpp"
+#include "roomatlas/core/evenly.hpp"
 #include "roomatlas/core/for_each_index.hpp"
 #include "roomatlas/core/issue.hpp"
 #include "roomatlas/core/progress.hpp"
@@ -119,14 +120,24 @@ class LoopCloser {
     if (any) state_.placed.solve();
   }
 
-  /// Matches every two ASRs that lie near to each other, and forgets the matches before.
-  void match_all_again(bool is_last) {
+  /// Two ASRs each that lie near to each other, by first, then second.
+  [[nodiscard]] std::vector<Pair> pairs_again() const {
     std::vector<Pair> pairs;
-    for (std::size_t first = 0; first < asrs_.size(); ++first) {
-      for (std::size_t second = first + 1; second < asrs_.size(); ++second) {
+    for (std::size_t second = 1; second < asrs_.size(); ++second) {
+      const std::size_t before = pairs.size();
+      for (std::size_t first = 0; first < second; ++first) {
         consider(first, second, options_.again_near_m, pairs);
       }
+      keep_evenly(static_cast<std::size_t>(options_.again_max_candidates), pairs, before);
     }
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const Pair& a, const Pair& b) { return a.first < b.first; });
+    return pairs;
+  }
+
+  /// Matches ASRs that lie near to each other, and forgets the matches before.
+  void match_all_again(bool is_last) {
+    const std::vector<Pair> pairs = pairs_again();
     std::vector<Uncertainty> uncertainties(pairs.size());
     if (!is_last) uncertainties = state_.placed.uncertainties(pairs);
     const std::vector<MapMatch> matches = matches_of(pairs, uncertainties);
@@ -280,7 +291,8 @@ class LoopCloser {
     }
   }
 
-  void consider(std::size_t first, std::size_t second, double reach_m, std::vector<Pair>& pairs) {
+  void consider(std::size_t first, std::size_t second, double reach_m,
+                std::vector<Pair>& pairs) const {
     if (component_[first] != component_[second]) return;
     Pair pair{first, second, 0.0};
     const Pose2 between = state_.placed.first_from_second(pair);

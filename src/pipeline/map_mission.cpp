@@ -4,6 +4,7 @@
 #include <deque>
 #include <utility>
 
+#include "rehearsal.hpp"
 #include "roomatlas/odometry/dead_reckoner.hpp"
 #include "roomatlas/odometry/late_odometry.hpp"
 
@@ -77,7 +78,11 @@ class OnlineStage {
         options_(options),
         reckoner_(options.directions),
         from_(from) {
-    if (from_) sink_.resume(*from_);
+    if (from_) {
+      sink_.resume(*from_);
+    } else if (options_.localize.enabled) {
+      rehearsal_.emplace(options_.localize);
+    }
   }
 
   void add(const MissionEvent& event) {
@@ -88,8 +93,10 @@ class OnlineStage {
     }
     take(reckoner_.add(std::get<RangeReading>(event)));
     if (is_behind()) return catch_up();
+    if (!recorder_) return;
     record_one();
-    // the reckoner hands over many at once where it had to wait: caught up with two by two
+    // where the rehearsal lasted or the reckoner had to wait there are many: caught up with two by
+    // two
     if (!recorder_->has_just_left()) record_one();
   }
 
@@ -99,6 +106,7 @@ class OnlineStage {
     if (is_stopped && is_behind()) return;  // the sink has all that there is
     take(reckoner_.finish());
     waiting_.finish();
+    if (!recorder_) begin();
     if (is_behind()) catch_up();
     if (is_behind()) {
       throw InputError(mission_.info().file + ": it has " + std::to_string(recorded_) +
@@ -118,12 +126,22 @@ class OnlineStage {
 
  private:
   void take(std::vector<DeadReckoned> readings) {
-    if (!recorder_) {  // made once the log has told the robot's footprint
-      recorder_.emplace(
-          options_.record, mission_.info().footprint, sink_,
-          options_.localize.enabled ? std::make_unique<RoomLocalizer>(options_.localize) : nullptr);
+    for (DeadReckoned& reading : readings) {
+      if (rehearsal_) rehearsal_->add(reading);
+      waiting_.add(std::move(reading));
     }
-    for (DeadReckoned& reading : readings) waiting_.add(std::move(reading));
+    if (!recorder_ && (!rehearsal_ || rehearsal_->is_over())) begin();
+  }
+
+  /// Once the log has told the robot's footprint, and the rehearsal of odometry.
+  void begin() {
+    std::unique_ptr<RoomLocalizer> localizer;
+    if (options_.localize.enabled) {
+      localizer = std::make_unique<RoomLocalizer>(options_.localize);
+      if (rehearsal_) localizer->resume(rehearsal_->learnt());
+    }
+    rehearsal_.reset();
+    recorder_.emplace(options_.record, mission_.info().footprint, sink_, std::move(localizer));
   }
 
   bool record_one() {
@@ -168,6 +186,7 @@ class OnlineStage {
   const MapOptions& options_;
   DeadReckoner reckoner_;
   LateOdometry waiting_;
+  std::optional<Rehearsal> rehearsal_;  ///< until there is a recorder
   std::optional<AsrRecorder> recorder_;
   std::int64_t events_ = 0;
   std::int64_t recorded_ = 0;  ///< readings that the recorder was given

@@ -162,6 +162,17 @@ TEST(CloseLoops, MendsAMissionInWhichTheRobotWasLostOnce) {
             1);
 }
 
+TEST(CloseLoops, FewOfManyVisitsToAPlaceSuffice) {
+  Options few = matches_alone();
+  few.assemble.closures.again_max_candidates = 3;
+  const MemoryStore& store = typical().store;
+  const Assembly assembly = assemble(store, {}, few);
+  EXPECT_LT(assembly.closures.size(), typical().assembly.closures.size() / 2);
+  std::map<AsrId, int> earlier;
+  for (const Closure& closure : assembly.closures) EXPECT_LE(++earlier[closure.to], 3);
+  EXPECT_LT(rmse_m(store, place(store, assembly.correction).corrected), 0.15);
+}
+
 TEST(CloseLoops, PartsThatNothingConnectsAreNotMatchedWithEachOther) {
   std::vector<Asr> asrs;
   std::vector<AsrShape> shapes;

@@ -28,12 +28,14 @@ struct ClosureOptions {
   SearchWindow max_window{8.0, radians(20.0)};  ///< ... and no more than this
   int min_agreeing = 80;                        ///< points on common walls; fewer prove nothing
   double min_agreement = 0.65;                  ///< of the points that can tell
-  double again_near_m = 4.0;    ///< rooms this near are matched again once all are placed ...
-  int again_min_agreeing = 60;  ///< ... and fewer points suffice then
-  int rounds = 3;               ///< of matching again, one at least
-  int max_mends = 4;            ///< times that rooms which contradict each other are put where they
-                                ///< fit in `max_window`, and all are matched again
-  double mend_gain = 1.05;      ///< all scores together must grow so much by it,
+  double again_near_m = 4.0;      ///< rooms this near are matched again once all are placed ...
+  int again_max_candidates = 24;  ///< ... each with so many earlier ones, evenly over them: where
+                                  ///< visits come back again and again all pairs would be a square,
+  int again_min_agreeing = 60;    ///< ... and fewer points suffice then
+  int rounds = 3;                 ///< of matching again, one at least
+  int max_mends = 4;           ///< times that rooms which contradict each other are put where they
+                               ///< fit in `max_window`, and all are matched again
+  double mend_gain = 1.05;     ///< all scores together must grow so much by it,
   double mend_relief = 0.9;    ///< ... and the share of points that contradict must shrink so much:
                                ///< rooms alike that are laid on one another agree more, and no less
                                ///< contradicts
