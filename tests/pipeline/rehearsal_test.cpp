@@ -92,7 +92,7 @@ TEST(Rehearsal, IsOverAtTheFirstSonarAndWhereARobotStands) {
 }
 
 TEST(Rehearsal, FirstRoomIsNotBentByOdometryThatDriftsAndIsLate) {
-  EXPECT_LT(bend_of_first_room_deg(mapped(three_rounds(drifting(-6.0, 0.4)))), 3.0);
+  EXPECT_LT(bend_of_first_room_deg(mapped(three_rounds(drifting(-6.0, 0.4)))), 1.0);
 }
 
 }  // namespace
