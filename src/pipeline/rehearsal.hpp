@@ -25,7 +25,7 @@ class Rehearsal {
   [[nodiscard]] LearntOdometry learnt() const;
 
  private:
-  void follow(const DeadReckoned& reading);
+  void follow(const DeadReckoned& next);
 
   LateOdometry waiting_;
   RoomLocalizer localizer_;

@@ -10,8 +10,8 @@ namespace roomatlas {
 namespace {
 
 TEST(KeepEvenly, LeavesSoManyInTheirOrderAndNoLongGap) {
-  for (const std::size_t count : {0, 1, 5, 6, 7, 40, 1000}) {
-    for (const std::size_t most : {1, 2, 6, 32}) {
+  for (const std::size_t count : {0U, 1U, 5U, 6U, 7U, 40U, 1000U}) {
+    for (const std::size_t most : {1U, 2U, 6U, 32U}) {
       std::vector<int> items(3 + count);
       std::iota(items.begin(), items.end(), -3);  // three that stay, then 0, 1, 2 ...
       keep_evenly(most, items, 3);

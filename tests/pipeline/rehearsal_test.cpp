@@ -53,6 +53,7 @@ double bend_of_first_room_deg(const MemoryStore& store) {
   }
   const std::vector<PathSample>& path = store.asrs.front().path;
   std::vector<double> off_rad;
+  off_rad.reserve(path.size());
   for (const PathSample& sample : path) {
     off_rad.push_back(
         wrap_angle(sample.asr_from_robot.theta_rad - true_rad.at(sample.timestamp_s)));
