@@ -7,13 +7,13 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kLeastCosOffEdge = 0.1736;  // 80 degrees: a wall along the edge is not heard
-constexpr double kLeastCosOff = 0.17;        // flatter, residuals of a fit would explode
-constexpr double kHoldLine = 1e-9;           // of equations that returns leave open
-constexpr std::size_t kFewest = 3;           // returns of a line: two fit any
-constexpr int kMaxSteps = 8;                 // an end; a fit that has not settled is used
-constexpr double kTooFar = 1.0;              // of a step, rad or m: the fit has lost the wall
-constexpr double kSettled = 1e-6;            // of a step, rad and m
+constexpr double kLeastCosOffEdge = 0.17364817766693041;  // 80 degrees: flatter a wall is not heard
+constexpr double kLeastCosOff = 0.17;  // flatter, residuals of a fit would explode
+constexpr double kHoldLine = 1e-9;     // of equations that returns leave open
+constexpr std::size_t kFewest = 3;     // returns of a line: two fit any
+constexpr int kMaxSteps = 8;           // an end; a fit that has not settled is used
+constexpr double kTooFar = 1.0;        // of a step, rad or m: the fit has lost the wall
+constexpr double kSettled = 1e-6;      // of a step, rad and m
 
 /// Of the echo of a line, by sums of products: no angle is asked for.
 struct Heard {

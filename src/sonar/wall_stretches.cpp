@@ -7,10 +7,10 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kGateM = 0.15;            // a return farther off comes from something else
-constexpr double kBesideM = 0.1;           // beyond the ends of the stretch of wall that was seen
-constexpr double kLeastCosOffAxis = 0.54;  // of a wall's normal, 1 rad: flatter ones send no
-                                           // echo back
+constexpr double kGateM = 0.15;   // a return farther off comes from something else
+constexpr double kBesideM = 0.1;  // beyond the ends of the stretch of wall that was seen
+constexpr double kLeastCosOffAxis = 0.54030230586813977;  // of a wall's normal, 1 rad: flatter ones
+                                                          // send no echo back
 
 std::vector<WallStretch> stretches_of(std::span<const SeenWall> walls,
                                       std::span<const Pose2> map_from_node) {
