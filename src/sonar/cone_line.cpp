@@ -7,27 +7,19 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kLeastCosOffEdge = 0.17364817766693041;  // 80 degrees: flatter a wall is not heard
-constexpr double kLeastCosOff = 0.17;  // flatter, residuals of a fit would explode
-constexpr double kHoldLine = 1e-9;     // of equations that returns leave open
-constexpr std::size_t kFewest = 3;     // returns of a line: two fit any
-constexpr int kMaxSteps = 8;           // an end; a fit that has not settled is used
-constexpr double kTooFar = 1.0;        // of a step, rad or m: the fit has lost the wall
-constexpr double kSettled = 1e-6;      // of a step, rad and m
+constexpr double kMaxOffEdgeRad = radians(80.0);  // a wall along the cone's edge is not heard
+constexpr double kLeastCosOff = 0.17;             // that angle's: flatter, residuals would explode
+constexpr double kHoldLine = 1e-9;                // of equations that returns leave open
+constexpr std::size_t kFewest = 3;                // returns of a line: two fit any
+constexpr int kMaxSteps = 8;                      // an end; a fit that has not settled is used
+constexpr double kTooFar = 1.0;                   // of a step, rad or m: the fit has lost the wall
+constexpr double kSettled = 1e-6;                 // of a step, rad and m
 
-/// Of the echo of a line, by sums of products: no angle is asked for.
-struct Heard {
-  double along = 0.0;      ///< cosine of the line's normal off the axis
-  double across = 0.0;     ///< and its sine: positive to the left
-  bool is_inside = false;  ///< the perpendicular lies in the cone; else its edge hears the line
-};
-
-Heard heard_of(const ConeReturn& from, const HalfCone& half_cone, const ConeLine& line) {
-  Heard heard;
-  heard.along = from.axis.dot(line.normal);
-  heard.across = from.axis.x() * line.normal.y() - from.axis.y() * line.normal.x();
-  heard.is_inside = heard.along >= half_cone.unit.x();
-  return heard;
+/// How far off its axis a sonar hears a wall: the wall's normal, or the edge of the cone that is
+/// nearest to it.
+double heard_off_axis(const ConeReturn& from, double half_cone_rad, const ConeLine& line) {
+  const double off = wrap_angle(line.normal_rad - from.axis_rad);
+  return std::clamp(off, -half_cone_rad, half_cone_rad);
 }
 
 void turn_to(double normal_rad, ConeLine& line) {
@@ -117,38 +109,21 @@ Equations equations_at(std::span<const ConeReturn> returns, const Point2& half_c
 
 }  // namespace
 
-std::optional<double> range_to_line(const ConeReturn& from, const HalfCone& half_cone,
+std::optional<double> range_to_line(const ConeReturn& from, double half_cone_rad,
                                     const ConeLine& line) {
   const double distance_m = line.offset_m - line.normal.dot(from.sonar);
-  if (distance_m <= 0.0) return std::nullopt;
-  const Heard heard = heard_of(from, half_cone, line);
-  if (heard.is_inside) return distance_m;
-  const double cos_off_edge =
-      heard.along * half_cone.unit.x() + std::abs(heard.across) * half_cone.unit.y();
-  if (cos_off_edge < kLeastCosOffEdge) return std::nullopt;
-  return distance_m / cos_off_edge;
+  const double off = std::abs(wrap_angle(from.axis_rad - line.normal_rad));
+  const double off_edge = std::max(0.0, off - half_cone_rad);
+  if (distance_m <= 0.0 || off_edge > kMaxOffEdgeRad) return std::nullopt;
+  return distance_m / std::cos(off_edge);
 }
 
-double range_by_heading(const ConeReturn& from, const HalfCone& half_cone, const ConeLine& line) {
-  const Heard heard = heard_of(from, half_cone, line);
-  if (heard.is_inside) return 0.0;
-  const double off = std::abs(heard.across);
-  const double sin_beyond = off * half_cone.unit.x() - heard.along * half_cone.unit.y();
-  const double cos_beyond = heard.along * half_cone.unit.x() + off * half_cone.unit.y();
-  return (heard.across > 0.0 ? -1.0 : 1.0) * from.range_m * sin_beyond / cos_beyond;
+Point2 foot_of(const ConeReturn& from, double half_cone_rad, const ConeLine& line) {
+  return from.sonar +
+         from.range_m * direction(from.axis_rad + heard_off_axis(from, half_cone_rad, line));
 }
 
-Point2 foot_of(const ConeReturn& from, const HalfCone& half_cone, const ConeLine& line) {
-  const Heard heard = heard_of(from, half_cone, line);
-  if (heard.is_inside) return from.sonar + from.range_m * line.normal;
-  const double cos_edge = half_cone.unit.x();
-  const double sin_edge = std::copysign(half_cone.unit.y(), heard.across);
-  const Point2 edge(cos_edge * from.axis.x() - sin_edge * from.axis.y(),
-                    sin_edge * from.axis.x() + cos_edge * from.axis.y());
-  return from.sonar + from.range_m * edge;
-}
-
-std::optional<ConeLine> fit_line(std::span<const ConeReturn> returns, const HalfCone& half_cone) {
+std::optional<ConeLine> fit_line(std::span<const ConeReturn> returns, double half_cone_rad) {
   if (returns.size() < kFewest) return std::nullopt;
   Point2 middle = Point2::Zero();
   Point2 behind = Point2::Zero();
@@ -159,8 +134,9 @@ std::optional<ConeLine> fit_line(std::span<const ConeReturn> returns, const Half
   middle /= static_cast<double>(returns.size());
   behind /= static_cast<double>(returns.size());
   ConeLine line = line_through(returns, middle, behind);
+  const Point2 half_cone = direction(half_cone_rad);
   for (int step = 0; step < kMaxSteps; ++step) {
-    const Equations sums = equations_at(returns, half_cone.unit, line, middle);
+    const Equations sums = equations_at(returns, half_cone, line, middle);
     line.sigma_m = std::sqrt(sums.squares / static_cast<double>(returns.size()));
     const double determinant = sums.h00 * sums.h11 - sums.h01 * sums.h01;
     const double turn = -(sums.h11 * sums.g0 - sums.h01 * sums.g1) / determinant;

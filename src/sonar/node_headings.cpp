@@ -26,16 +26,16 @@ struct Evidence {
 };
 
 /// The mean over all stretches of wall that the return may come from: mostly one wall, seen often.
-std::optional<Evidence> evidence_of(const ConeReturn& heard, const HalfCone& half_cone,
+std::optional<Evidence> evidence_of(const ConeReturn& heard, double half_cone_rad,
                                     const WallStretches& walls) {
   Evidence sum;
   int count = 0;
   walls.for_each_near(heard.sonar + heard.range_m * heard.axis,
                       [&](std::uint32_t, const WallStretch& wall) {
-                        const auto expected_m = range_to_stretch(heard, half_cone, wall);
+                        const auto expected_m = range_to_stretch(heard, half_cone_rad, wall);
                         if (!expected_m) return;
                         sum.residual_m += heard.range_m - *expected_m;
-                        sum.slope_m_per_rad += range_by_heading(heard, half_cone, wall.line);
+                        sum.slope_m_per_rad += range_by_heading(heard, half_cone_rad, wall.line);
                         ++count;
                       });
   if (count == 0) return std::nullopt;
@@ -54,14 +54,13 @@ void add_evidence(const RangeReading& reading, const Pose2& map_from_robot, std:
                   const WallStretches& walls, std::vector<NodeEvidence>& found) {
   const RangeSensor& sensor = *reading.sensor;
   if (sensor.kind != SensorKind::sonar) return;
-  const HalfCone half_cone(sensor.half_cone_rad);
   const PointTransform place(map_from_robot);
   for (std::size_t beam = 0; beam < sensor.robot_from_beam.size(); ++beam) {
     const double range_m = reading.ranges_m[beam];
     if (!tells_of_walls(range_m, sensor)) continue;
     const Pose2 pose = place.pose(map_from_robot, sensor.robot_from_beam[beam]);
     const ConeReturn heard{pose.position(), pose.theta_rad, range_m};
-    const auto evidence = evidence_of(heard, half_cone, walls);
+    const auto evidence = evidence_of(heard, sensor.half_cone_rad, walls);
     if (evidence) found.push_back({node, *evidence});
   }
 }

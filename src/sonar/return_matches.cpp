@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomatlas/core/evenly.hpp"
 #include "wall_stretches.hpp"
 
 namespace roomatlas {
@@ -22,9 +21,10 @@ void add_evenly(std::uint32_t heard, std::vector<std::uint32_t>& found,
                 std::vector<ReturnMatch>& matches) {
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
-  keep_evenly(kMostWalls, found);
-  for (const std::uint32_t wall : found) {
-    matches.push_back({heard, wall, 1.0 / static_cast<double>(found.size())});
+  const std::size_t count = std::min(kMostWalls, found.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t at = (2 * k + 1) * found.size() / (2 * count);
+    matches.push_back({heard, found[at], 1.0 / static_cast<double>(count)});
   }
 }
 
@@ -40,12 +40,11 @@ std::vector<ReturnMatch> find_return_matches(std::span<const SeenReturn> returns
     const SeenReturn& seen = returns[i];
     const Pose2 sonar = map_from_node[seen.node] * seen.node_from_sonar;
     const ConeReturn heard{sonar.position(), sonar.theta_rad, seen.range_m};
-    const HalfCone half_cone(seen.half_cone_rad);
     found.clear();
     stretches.for_each_near(heard.sonar + heard.range_m * heard.axis,
                             [&](std::uint32_t k, const WallStretch& wall) {
                               if (are_of_one_place(seen, walls[k])) return;
-                              if (range_to_stretch(heard, half_cone, wall)) {
+                              if (range_to_stretch(heard, seen.half_cone_rad, wall)) {
                                 found.push_back(k);
                               }
                             });

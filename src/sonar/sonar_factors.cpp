@@ -63,6 +63,13 @@ PairResidual across_residual(const Pose2& map_from_first, const SeenWall& first,
                          map_from_second.position(), map_from_second * point_on(second, along_m));
 }
 
+double range_by_heading(const ConeReturn& from, double half_cone_rad, const ConeLine& line) {
+  const double off = wrap_angle(line.normal_rad - from.axis_rad);
+  const double beyond = std::abs(off) - half_cone_rad;
+  if (beyond <= 0.0) return 0.0;
+  return (off > 0.0 ? -1.0 : 1.0) * from.range_m * std::tan(beyond);
+}
+
 std::optional<PairResidual> range_residual(const Pose2& map_from_first, const SeenReturn& seen,
                                            const Pose2& map_from_second, const SeenWall& wall) {
   const Pose2 sonar = map_from_first * seen.node_from_sonar;
@@ -71,13 +78,12 @@ std::optional<PairResidual> range_residual(const Pose2& map_from_first, const Se
   const Point2& normal = placed_wall.normal;
   ConeLine line{wrap_angle(placed_wall.normal_rad)};
   line.offset_m = normal.dot(Point2(placed_wall.node + placed_wall.to_middle));
-  const HalfCone half_cone(seen.half_cone_rad);
-  const auto expected_m = range_to_line(heard, half_cone, line);
+  const auto expected_m = range_to_line(heard, seen.half_cone_rad, line);
   if (!expected_m) return std::nullopt;
   const double distance_m = line.offset_m - normal.dot(heard.sonar);
   const double per_distance = *expected_m / distance_m;
   const double by_turn =
-      range_by_heading({heard.sonar, heard.axis_rad, *expected_m, heard.axis}, half_cone, line);
+      range_by_heading({heard.sonar, heard.axis_rad, *expected_m}, seen.half_cone_rad, line);
   const Point2 arm = heard.sonar - map_from_first.position();
   const Point2 between = placed_wall.node + placed_wall.to_middle - heard.sonar;
   PairResidual residual;

@@ -51,6 +51,11 @@ struct PlacedWall {
                                            const Pose2& map_from_second, const SeenWall& second,
                                            double along_m);
 
+/// How the range at which a sonar hears a wall grows as the sonar turns left, metres per radian:
+/// 0 where the wall's perpendicular lies in the cone, else the wall is heard on the cone's edge.
+[[nodiscard]] double range_by_heading(const ConeReturn& from, double half_cone_rad,
+                                      const ConeLine& line);
+
 /// How much too far off a wall stands for a return to have come from it, by the model of a cone
 /// (`range_to_line`), metres: the range expected less the one heard. Nothing where it cannot have.
 /// @param map_from_first node of the return

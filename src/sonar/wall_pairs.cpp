@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "roomatlas/core/evenly.hpp"
 #include "square_index.hpp"
 
 namespace roomatlas {
@@ -92,7 +91,6 @@ std::vector<WallPair> find_wall_pairs(std::span<const SeenWall> walls,
     }
     std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(of_earlier), pairs.end(),
               [](const WallPair& a, const WallPair& b) { return a.second < b.second; });
-    keep_evenly(options.most_later, pairs, of_earlier);
   }
   return pairs;
 }

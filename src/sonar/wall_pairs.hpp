@@ -38,8 +38,6 @@ struct WallPairOptions {
                                 ///< may have drifted
   double min_overlap_m = 0.1;   ///< at a gate of 0; more loses walls that two visits saw in part
   double overlap_per_gate = 0.5;  ///< less of it is asked the wider the gate, up to 0.4 m
-  std::size_t most_later = 32;    ///< of a wall, evenly over those that were seen later: where a
-                                  ///< room is seen again and again they would grow with the square
 };
 
 /// All pairs within `scale_m` of twice the scale across, by first, then second.

@@ -45,7 +45,7 @@ std::map<const RangeSensor*, KeyReadings> key_readings(std::span<const RangeRead
 struct Beam {
   const KeyReadings* keys = nullptr;
   std::vector<ConeReturn> returns;  ///< one a key reading; range 0 where there is no usable return
-  HalfCone half_cone;
+  double half_cone_rad = 0.0;
   double max_range_m = 0.0;
 };
 
@@ -104,7 +104,7 @@ class Grower {
     keys_.push_back(k);
   }
   bool fit() {
-    const auto line = fit_line(taken_, beam_.half_cone);
+    const auto line = fit_line(taken_, beam_.half_cone_rad);
     if (line) line_ = *line;
     return line.has_value();
   }
@@ -126,8 +126,8 @@ class Grower {
     int misses = 0;
     for (; k < beam_.returns.size() && within(from, k, options_.max_path_m); ++k) {
       const ConeReturn& one = beam_.returns[k];
-      const auto expected_m =
-          one.range_m > 0.0 ? range_to_line(one, beam_.half_cone, line_) : std::optional<double>();
+      const auto expected_m = one.range_m > 0.0 ? range_to_line(one, beam_.half_cone_rad, line_)
+                                                : std::optional<double>();
       if (!expected_m || std::abs(*expected_m - one.range_m) >= options_.tolerance_m) {
         if (++misses > options_.max_misses) break;
         continue;
@@ -147,7 +147,7 @@ class Grower {
     double least = std::numeric_limits<double>::max();
     double most = std::numeric_limits<double>::lowest();
     for (const ConeReturn& one : taken_) {
-      const double at = tangent.dot(foot_of(one, beam_.half_cone, line_));
+      const double at = tangent.dot(foot_of(one, beam_.half_cone_rad, line_));
       least = std::min(least, at);
       most = std::max(most, at);
     }

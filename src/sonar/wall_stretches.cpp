@@ -7,10 +7,10 @@
 namespace roomatlas {
 namespace {
 
-constexpr double kGateM = 0.15;   // a return farther off comes from something else
-constexpr double kBesideM = 0.1;  // beyond the ends of the stretch of wall that was seen
-constexpr double kLeastCosOffAxis = 0.54030230586813977;  // of a wall's normal, 1 rad: flatter ones
-                                                          // send no echo back
+constexpr double kGateM = 0.15;     // a return farther off comes from something else
+constexpr double kBesideM = 0.1;    // beyond the ends of the stretch of wall that was seen
+constexpr double kMaxOffRad = 1.0;  // of a wall's normal from a sonar's axis: flatter ones send no
+                                    // echo back
 
 std::vector<WallStretch> stretches_of(std::span<const SeenWall> walls,
                                       std::span<const Pose2> map_from_node) {
@@ -63,12 +63,15 @@ bool tells_of_walls(double range_m, const RangeSensor& sensor) {
   return range_m > kMinRangeM && range_m < std::min(kMaxRangeM, sensor.max_range_m);
 }
 
-std::optional<double> range_to_stretch(const ConeReturn& heard, const HalfCone& half_cone,
+std::optional<double> range_to_stretch(const ConeReturn& heard, double half_cone_rad,
                                        const WallStretch& wall) {
-  if (wall.line.normal.dot(heard.axis) < kLeastCosOffAxis) return std::nullopt;
-  const auto expected_m = range_to_line(heard, half_cone, wall.line);
+  // a wall is heard at its distance or farther: most are ruled out without its sines
+  const double distance_m = wall.line.offset_m - wall.line.normal.dot(heard.sonar);
+  if (distance_m <= 0.0 || distance_m > heard.range_m + kGateM) return std::nullopt;
+  if (std::abs(wrap_angle(wall.line.normal_rad - heard.axis_rad)) > kMaxOffRad) return std::nullopt;
+  const auto expected_m = range_to_line(heard, half_cone_rad, wall.line);
   if (!expected_m || std::abs(heard.range_m - *expected_m) > kGateM) return std::nullopt;
-  const Point2 foot = foot_of(heard, half_cone, wall.line);
+  const Point2 foot = foot_of(heard, half_cone_rad, wall.line);
   if (std::abs(wall.along.dot(foot - wall.middle)) > wall.half_length_m + kBesideM) {
     return std::nullopt;
   }

@@ -55,8 +55,7 @@ class WallStretches {
 
 /// The range at which a sonar would hear the stretch, by the model of a cone (`range_to_line`);
 /// nothing where the return did not come from it.
-[[nodiscard]] std::optional<double> range_to_stretch(const ConeReturn& heard,
-                                                     const HalfCone& half_cone,
+[[nodiscard]] std::optional<double> range_to_stretch(const ConeReturn& heard, double half_cone_rad,
                                                      const WallStretch& wall);
 
 }  // namespace roomatlas

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "support/sonar_world.hpp"
@@ -34,28 +33,6 @@ TEST(RangeToLine, IsTheLeastRangeOfAllRaysInTheCone) {
 TEST(RangeToLine, IsNothingForAWallBehind) {
   EXPECT_FALSE(range_to_line({{0.0, 0.0}, kPi, 0.0}, kHalfCone, {0.0, 2.0, 0.0}).has_value());
   EXPECT_FALSE(range_to_line({{3.0, 0.0}, 0.0, 0.0}, kHalfCone, {0.0, 2.0, 0.0}).has_value());
-}
-
-TEST(RangeToLine, IsByProductsWhatItIsByAngles) {
-  for (const double half_deg : {0.5, 10.0, 25.0}) {
-    for (double off_deg = -170.0; off_deg <= 175.0; off_deg += 2.5) {
-      const double half_rad = radians(half_deg);
-      const double off = radians(off_deg);  // of the wall's normal, left of the axis
-      const ConeLine line{wrap_angle(0.4 + off), 3.0, 0.0};
-      const ConeReturn from{{0.5, 0.2}, 0.4, 2.7};
-      const double distance_m = 3.0 - line.normal.dot(from.sonar);
-      const double off_edge = std::max(0.0, std::abs(off) - half_rad);
-      const auto range_m = range_to_line(from, half_rad, line);
-      if (std::abs(off_edge - radians(80.0)) > 1e-3) {
-        ASSERT_EQ(range_m.has_value(), off_edge < radians(80.0)) << off_deg;
-      }
-      if (!range_m) continue;
-      EXPECT_NEAR(*range_m, distance_m / std::cos(off_edge), 1e-9);
-      const double echo_rad = 0.4 + std::clamp(off, -half_rad, half_rad);
-      const Point2 foot = from.sonar + from.range_m * direction(echo_rad);
-      EXPECT_LT((foot_of(from, half_rad, line) - foot).norm(), 1e-9);
-    }
-  }
 }
 
 TEST(FitLine, FindsTheWallThatTheConeHeard) {

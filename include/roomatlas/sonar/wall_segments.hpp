@@ -19,16 +19,6 @@ struct ConeReturn {
   Point2 axis = direction(axis_rad);  ///< of unit length; asked for many times in each fit
 };
 
-/// Half the angle of a sonar's cone, and its cosine and sine: with them each wall is asked without
-/// any angle of its own.
-struct HalfCone {
-  // NOLINTNEXTLINE(google-explicit-constructor): an angle is one
-  HalfCone(double half_rad) : rad(half_rad), unit(direction(half_rad)) {}
-
-  double rad;   ///< [0, pi / 2)
-  Point2 unit;  ///< cosine and sine
-};
-
 /// A wall as a line: the points p with normal . p = offset, the normal pointing from the robot to
 /// the wall.
 struct ConeLine {
@@ -42,22 +32,16 @@ struct ConeLine {
 /// in the cone, and d / cos(alpha - h) on the cone's edge where the wall's normal is alpha off the
 /// axis and alpha exceeds half the cone h. Nothing for a wall behind the sonar, or nearly
 /// along the cone's edge.
-[[nodiscard]] std::optional<double> range_to_line(const ConeReturn& from, const HalfCone& half_cone,
+[[nodiscard]] std::optional<double> range_to_line(const ConeReturn& from, double half_cone_rad,
                                                   const ConeLine& line);
-
-/// How that range grows as the sonar turns left, metres per radian: 0 where the perpendicular lies
-/// in the cone. The return's range is the one of `range_to_line`.
-[[nodiscard]] double range_by_heading(const ConeReturn& from, const HalfCone& half_cone,
-                                      const ConeLine& line);
 
 /// The line that the returns of one sonar lie on, by least squares of the range residuals; nothing
 /// for fewer than three returns or where the iteration does not settle.
 [[nodiscard]] std::optional<ConeLine> fit_line(std::span<const ConeReturn> returns,
-                                               const HalfCone& half_cone);
+                                               double half_cone_rad);
 
 /// The point of the line that a return came from.
-[[nodiscard]] Point2 foot_of(const ConeReturn& from, const HalfCone& half_cone,
-                             const ConeLine& line);
+[[nodiscard]] Point2 foot_of(const ConeReturn& from, double half_cone_rad, const ConeLine& line);
 
 /// A stretch of wall as one sonar heard it in consecutive readings, in the robot's frame at one of
 /// them.
