@@ -84,6 +84,21 @@ void find_nearest_backs(const PlacedEvidence& a, const PlacedEvidence& b, const 
   }
 }
 
+/// The thickness of the wall at each of an ASR's surfaces; `wall_reach_m` where nothing is behind.
+/// @param surfaces those of all, by x
+std::vector<double> thicknesses_of(std::size_t asr, const PlacedAll& all, const NearAsrs& walls,
+                                   const std::vector<Surfaces>& surfaces,
+                                   const ConsistencyOptions& options) {
+  const PlacedEvidence& a = all[asr];
+  std::vector<double> thickness_m(a.evidence->surfaces.size(), options.wall_reach_m);
+  for (const PlacedEvidence* b : walls.near(a.solid)) {
+    if (a.room == b->room) continue;
+    const auto at = static_cast<std::size_t>(b - all.data());
+    find_nearest_backs(a, *b, surfaces[at], options, thickness_m);
+  }
+  return thickness_m;
+}
+
 }  // namespace
 
 ConsistencyValue room_overlap(const PlacedAll& all, const ConsistencyOptions& options) {
@@ -106,20 +121,11 @@ ConsistencyValue negative_walls(const PlacedAll& all, const ConsistencyOptions& 
   ConsistencyValue result{ConsistencyFigure::negative_walls};
   const NearAsrs walls(all, &PlacedEvidence::solid, options.wall_reach_m);
   const std::vector<Surfaces> surfaces = surfaces_by_x(all);
-  const auto thicknesses_of = [&](std::size_t i) {
-    const PlacedEvidence& a = all[i];
-    std::vector<double> thickness_m(a.evidence->surfaces.size(), options.wall_reach_m);
-    for (const PlacedEvidence* b : walls.near(a.solid)) {
-      if (a.room == b->room) continue;
-      const auto at = static_cast<std::size_t>(b - all.data());
-      find_nearest_backs(a, *b, surfaces[at], options, thickness_m);
-    }
-    return thickness_m;
-  };
   double depth_sum_m = 0.0;
   std::int64_t samples = 0;
-  for (const auto& of_asr :
-       results_of<std::vector<double>>(all.size(), options.jobs, thicknesses_of)) {
+  for (const auto& of_asr : results_of<std::vector<double>>(
+           all.size(), options.jobs,
+           [&](std::size_t i) { return thicknesses_of(i, all, walls, surfaces, options); })) {
     for (const double thickness : of_asr) {
       depth_sum_m += std::max(-thickness, 0.0);
       if (thickness < options.wall_reach_m) result.measured += 1.0;

@@ -95,8 +95,7 @@ class OnlineStage {
     if (is_behind()) return catch_up();
     if (!recorder_) return;
     record_one();
-    // where the rehearsal lasted or the reckoner had to wait there are many: caught up with two by
-    // two
+    // many have waited for the rehearsal, or for the reckoner: caught up with two by two
     if (!recorder_->has_just_left()) record_one();
   }
 

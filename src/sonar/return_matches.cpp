@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomatlas/core/evenly.hpp"
 #include "wall_stretches.hpp"
 
 namespace roomatlas {
@@ -21,10 +22,9 @@ void add_evenly(std::uint32_t heard, std::vector<std::uint32_t>& found,
                 std::vector<ReturnMatch>& matches) {
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
-  const std::size_t count = std::min(kMostWalls, found.size());
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t at = (2 * k + 1) * found.size() / (2 * count);
-    matches.push_back({heard, found[at], 1.0 / static_cast<double>(count)});
+  keep_evenly(kMostWalls, found);
+  for (const std::uint32_t wall : found) {
+    matches.push_back({heard, wall, 1.0 / static_cast<double>(found.size())});
   }
 }
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "pipeline/three_rounds.hpp"
@@ -44,23 +46,19 @@ Rehearsed rehearsed(const SimulationOptions& options) {
   return result;
 }
 
-/// How far the heading is off at worst in the first room, once turned to be right in the mean of
-/// its last quarter.
+/// How far the heading is off at worst in the first room, once turned to be right where it is left.
 double bend_of_first_room_deg(const MemoryStore& store) {
   std::map<double, double> true_rad;
   for (const TruePose& pose : store.true_poses) {
     true_rad[pose.timestamp_s] = pose.world_from_robot.theta_rad;
   }
   const std::vector<PathSample>& path = store.asrs.front().path;
-  std::vector<double> off_rad;
-  off_rad.reserve(path.size());
-  for (const PathSample& sample : path) {
-    off_rad.push_back(
-        wrap_angle(sample.asr_from_robot.theta_rad - true_rad.at(sample.timestamp_s)));
-  }
+  const auto off_rad = [&](const PathSample& sample) {
+    return sample.asr_from_robot.theta_rad - true_rad.at(sample.timestamp_s);
+  };
   double worst_rad = 0.0;
-  for (const double off : off_rad) {
-    worst_rad = std::max(worst_rad, std::abs(wrap_angle(off - off_rad.back())));
+  for (const PathSample& sample : path) {
+    worst_rad = std::max(worst_rad, std::abs(wrap_angle(off_rad(sample) - off_rad(path.back()))));
   }
   return degrees(worst_rad);
 }
