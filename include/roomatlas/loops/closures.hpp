@@ -29,7 +29,7 @@ struct ClosureOptions {
   int min_agreeing = 80;                        ///< points on common walls; fewer prove nothing
   double min_agreement = 0.65;                  ///< of the points that can tell
   double again_near_m = 4.0;      ///< rooms this near are matched again once all are placed ...
-  int again_max_candidates = 24;  ///< ... each with so many earlier ones, evenly over them: where
+  int again_max_candidates = 64;  ///< ... each with so many earlier ones, evenly over them: where
                                   ///< visits come back again and again all pairs would be a square,
   int again_min_agreeing = 60;    ///< ... and fewer points suffice then
   int rounds = 3;                 ///< of matching again, one at least
