@@ -9,10 +9,6 @@ namespace {
 
 constexpr int kGrowthCells = 32;  ///< margin added when the grid grows, so that it grows rarely
 
-bool are_neighbors(const Cell& a, const Cell& b) {
-  return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1;
-}
-
 CellBox grown_to(const CellBox& box, const Cell& cell) {
   if (box.count() == 0) {
     return {{cell.x - kGrowthCells, cell.y - kGrowthCells},
@@ -59,11 +55,11 @@ void HimmGrid::add_sweep(const std::vector<Ray>& rays) {
     cover(from);
     cover({to.x - 1, to.y - 1});
     cover({to.x + 1, to.y + 1});
-    for_each_cell_on_line(from, to, [&](const Cell& cell) {
-      if (ray.ends_at_obstacle && are_neighbors(cell, to)) return false;
+    const auto pass = [&](const Cell& cell) {
       add(cell, kFreeHalfSteps);
       return true;
-    });
+    };
+    for_each_cell_on_line(from, to, pass, ray.ends_at_obstacle ? 2 : 0);
   }
   for (const Ray& ray : rays) {
     if (!ray.ends_at_obstacle) continue;

@@ -61,20 +61,16 @@ std::vector<CellDomain::Span> spans_of(const TileSet& tiles, int tile_y, int sid
   return spans;
 }
 
-bool touches(const Cell& a, const Cell& b) {
-  return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) <= 1;
-}
-
 }  // namespace
 
 void ReflectionMap::add_sweep(const std::vector<Ray>& rays) {
   for (const Ray& ray : rays) {
     const Cell end = frame_.cell_of(ray.segment.b);
-    for_each_cell_on_line(frame_.cell_of(ray.segment.a), end, [&](const Cell& cell) {
-      if (ray.ends_at_obstacle && touches(cell, end)) return false;
+    const auto pass = [&](const Cell& cell) {
       count(counts_.edit(cell), &CellCounts::passes);
       return true;
-    });
+    };
+    for_each_cell_on_line(frame_.cell_of(ray.segment.a), end, pass, ray.ends_at_obstacle ? 2 : 0);
     if (ray.ends_at_obstacle) count(counts_.edit(end), &CellCounts::hits);
   }
 }

@@ -13,10 +13,6 @@ constexpr double kMaxHits = 40.0;     // beyond it older hits fade ...
 constexpr double kFade = 0.9;         // ... by this, so that the mean keeps following
 constexpr double kClearNormal = 0.5;  // of the hits' normals, this share points one way
 
-bool are_beside(const Cell& a, const Cell& b) {
-  return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1;
-}
-
 }  // namespace
 
 void LocalMap::raise(const Cell& cell, int half_steps) {
@@ -26,12 +22,11 @@ void LocalMap::raise(const Cell& cell, int half_steps) {
 }
 
 void LocalMap::add_free(const Point2& from, const Point2& to) {
-  const Cell end = frame_.cell_of(to);
-  for_each_cell_on_line(frame_.cell_of(from), end, [&](const Cell& cell) {
-    if (are_beside(cell, end)) return false;
+  const auto pass = [&](const Cell& cell) {
     raise(cell, HimmGrid::kFreeHalfSteps);
     return true;
-  });
+  };
+  for_each_cell_on_line(frame_.cell_of(from), frame_.cell_of(to), pass, 2);
 }
 
 void LocalMap::add_hit(const Point2& position, const Point2& normal) {

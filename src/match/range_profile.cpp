@@ -4,7 +4,29 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomatlas/core/floored.hpp"
+
 namespace roomatlas {
+namespace {
+
+constexpr double kNearError_deg = 0.01;  // of the direction below; measured: 0.005
+
+/// The direction of a ray within `kNearError_deg`, (-180, 180], or none at its origin. An odd
+/// polynomial of the slope, fitted to the least largest error over the first octant; the others
+/// are its images. Millions of points are asked which degree they lie in, and most lie well in it.
+double near_direction_deg(const Point2& ray) {
+  const double x = std::abs(ray.x());
+  const double y = std::abs(ray.y());
+  const double slope = std::min(x, y) / std::max(x, y);
+  const double square = slope * slope;
+  double degree =
+      slope * (57.25073 + square * (-18.40197 + square * (8.38033 + square * -2.23376)));
+  if (y > x) degree = 90.0 - degree;
+  if (ray.x() < 0.0) degree = 180.0 - degree;
+  return ray.y() < 0.0 ? -degree : degree;
+}
+
+}  // namespace
 
 void RangeProfile::Bin::add(const Bin& other) {
   if (other.largest_m <= 0.0F) return;
@@ -28,7 +50,10 @@ RangeProfile::RangeProfile(const Point2& eye, std::span<const Point2> hits) : ey
 
 std::size_t RangeProfile::bin_of(const Point2& at) const {
   const Point2 ray = at - eye_;
-  const double degree = degrees(std::atan2(ray.y(), ray.x())) + 180.0;
+  double degree = near_direction_deg(ray) + 180.0;
+  const double beyond_deg = degree - static_cast<double>(floored(degree));
+  const bool is_clear = beyond_deg > kNearError_deg && beyond_deg < 1.0 - kNearError_deg;
+  if (!is_clear) degree = degrees(std::atan2(ray.y(), ray.x())) + 180.0;
   return static_cast<std::size_t>(std::clamp(degree, 0.0, kBins - 1.0));
 }
 

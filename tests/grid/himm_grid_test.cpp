@@ -97,6 +97,44 @@ TEST(BresenhamLine, HasOneCellForEachStepOfTheLongerAxisAndStaysWithinHalfACell)
   }
 }
 
+/// As Bresenham's algorithm for all octants is mostly written: a branch for each axis.
+std::vector<Cell> literal_line(Cell from, const Cell& to) {
+  const int dx = std::abs(to.x - from.x);
+  const int dy = -std::abs(to.y - from.y);
+  int error = dx + dy;
+  std::vector<Cell> cells{from};
+  while (from != to) {
+    const int doubled = 2 * error;
+    if (doubled >= dy) {
+      error += dy;
+      from.x += from.x < to.x ? 1 : -1;
+    }
+    if (doubled <= dx) {
+      error += dx;
+      from.y += from.y < to.y ? 1 : -1;
+    }
+    cells.push_back(from);
+  }
+  return cells;
+}
+
+TEST(BresenhamLine, HasTheCellsOfTheLiteralAlgorithmButTheLast) {
+  const Cell from{3, -2};
+  for_each_cell({{-30, -30}, {31, 31}}, [&](const Cell& off) {
+    std::vector<Cell> expected = literal_line(from, {from.x + off.x, from.y + off.y});
+    for (int but = 0; but < 4; ++but) {
+      std::vector<Cell> cells;
+      const auto visit = [&](const Cell& cell) {
+        cells.push_back(cell);
+        return true;
+      };
+      for_each_cell_on_line(from, {from.x + off.x, from.y + off.y}, visit, but);
+      ASSERT_EQ(cells, expected) << off.x << ' ' << off.y << " but " << but;
+      if (!expected.empty()) expected.pop_back();
+    }
+  });
+}
+
 TEST(RaysOf, CutsAtTheMappedRangeAndCountsWhatIsNoMeasurement) {
   RangeSensor sensor;
   sensor.max_range_m = 5.0;
