@@ -3,6 +3,7 @@
 // `bench_everywhere` wrote.
 //
 //   bench_trust train laser|sonar FILE...   prints src/trust/laser_model.cpp, or sonar_model.cpp
+//   bench_trust bars laser|sonar FILE...    prints the error bars of these files alone
 //   bench_trust check FILE...               tables: probabilities and error bars that the program
 //                                           gave against the truth
 //     FILE   cases.jsonl of a run; missions to check on should be no missions that were learnt from
@@ -19,18 +20,21 @@ int main(int argc, char** argv) {
   using namespace roomatlas;
   const std::vector<std::string> words(argv + 1, argv + argc);
   const bool trains = words.size() > 2 && words[0] == "train";
+  const bool bars = words.size() > 2 && words[0] == "bars";
   const bool checks = words.size() > 1 && words[0] == "check";
-  if (!trains && !checks) {
-    std::fprintf(stderr, "bench_trust train laser|sonar FILE..., or bench_trust check FILE...\n");
+  if (!trains && !bars && !checks) {
+    std::fprintf(stderr, "bench_trust train|bars laser|sonar FILE..., or check FILE...\n");
     return 2;
   }
   const std::vector<bench::TrustSample> samples =
-      bench::read_samples({words.begin() + (trains ? 2 : 1), words.end()});
+      bench::read_samples({words.begin() + (checks ? 1 : 2), words.end()});
   if (checks) {
     std::printf("%s", bench::trust_tables(samples).c_str());
     return 0;
   }
   const SensorKind sensor = words[1] == "sonar" ? SensorKind::sonar : SensorKind::laser;
-  std::printf("%s", bench::learnt_source(bench::learn_trust(samples, sensor)).c_str());
+  const std::string source = trains ? bench::learnt_source(bench::learn_trust(samples, sensor))
+                                    : bench::bars_source(bench::learn_bars(samples, sensor));
+  std::printf("%s", source.c_str());
   return 0;
 }

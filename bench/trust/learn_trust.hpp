@@ -9,24 +9,37 @@
 
 namespace roomatlas::bench {
 
-/// What the library knows as `LearntModel`.
-struct LearntTrust {
+/// The error bars of a `LearntModel`.
+struct LearntBars {
   SensorKind sensor = SensorKind::laser;
   std::size_t missions = 0;
-  std::size_t right = 0;
   std::size_t visits = 0;
-  Fitted mission_right;
   Fitted place;
   Fitted heading;
   Fitted scale;
-  Fitted visit_right;
   Fitted visit_place;
+};
+
+/// What the library knows as `LearntModel`.
+struct LearntTrust {
+  std::size_t right = 0;
+  Fitted mission_right;
+  Fitted visit_right;
+  LearntBars bars;
 };
 
 /// @throws std::runtime_error where there are no missions of this kind of sensor
 [[nodiscard]] LearntTrust learn_trust(const std::vector<TrustSample>& samples, SensorKind sensor);
 
+/// Bars alone, with the probabilities of the program that built the maps: an error bar is learnt of
+/// right maps as well, where a program has become better and few of its maps are wrong.
+/// @throws std::runtime_error where there are no missions of this kind of sensor
+[[nodiscard]] LearntBars learn_bars(const std::vector<TrustSample>& samples, SensorKind sensor);
+
 /// The source file of the library that holds it.
 [[nodiscard]] std::string learnt_source(const LearntTrust& learnt);
+
+/// The parts of that file that are bars.
+[[nodiscard]] std::string bars_source(const LearntBars& learnt);
 
 }  // namespace roomatlas::bench
