@@ -60,8 +60,25 @@ Eigen::VectorXd standardised(const FitSum& sum, const FitRow& row) {
   return values;
 }
 
-FitSum fit(const Rows& rows, FitKind kind, double penalty) {
-  FitSum sum = scales_of(rows);
+/// Its weights, and its bias.
+Eigen::VectorXd weights_of(const FitSum& sum) {
+  Eigen::VectorXd weights(static_cast<Eigen::Index>(sum.terms.size()) + 1);
+  Eigen::Index i = 0;
+  for (const FitTerm& term : sum.terms) weights[i++] = term.weight;
+  weights[i] = sum.bias;
+  return weights;
+}
+
+/// What is fitted, but for the penalty.
+struct Task {
+  FitKind kind;
+  const std::optional<FitSum>& known;
+};
+
+FitSum fit(const Rows& rows, const Task& task, double penalty) {
+  const FitKind kind = task.kind;
+  FitSum sum = task.known ? *task.known : scales_of(rows);
+  const Eigen::VectorXd known = weights_of(sum);
   const auto size = static_cast<Eigen::Index>(sum.terms.size()) + 1;
   Eigen::MatrixXd all(static_cast<Eigen::Index>(rows.size()), size);
   Eigen::VectorXd target(static_cast<Eigen::Index>(rows.size()));
@@ -71,7 +88,7 @@ FitSum fit(const Rows& rows, FitKind kind, double penalty) {
   }
   Eigen::VectorXd ridge = Eigen::VectorXd::Constant(size, penalty);
   ridge[size - 1] = kLeastDeviation;
-  Eigen::VectorXd model = Eigen::VectorXd::Zero(size);
+  Eigen::VectorXd model = known;
   for (int step = 0; step < (kind == FitKind::log_odds ? kNewtonSteps : 1); ++step) {
     Eigen::VectorXd error = all * model;
     Eigen::VectorXd weight = Eigen::VectorXd::Ones(error.size());
@@ -82,7 +99,7 @@ FitSum fit(const Rows& rows, FitKind kind, double penalty) {
     error -= target;
     Eigen::MatrixXd hessian = all.transpose() * weight.asDiagonal() * all;
     hessian.diagonal() += ridge;
-    const Eigen::VectorXd gradient = all.transpose() * error + ridge.cwiseProduct(model);
+    const Eigen::VectorXd gradient = all.transpose() * error + ridge.cwiseProduct(model - known);
     model -= hessian.ldlt().solve(gradient);
   }
   for (std::size_t i = 0; i < sum.terms.size(); ++i) {
@@ -104,7 +121,7 @@ double mean_loss(FitKind kind, const std::vector<FitRow>& rows, const std::vecto
 }
 
 /// Each row by a sum that its tenth of the groups had no part in.
-std::vector<double> left_out(const std::vector<FitRow>& rows, FitKind kind, double penalty) {
+std::vector<double> left_out(const std::vector<FitRow>& rows, const Task& task, double penalty) {
   std::vector<double> found(rows.size(), 0.0);
   for (std::size_t fold = 0; fold < kFolds; ++fold) {
     Rows others;
@@ -112,7 +129,7 @@ std::vector<double> left_out(const std::vector<FitRow>& rows, FitKind kind, doub
       if (row.group % kFolds != fold) others.push_back(&row);
     }
     if (others.empty()) continue;
-    const FitSum sum = fit(others, kind, penalty);
+    const FitSum sum = fit(others, task, penalty);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (rows[i].group % kFolds == fold) found[i] = sum.at(rows[i].figures);
     }
@@ -210,12 +227,23 @@ double FitSum::at(const std::vector<JudgedFigure>& figures) const {
   return result;
 }
 
-Fitted fit_sum(const std::vector<FitRow>& rows, FitKind kind, double share) {
+FitSum known_sum(const LearntSum& sum) {
+  FitSum known{sum.bias, {}};
+  known.terms.reserve(sum.terms.size());
+  for (const LearntTerm& term : sum.terms) {
+    known.terms.push_back({term.name, term.mean, term.deviation, term.weight});
+  }
+  return known;
+}
+
+Fitted fit_sum(const std::vector<FitRow>& rows, FitKind kind, const std::optional<FitSum>& known,
+               double share) {
   if (rows.empty()) throw std::runtime_error("there is nothing to learn from");
+  const Task task{kind, known};
   Fitted best;
   best.loss = std::numeric_limits<double>::infinity();
   for (const double penalty : kPenalties) {
-    std::vector<double> found = left_out(rows, kind, penalty);
+    std::vector<double> found = left_out(rows, task, penalty);
     const double loss = mean_loss(kind, rows, found);
     if (loss >= best.loss) continue;
     best.loss = loss;
@@ -224,7 +252,7 @@ Fitted fit_sum(const std::vector<FitRow>& rows, FitKind kind, double share) {
   }
   Rows all;
   for (const FitRow& row : rows) all.push_back(&row);
-  best.sum = fit(all, kind, best.penalty);
+  best.sum = fit(all, task, best.penalty);
   if (kind == FitKind::logarithm) {
     raise(rows, share, best.left_out, best.sum);
   } else if (kind == FitKind::within_limit) {

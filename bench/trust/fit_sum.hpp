@@ -4,9 +4,11 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "roomatlas/core/learnt_sum.hpp"
 #include "roomatlas/plan/judgement.hpp"
 
 namespace roomatlas::bench {
@@ -52,7 +54,12 @@ struct Fitted {
 /// calibrated by what was found there (Platt 1999), with the share of lapses that makes it
 /// likeliest (as of psychometric functions: Wichmann and Hill 2001); logarithms are raised so that
 /// `share` of the left-out targets lie below.
-[[nodiscard]] Fitted fit_sum(const std::vector<FitRow>& rows, FitKind kind, double share = 0.9);
+/// @param known the sum that the penalty pulls to, with its means and deviations; none: no weights
+[[nodiscard]] Fitted fit_sum(const std::vector<FitRow>& rows, FitKind kind,
+                             const std::optional<FitSum>& known = std::nullopt, double share = 0.9);
+
+/// A sum that the library knows.
+[[nodiscard]] FitSum known_sum(const LearntSum& sum);
 
 /// The same with targets for log odds: 1 where they are not above 0, else 0.
 [[nodiscard]] std::vector<FitRow> whether_within(std::vector<FitRow> rows);

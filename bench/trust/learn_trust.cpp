@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
+
+#include "../../src/trust/learnt_model.hpp"
 
 namespace roomatlas::bench {
 namespace {
@@ -51,11 +54,20 @@ std::vector<FitRow> visit_rows_of(const Samples& samples, const std::vector<doub
   return rows;
 }
 
+/// The sums that bars are learnt from, if any.
+struct KnownBars {
+  std::optional<FitSum> place;
+  std::optional<FitSum> heading;
+  std::optional<FitSum> scale;
+  std::optional<FitSum> visit_place;
+};
+
 LearntBars bars_of(const Samples& samples, SensorKind sensor,
-                   const std::vector<double>& map_log_odds) {
-  const auto fitted = [&](double TrustSample::*error, double least) {
+                   const std::vector<double>& map_log_odds, const KnownBars& known) {
+  const auto fitted = [&](double TrustSample::*error, double least,
+                          const std::optional<FitSum>& from) {
     const auto clipped = [&](const TrustSample& one) { return std::max(least, one.*error); };
-    return fit_sum(rows_of(samples, clipped), FitKind::logarithm);
+    return fit_sum(rows_of(samples, clipped), FitKind::logarithm, from);
   };
   const std::vector<FitRow> visits = visit_rows_of(
       samples, map_log_odds,
@@ -63,10 +75,10 @@ LearntBars bars_of(const Samples& samples, SensorKind sensor,
   return {sensor,
           samples.size(),
           visits.size(),
-          fitted(&TrustSample::place_m, kLeastPlace_m),
-          fitted(&TrustSample::heading_deg, kLeastHeading_deg),
-          fitted(&TrustSample::scale_share, kLeastScale),
-          fit_sum(visits, FitKind::logarithm)};
+          fitted(&TrustSample::place_m, kLeastPlace_m, known.place),
+          fitted(&TrustSample::heading_deg, kLeastHeading_deg, known.heading),
+          fitted(&TrustSample::scale_share, kLeastScale, known.scale),
+          fit_sum(visits, FitKind::logarithm, known.visit_place)};
 }
 
 struct Part {
@@ -113,7 +125,7 @@ LearntTrust learn_trust(const std::vector<TrustSample>& samples, SensorKind sens
   learnt.visit_right = fit_sum(
       visit_rows_of(own, told, [](const TrustVisit& visit) { return visit.is_right ? 1.0 : 0.0; }),
       FitKind::log_odds);
-  learnt.bars = bars_of(own, sensor, told);
+  learnt.bars = bars_of(own, sensor, told, {});
   return learnt;
 }
 
@@ -126,7 +138,10 @@ LearntBars learn_bars(const std::vector<TrustSample>& samples, SensorKind sensor
         std::clamp(sample->said.probability, kSurest, 1.0 - kSurest);  // 0 and 1 have none
     told.push_back(std::log(probability / (1.0 - probability)));
   }
-  return bars_of(own, sensor, told);
+  const LearntModel& model = model_of(sensor);
+  return bars_of(own, sensor, told,
+                 {known_sum(model.place), known_sum(model.heading), known_sum(model.scale),
+                  known_sum(model.visit_place)});
 }
 
 std::string learnt_source(const LearntTrust& learnt) {

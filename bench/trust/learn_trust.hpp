@@ -31,8 +31,9 @@ struct LearntTrust {
 /// @throws std::runtime_error where there are no missions of this kind of sensor
 [[nodiscard]] LearntTrust learn_trust(const std::vector<TrustSample>& samples, SensorKind sensor);
 
-/// Bars alone, with the probabilities of the program that built the maps: an error bar is learnt of
-/// right maps as well, where a program has become better and few of its maps are wrong.
+/// Bars alone, learnt further from what the library knows, with the probabilities of the program
+/// that built the maps. A better program's errors are smaller, and few of its maps are wrong: what
+/// is known of wrong ones stays, where nothing speaks against it.
 /// @throws std::runtime_error where there are no missions of this kind of sensor
 [[nodiscard]] LearntBars learn_bars(const std::vector<TrustSample>& samples, SensorKind sensor);
 
