@@ -70,9 +70,8 @@ std::vector<std::string> said_since(const GeoPackageStore& former, const GeoPack
 /// What `former` holds and `now` has not.
 std::vector<std::string> lost_by(const fs::path& former_file, const fs::path& now_file) try {
   std::vector<std::string> lost;
+  if (holds_nothing(former_file)) return lost;
   for (const std::string& added : added_by_others(former_file)) lost.push_back(printable(added));
-  std::error_code missing;
-  if (fs::is_empty(former_file, missing)) return lost;
   const GeoPackageStore former(former_file, GeoPackageStore::Mode::read);
   const GeoPackageStore now(now_file, GeoPackageStore::Mode::read);
   const bool is_carried_over = may_be_of(former.metadata(), building_of(now.metadata()));

@@ -150,6 +150,18 @@ TEST_F(ReplacedStore, OfTheSameLogThatIsDamagedStaysBeside) {
             "Kitchen");
 }
 
+TEST_F(ReplacedStore, DoesNotStayWithoutTables) {  // as a kill leaves one that was just begun
+  const std::string place = (*folder_ / "begun").string();
+  fs::create_directory(place);
+  SQLite::Database(place + "/building.gpkg", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
+      .exec("PRAGMA journal_mode = WAL");
+  ASSERT_GT(fs::file_size(place + "/building.gpkg"), 0U);
+  const Outcome built = run("build " + one_ + " -o " + place);
+  EXPECT_EQ(built.exit_code, 0) << built.err;
+  EXPECT_FALSE(fs::exists(place + "/building.former.gpkg"));
+  EXPECT_THAT(built.err, Not(HasSubstr("former")));
+}
+
 TEST_F(ReplacedStore, StaysBesideWithTheTablesOfOthers) {
   const std::string place = building();
   SQLite::Database(place + "/building.gpkg", SQLite::OPEN_READWRITE).exec(kNotes);

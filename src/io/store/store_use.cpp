@@ -94,9 +94,16 @@ void require_no_other_user(const std::filesystem::path& file) {
                    "QGIS, remove its layers) and try again");
 }
 
-std::vector<std::string> added_by_others(const std::filesystem::path& file) try {
+bool holds_nothing(const std::filesystem::path& file) try {
   std::error_code missing;
-  if (std::filesystem::is_empty(file, missing)) return {};
+  if (std::filesystem::is_empty(file, missing)) return true;
+  Database db(file, SQLite::OPEN_READONLY);
+  return columns_in(db).empty();
+} catch (const SQLite::Exception& error) {
+  throw InputError(file.string() + ": cannot be read: " + error.what());
+}
+
+std::vector<std::string> added_by_others(const std::filesystem::path& file) try {
   Database ours(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   create_schema(ours);
   const Columns known = columns_in(ours);
