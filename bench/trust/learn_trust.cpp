@@ -54,20 +54,15 @@ std::vector<FitRow> visit_rows_of(const Samples& samples, const std::vector<doub
   return rows;
 }
 
-/// The sums that bars are learnt from, if any.
-struct KnownBars {
-  std::optional<FitSum> place;
-  std::optional<FitSum> heading;
-  std::optional<FitSum> scale;
-  std::optional<FitSum> visit_place;
-};
-
+/// @param known the model that bars are learnt further from, or none
 LearntBars bars_of(const Samples& samples, SensorKind sensor,
-                   const std::vector<double>& map_log_odds, const KnownBars& known) {
-  const auto fitted = [&](double TrustSample::*error, double least,
-                          const std::optional<FitSum>& from) {
-    const auto clipped = [&](const TrustSample& one) { return std::max(least, one.*error); };
-    return fit_sum(rows_of(samples, clipped), FitKind::logarithm, from);
+                   const std::vector<double>& map_log_odds, const LearntModel* known) {
+  const auto fitted = [&](const std::vector<FitRow>& rows, LearntSum LearntModel::*sum) {
+    const auto from = known != nullptr ? std::optional(known_sum(known->*sum)) : std::nullopt;
+    return fit_sum(rows, FitKind::logarithm, from);
+  };
+  const auto errors = [&](double TrustSample::*error, double least) {
+    return rows_of(samples, [&](const TrustSample& one) { return std::max(least, one.*error); });
   };
   const std::vector<FitRow> visits = visit_rows_of(
       samples, map_log_odds,
@@ -75,10 +70,10 @@ LearntBars bars_of(const Samples& samples, SensorKind sensor,
   return {sensor,
           samples.size(),
           visits.size(),
-          fitted(&TrustSample::place_m, kLeastPlace_m, known.place),
-          fitted(&TrustSample::heading_deg, kLeastHeading_deg, known.heading),
-          fitted(&TrustSample::scale_share, kLeastScale, known.scale),
-          fit_sum(visits, FitKind::logarithm, known.visit_place)};
+          fitted(errors(&TrustSample::place_m, kLeastPlace_m), &LearntModel::place),
+          fitted(errors(&TrustSample::heading_deg, kLeastHeading_deg), &LearntModel::heading),
+          fitted(errors(&TrustSample::scale_share, kLeastScale), &LearntModel::scale),
+          fitted(visits, &LearntModel::visit_place)};
 }
 
 struct Part {
@@ -125,7 +120,7 @@ LearntTrust learn_trust(const std::vector<TrustSample>& samples, SensorKind sens
   learnt.visit_right = fit_sum(
       visit_rows_of(own, told, [](const TrustVisit& visit) { return visit.is_right ? 1.0 : 0.0; }),
       FitKind::log_odds);
-  learnt.bars = bars_of(own, sensor, told, {});
+  learnt.bars = bars_of(own, sensor, told, nullptr);
   return learnt;
 }
 
@@ -138,10 +133,7 @@ LearntBars learn_bars(const std::vector<TrustSample>& samples, SensorKind sensor
         std::clamp(sample->said.probability, kSurest, 1.0 - kSurest);  // 0 and 1 have none
     told.push_back(std::log(probability / (1.0 - probability)));
   }
-  const LearntModel& model = model_of(sensor);
-  return bars_of(own, sensor, told,
-                 {known_sum(model.place), known_sum(model.heading), known_sum(model.scale),
-                  known_sum(model.visit_place)});
+  return bars_of(own, sensor, told, &model_of(sensor));
 }
 
 std::string learnt_source(const LearntTrust& learnt) {

@@ -79,35 +79,9 @@ bool has_other_user(const std::filesystem::path& file) {
   return is_used;
 }
 
-}  // namespace
-
-void require_no_other_user(const std::filesystem::path& file) {
-  std::error_code missing;
-  if (!std::filesystem::is_regular_file(file, missing)) return;
-  if (std::filesystem::is_empty(file, missing)) return;
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    if (!has_other_user(file)) return;
-    std::this_thread::sleep_for(kBetweenAttempts);
-  }
-  throw InputError(file.string() +
-                   ": another program has it open, and nothing was touched: close it there (in "
-                   "QGIS, remove its layers) and try again");
-}
-
-bool holds_nothing(const std::filesystem::path& file) try {
-  std::error_code missing;
-  if (std::filesystem::is_empty(file, missing)) return true;
-  Database db(file, SQLite::OPEN_READONLY);
-  return columns_in(db).empty();
-} catch (const SQLite::Exception& error) {
-  throw InputError(file.string() + ": cannot be read: " + error.what());
-}
-
-std::vector<std::string> added_by_others(const std::filesystem::path& file) try {
-  Database ours(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-  create_schema(ours);
+/// What is in `db` beyond what is in a new store.
+std::vector<std::string> added_to(Database& ours, Database& db) {
   const Columns known = columns_in(ours);
-  Database db(file, SQLite::OPEN_READONLY);
   std::vector<std::string> added;
   const Columns found = columns_in(db);
   for (const auto& [table, columns] : found) {
@@ -127,10 +101,44 @@ std::vector<std::string> added_by_others(const std::filesystem::path& file) try 
     added.emplace_back("the table layer_styles");
   }
   return added;
+}
+
+/// @throws InputError when the file cannot be read
+template <typename Read>
+auto read_from(const std::filesystem::path& file, Read read) try {
+  Database db(file, SQLite::OPEN_READONLY);
+  return read(db);
 } catch (const SQLite::Exception& error) {
   throw InputError(file.string() + ": cannot be read: " + error.what());
 } catch (const DamagedData& damage) {
   throw InputError(file.string() + ": cannot be read: " + damage.what());
+}
+
+}  // namespace
+
+void require_no_other_user(const std::filesystem::path& file) {
+  std::error_code missing;
+  if (!std::filesystem::is_regular_file(file, missing)) return;
+  if (std::filesystem::is_empty(file, missing)) return;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    if (!has_other_user(file)) return;
+    std::this_thread::sleep_for(kBetweenAttempts);
+  }
+  throw InputError(file.string() +
+                   ": another program has it open, and nothing was touched: close it there (in "
+                   "QGIS, remove its layers) and try again");
+}
+
+bool holds_nothing(const std::filesystem::path& file) {
+  std::error_code missing;
+  if (std::filesystem::is_empty(file, missing)) return true;
+  return read_from(file, [](Database& db) { return columns_in(db).empty(); });
+}
+
+std::vector<std::string> added_by_others(const std::filesystem::path& file) {
+  Database ours(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  create_schema(ours);
+  return read_from(file, [&](Database& db) { return added_to(ours, db); });
 }
 
 }  // namespace roomatlas
