@@ -18,7 +18,7 @@ constexpr double kSonarLagM = 0.4;      // sonars hear a jamb well only from bes
                                         // this much later than with a laser
 constexpr double kSeedM = 1.0;          // the live grid of a new ASR starts with this much path
 constexpr int kSettledAfter = 12;       // readings: the first of a new room cost most
-constexpr int kHandOverAfter = 30;      // readings: a room that was left is mapped by then
+constexpr int kHandOverAfter = 150;     // readings: a room that was left is mapped by then
 constexpr double kHeadingSpanM = 0.15;  // motion direction is taken over this much path each way
 
 /// A doorway on the path, and where on the path it was found.

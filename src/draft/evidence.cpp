@@ -20,6 +20,8 @@ bool is_worth_it(const Pose2& from, const Pose2& to, double every_m, double ever
          std::abs(wrap_angle(to.theta_rad - from.theta_rad)) >= every_deg * kPi / 180.0;
 }
 
+using Surfaces = std::vector<SurfacePoint>;
+
 /// A reading that is worth it, where the correction puts it.
 struct Placed {
   const RangeReading* reading = nullptr;
@@ -28,8 +30,9 @@ struct Placed {
   [[nodiscard]] bool is_sonar() const { return reading->sensor->kind == SensorKind::sonar; }
 };
 
-/// Takes readings in and makes evidence of them, one ASR after the other. Beams that are counted
-/// and surfaces or echoes are apart: each can be taken in a thread of its own.
+/// Takes readings in and makes evidence of them, one ASR after the other. Beams that are counted,
+/// what is heard or seen, and keeping what was seen before are apart: each can be taken in a thread
+/// of its own.
 class Gatherer {
  public:
   Gatherer(const RobotFootprint& footprint, const GatherOptions& options) : options_(options) {
@@ -64,16 +67,29 @@ class Gatherer {
     }
   }
 
-  void hear_and_see(const std::vector<Placed>& readings) {
+  /// @returns what each laser's reading saw, to be kept
+  [[nodiscard]] std::vector<Surfaces> hear_and_see(const std::vector<Placed>& readings) {
     std::int64_t ignored = 0;
+    std::vector<Surfaces> seen;
     for (const Placed& one : readings) {
       if (!one.is_sonar()) {
-        add_surfaces(*one.reading, one.building_from_robot);
+        seen.push_back(surfaces_of(*one.reading, one.building_from_robot, options_.laser_range_m));
         continue;
       }
       const RayOptions far{options_.coarse_range_m, options_.sonar_no_echo_m, 0.0};
       evidence_.coarse.add_sweep(rays_of(*one.reading, one.building_from_robot, far, ignored));
       add_echoes(*one.reading, one.building_from_robot);
+    }
+    return seen;
+  }
+
+  void keep(const std::vector<Surfaces>& seen) {
+    Surfaces& all = evidence_.surfaces;
+    for (const Surfaces& of_one : seen) {
+      all.insert(all.end(), of_one.begin(), of_one.end());
+      if (all.size() <= thin_at_) continue;
+      all = thinned(std::move(all));
+      thin_at_ = all.size() + kThinAt;
     }
   }
 
@@ -83,17 +99,6 @@ class Gatherer {
   }
 
  private:
-  void add_surfaces(const RangeReading& reading, const Pose2& building_from_robot) {
-    std::vector<SurfacePoint> seen =
-        surfaces_of(reading, building_from_robot, options_.laser_range_m);
-    auto& all = evidence_.surfaces;
-    all.insert(all.end(), seen.begin(), seen.end());
-    if (all.size() > thin_at_) {
-      all = thinned(std::move(all));
-      thin_at_ = all.size() + kThinAt;
-    }
-  }
-
   void add_echoes(const RangeReading& reading, const Pose2& building_from_robot) {
     evidence_.sonar_half_cone_rad =
         std::max(evidence_.sonar_half_cone_rad, reading.sensor->half_cone_rad);
@@ -145,16 +150,21 @@ BuildingEvidence gather_evidence(const AsrSource& source, const Placement& place
   const std::vector<AsrId> ids = source.ids();
   std::optional<Asr> next;
   if (!ids.empty()) next = load_with_readings(source, ids.front());
+  std::vector<Surfaces> seen;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     report(progress, "map building", share_of(i, ids.size()));
     const Asr asr = std::move(*next);
     const std::vector<Placed> readings = gatherer.begin(asr, placement.at(asr.id));
-    for_each_index(3, jobs, [&](std::size_t part) {
-      if (part == 0) gatherer.count(readings);
-      if (part == 1) gatherer.hear_and_see(readings);
-      if (part == 2 && i + 1 < ids.size()) next = load_with_readings(source, ids[i + 1]);
+    std::vector<Surfaces> seen_now;
+    for_each_index(4, jobs, [&](std::size_t part) {
+      if (part == 0) gatherer.keep(seen);  // now and then the longest
+      if (part == 1) seen_now = gatherer.hear_and_see(readings);
+      if (part == 2) gatherer.count(readings);
+      if (part == 3 && i + 1 < ids.size()) next = load_with_readings(source, ids[i + 1]);
     });
+    seen = std::move(seen_now);
   }
+  gatherer.keep(seen);
   return gatherer.taken();
 }
 

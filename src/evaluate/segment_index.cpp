@@ -54,6 +54,7 @@ SegmentIndex::~SegmentIndex() = default;
 
 double SegmentIndex::distance(const Point2& point) const {
   double nearest_m = std::numeric_limits<double>::infinity();
+  if (segments_.empty()) return nearest_m;  // of none the tree cannot be asked
   const IndexPoint at(point.x(), point.y());
   // Boxes from the nearest on; an edge may lie farther off than its box.
   const auto query = index::nearest(at, static_cast<unsigned>(segments_.size()));
