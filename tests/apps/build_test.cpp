@@ -140,13 +140,13 @@ struct Gate {
 };
 
 /// Judged by the program's own JSON after `build`.
-void expect_within(const std::string& name, const Gate& gate, const std::string& options = "") {
+void expect_within(const std::string& name, const Gate& gate) {
   const auto log = shared_data("logs/" + name + "/" + name + ".clf.gz");
   const auto relations = shared_data("logs/" + name + "/" + name + ".relations");
   if (!log || !relations) return;
   const Folder folder;
   const Outcome built = run("-q --json build " + log->string() + " --truth " + relations->string() +
-                            options + " -o " + (folder / "out").string());
+                            " -o " + (folder / "out").string());
   ASSERT_EQ(built.exit_code, 0) << built.err;
   const Json errors = Json::parse(built.out)["relations"]["after"];
   EXPECT_EQ(errors["matched"], errors["relations"]);
@@ -159,11 +159,7 @@ TEST(Build, Fr079IsTruerThanTheBestPublishedCorrection) {
   expect_within("fr079", {0.036, 0.50, 0.5});
 }
 
-/// Its map is doubted, and would be corrected as a whole besides: seven times the work, after which
-/// it stays as it is.
-TEST(Build, AcesIsTruerThanItsGate) {
-  expect_within("aces", {0.042, 0.38, 0.5}, " --no-correct-sonars");
-}
+TEST(Build, AcesIsTruerThanItsGate) { expect_within("aces", {0.042, 0.38, 0.5}); }
 
 }  // namespace
 }  // namespace roomatlas::test
